@@ -1,0 +1,43 @@
+# make demo: analyse an example workspace.  make test: run the tests.  make lint: check style and types.
+# Needs Python 3.10 or newer (choose one with PYTHON=...); everything else is installed into .venv.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+PACKAGES := cli datalog extractor models reports rules
+SOURCES := $(PACKAGES) tests benchmarks
+
+.PHONY: demo test lint format clean
+
+demo: $(VENV)/.installed
+	$(BIN)/rosarch analyze examples/mobile_base
+
+test: $(VENV)/.installed-dev
+	$(BIN)/python -m pytest $(ARGS)
+
+# mypy looks for folders that are called as the packages are: rosarch.cli is cli/
+lint: $(VENV)/.installed-dev
+	$(BIN)/ruff check $(SOURCES)
+	$(BIN)/ruff format --check $(SOURCES)
+	@mkdir -p $(VENV)/typed/rosarch
+	@for package in $(PACKAGES); do ln -sfn "$(CURDIR)/$$package" "$(VENV)/typed/rosarch/$$package"; done
+	MYPYPATH=$(VENV)/typed $(BIN)/mypy --package rosarch
+
+format: $(VENV)/.installed-dev
+	$(BIN)/ruff check --fix $(SOURCES)
+	$(BIN)/ruff format $(SOURCES)
+
+clean:
+	rm -rf $(VENV) build *.egg-info .mypy_cache .pytest_cache .ruff_cache
+
+$(BIN)/python:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 10) and "rosarch needs Python 3.10 or newer; try make PYTHON=python3.12")'
+	$(PYTHON) -m venv $(VENV)
+
+$(VENV)/.installed: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	@touch $@
+
+$(VENV)/.installed-dev: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	@touch $@ $(VENV)/.installed

@@ -1,0 +1,1 @@
+"""The `rosarch` command: one module per sub-command, and what they share."""

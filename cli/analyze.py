@@ -1,0 +1,61 @@
+"""`rosarch analyze`: sources or facts to component models."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rosarch.cli.inputs import check_output, load_analysis, unwritable
+from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.terminal import emit, show_diagnostics
+
+Out = Annotated[
+    Path | None,
+    typer.Option("--out", "-o", metavar="OUT", help="Also write each model to OUT/<package>/<component>.json.", show_default=False),
+]
+
+
+def analyze(
+    folder: Input,
+    out: Out = None,
+    engine: EngineChoice = Engine.embedded,
+    packages: Packages = None,
+    output_format: Annotated[
+        ModelFormat | None, typer.Option("--format", help="Report on stdout; a table by default, only its last line with --out.")
+    ] = None,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cache: Cache = None,
+    verbose: Verbose = False,
+) -> None:
+    """Say what each node and nodelet below DIR is connected to: its ports, with types and source lines, and its parameters."""
+    start = time.perf_counter()
+    variables = parse_defines(defines)
+    if out:
+        check_output(out)
+    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cache=cache)
+    if out:
+        from rosarch.reports.json_models import write_models
+
+        try:
+            write_models(analysis.models, out)
+        except OSError as error:
+            raise unwritable(out, error) from None
+    show_diagnostics(analysis.diagnostics, verbose)
+    if output_format is ModelFormat.json:
+        from rosarch.reports.json_models import models_text
+
+        emit(models_text(analysis.models))
+        return
+    if output_format or not out:
+        from rosarch.reports.table import models_text as table_text
+
+        emit(table_text(analysis.models, parameters=True, terminal=sys.stdout.isatty()))
+    from rosarch.reports.summary import summary_line
+
+    emit(summary_line(analysis.models, time.perf_counter() - start) + "\n")

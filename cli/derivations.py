@@ -1,0 +1,122 @@
+"""What `query`, `explain`, `why-not` and `rules run` share: the rules and the rows of the components they are asked about."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_diagnostics, check_folder, check_output
+from rosarch.cli.options import Engine, parse_defines
+from rosarch.cli.terminal import progress, show_diagnostics
+
+if TYPE_CHECKING:
+    from rosarch.datalog import Program, Result
+    from rosarch.models.selection import SelectedComponent
+
+Facts = Mapping[str, list[tuple[Any, ...]]]
+Component = Annotated[
+    str | None, typer.Option("--component", "-c", metavar="NAME", help="Only this one: NAME or PACKAGE/NAME.", show_default=False)
+]
+RuleFiles = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--rules", "-r", metavar="FILE", help="A file of rules of your own, beside rosarch's; may be repeated.", show_default=False
+    ),
+]
+
+Profiled = Annotated[bool, typer.Option("--profile", help="Tell on stderr which rules take the time.")]
+
+
+@contextmanager
+def datalog_errors() -> Iterator[None]:
+    """Errors in rules, goals and queries are errors of the user's input."""
+    from rosarch.datalog import DatalogError
+
+    try:
+        yield
+    except DatalogError as error:
+        raise InputError(str(error)) from None
+
+
+def load_rules(files: Sequence[Path] | None) -> Program:
+    """The rules of a component, with files of the user's own."""
+    from rosarch.datalog import load_program
+    from rosarch.extractor.manifest import rules_folder
+
+    return load_program([rules_folder() / "component.dl", *(files or ())])
+
+
+def shorten(path: str) -> str:
+    """The path of one of rosarch's rules from the folder of rules on, any other as it is."""
+    from rosarch.extractor.manifest import rules_folder
+
+    inside = Path(path)
+    folder = rules_folder()
+    return f"rules/{inside.relative_to(folder).as_posix()}" if inside.is_relative_to(folder) else path
+
+
+@contextmanager
+def selected(
+    folder: Path,
+    packages: Sequence[str] | None,
+    component: str | None,
+    *,
+    jobs: int | None,
+    timeout: float,
+    defines: Sequence[str] | None,
+    cache: Path | None,
+    verbose: bool,
+) -> Iterator[Sequence[SelectedComponent]]:
+    """The components below DIR that the options leave; none is an error."""
+    from rosarch.extractor.manifest import ManifestError
+    from rosarch.models.selection import SelectionError, select
+
+    variables = parse_defines(list(defines or ()))
+    check_folder(folder)
+    store = check_output(cache) if cache else None
+    try:
+        with (
+            progress() as report,
+            select(
+                folder, packages or None, component, jobs=jobs, timeout=timeout, defines=variables, cache=store, progress=report
+            ) as found,
+        ):
+            check_diagnostics(folder, len(found.components), found.diagnostics)
+            show_diagnostics(found.diagnostics, verbose)
+            if not found.components:
+                raise InputError(f"{folder}: no node or nodelet")
+            yield found.components
+    except (SelectionError, ManifestError) as error:
+        raise InputError(str(error)) from None
+
+
+def facts_of(component: SelectedComponent, program: Program) -> Facts:
+    """The facts of a component that the rules read."""
+    wanted = set(program.inputs)
+    return {name: list(rows) for name, rows in component.load().items() if name in wanted}
+
+
+def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, profiled: bool = False) -> tuple[Result, Facts]:
+    """All relations of a component, and its facts; with a profile on stderr if asked for."""
+    facts = facts_of(component, program)
+    if not profiled:
+        return program.evaluate(facts, engine=engine.value, keep="all"), facts
+    from rosarch.datalog import profile, profile_text
+
+    if engine is not Engine.embedded:
+        raise InputError("--profile measures the embedded engine; souffle has a profiler of its own")
+    found = profile(program, facts)
+    sys.stderr.write(f"== {component.title}\n{profile_text(found, shorten=shorten)}")
+    return found.result, facts
+
+
+def heading(components: Sequence[SelectedComponent]) -> Callable[[SelectedComponent], str]:
+    """A line above the answer for each component, when there are several."""
+    several = len(components) > 1
+    return lambda component: f"== {component.title}\n" if several else ""

@@ -1,0 +1,92 @@
+"""`rosarch explain` and `rosarch why-not`: why a row is there, and why another is not."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from rosarch.cli.derivations import Component, RuleFiles, datalog_errors, evaluate, heading, load_rules, selected, shorten
+from rosarch.cli.errors import InputError
+from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.terminal import emit
+
+Goal = Annotated[
+    str,
+    typer.Argument(
+        metavar="ROW",
+        help="A row, `_` for any value: 'port([_, publisher, odom])'. Quotes are needed around commas only.",
+        show_default=False,
+    ),
+]
+Depth = Annotated[int, typer.Option("--depth", metavar="N", min=0, help="How many steps of the proof to print; 0 for all.")]
+Most = Annotated[int, typer.Option("--most", "-n", metavar="N", min=1, help="Explain no more rows than this per component.")]
+
+
+def explain(
+    folder: Input,
+    goal: Goal,
+    packages: Packages = None,
+    component: Component = None,
+    rules: RuleFiles = None,
+    depth: Depth = 4,
+    show_rules: Annotated[bool, typer.Option("--show-rules", help="Print every rule under the row it derives.")] = False,
+    most: Most = 1,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cache: Cache = None,
+    verbose: Verbose = False,
+) -> None:
+    """Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about."""
+    from rosarch.datalog import Layout, RowStore, SourceLines, explain_all, folder_reader, proof_text
+    from rosarch.datalog.prover import check_goal, has_rows, no_row
+
+    layout = Layout(depth=depth or None, rules=show_rules, shorten=shorten)
+    with datalog_errors():
+        program = load_rules(rules)
+        check_goal(program, goal)
+        texts = []
+        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+            title = heading(components)
+            for each in components:
+                store = RowStore(*evaluate(program, each, engine))
+                if not has_rows(program, store, goal):
+                    continue
+                lines = SourceLines(program, store, folder_reader(each.root))
+                proofs = explain_all(program, store, goal, most=most)
+                texts.append(title(each) + "\n".join(proof_text(proof, layout=layout, lines=lines) for proof in proofs))
+        if not texts:
+            raise no_row(program, goal)
+    emit("\n".join(texts))
+
+
+def why_not(
+    folder: Input,
+    goal: Goal,
+    packages: Packages = None,
+    component: Component = None,
+    rules: RuleFiles = None,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cache: Cache = None,
+    verbose: Verbose = False,
+) -> None:
+    """Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there."""
+    from rosarch.datalog import RowStore, why_not_text
+    from rosarch.datalog import why_not as ask
+    from rosarch.datalog.prover import check_goal
+
+    with datalog_errors():
+        program = load_rules(rules)
+        check_goal(program, goal)
+        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+            if len(components) > 1:
+                names = ", ".join(c.title for c in components)
+                raise InputError(f"{folder}: {len(components)} components; choose one with --component: {names}")
+            store = RowStore(*evaluate(program, components[0], engine))
+        text = why_not_text(ask(program, store, goal), shorten)
+    emit(text)

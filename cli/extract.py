@@ -1,0 +1,52 @@
+"""`rosarch extract`: sources to facts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rosarch.cli.inputs import check_diagnostics, check_folder, check_output, unwritable
+from rosarch.cli.options import Cache, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.terminal import emit, progress, show_diagnostics
+
+Out = Annotated[Path, typer.Option("--out", "-o", metavar="FACTS", help="The folder to write the facts to.", show_default=False)]
+
+
+def extract(
+    folder: Folder,
+    out: Out,
+    packages: Packages = None,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cache: Cache = None,
+    verbose: Verbose = False,
+) -> None:
+    """Read the packages below DIR and write their facts, one folder of Soufflé .facts files per node or nodelet."""
+    variables = parse_defines(defines)
+    check_folder(folder)
+    check_output(out)
+    from rosarch.extractor.pipeline import extract as extract_facts
+
+    with progress() as report:
+        extraction = extract_facts(
+            folder,
+            packages or None,
+            jobs=jobs,
+            timeout=timeout,
+            defines=variables,
+            cache=check_output(cache) if cache else None,
+            progress=report,
+        )
+    with extraction:
+        check_diagnostics(folder, len(extraction.components), extraction.diagnostics)
+        try:
+            extraction.write(out)
+        except OSError as error:
+            raise unwritable(out, error) from None
+        show_diagnostics(extraction.diagnostics, verbose)
+        from rosarch.reports.labels import counted
+
+        emit(f"facts of {counted(len(extraction.components), 'component')} in {out}\n")

@@ -1,0 +1,129 @@
+"""What a sub-command works on: a checked folder, and the analysis of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import replace
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rosarch.cli.errors import InputError
+from rosarch.cli.options import Engine
+from rosarch.cli.terminal import progress
+
+if TYPE_CHECKING:
+    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.models.analysis import Analysis
+
+
+def check_folder(folder: Path) -> Path:
+    """`folder`, when it is one that can be read."""
+    if not folder.exists():
+        raise InputError(f"{folder}: no such folder")
+    if not folder.is_dir():
+        raise InputError(f"{folder}: not a folder")
+    if not os.access(folder, os.R_OK | os.X_OK):
+        raise InputError(f"{folder}: no permission to read this folder")
+    return folder
+
+
+def check_output(out: Path) -> Path:
+    """`out`, made if need be: better refused before a long analysis than after it."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise InputError(f"{out}: not a folder") from None
+    except OSError as error:
+        raise unwritable(out, error) from None
+    if not os.access(out, os.W_OK | os.X_OK):
+        raise InputError(f"{out}: cannot write to this folder")
+    return out
+
+
+def unwritable(out: Path, error: OSError) -> InputError:
+    """The error for an output folder that refuses what is written to it."""
+    return InputError(f"{error.filename or out}: cannot write ({(error.strerror or str(error)).lower()})")
+
+
+def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic]) -> None:
+    """Refuse input that gave nothing to work on: no package, an unknown package, only broken packages."""
+    diagnostics = list(diagnostics)
+    for diagnostic in diagnostics:
+        if diagnostic.kind == "workspace":
+            raise InputError(f"{folder}: {diagnostic.message}")
+    broken = [diagnostic for diagnostic in diagnostics if diagnostic.kind == "manifest"]
+    if broken and not found:
+        from rosarch.extractor.workspace.manifests import find_manifests, quick_name
+        from rosarch.reports.diagnostics import diagnostic_line
+
+        if not any(quick_name(path) for path in find_manifests(folder.absolute())):
+            raise InputError(diagnostic_line(broken[0], Path.cwd()))
+
+
+def is_facts_folder(folder: Path) -> bool:
+    """Whether `rosarch extract` wrote `folder`, complete or not."""
+    return next(folder.glob("*/*/*.facts"), None) is not None
+
+
+def load_analysis(
+    folder: Path,
+    packages: Collection[str] | None,
+    *,
+    engine: Engine,
+    jobs: int | None,
+    timeout: float,
+    defines: Mapping[str, str],
+    cache: Path | None,
+) -> Analysis:
+    """Analyse a folder of packages or of facts."""
+    check_folder(folder)
+    _check_engine(engine)
+    with progress() as report:
+        if is_facts_folder(folder):
+            return _load_facts(folder, packages, engine, jobs, report)
+        from rosarch.models.analysis import analyze
+
+        analysis = analyze(
+            folder,
+            packages or None,
+            engine=engine.value,
+            jobs=jobs,
+            timeout=timeout,
+            defines=defines,
+            cache=check_output(cache) if cache else None,
+            progress=report,
+        )
+    check_diagnostics(folder, len(analysis.models), analysis.diagnostics)
+    return analysis
+
+
+def _load_facts(
+    folder: Path, packages: Collection[str] | None, engine: Engine, jobs: int | None, report: Callable[[str, int, int], None] | None
+) -> Analysis:
+    from rosarch.extractor.manifest import ManifestError
+    from rosarch.models.analysis import analyze_facts
+
+    try:
+        analysis = analyze_facts(folder, engine=engine.value, jobs=jobs, progress=report)
+    except ManifestError as error:
+        raise InputError(str(error)) from None
+    known = {model.package for model in analysis.models}
+    for name in sorted(set(packages or ()) - known):
+        raise InputError(f"{folder}: no package {name} among these facts{hint(name, known)}")
+    return replace(analysis, models=tuple(model for model in analysis.models if not packages or model.package in packages))
+
+
+def _check_engine(engine: Engine) -> None:
+    if engine is Engine.souffle:
+        import shutil
+
+        if shutil.which("souffle") is None:
+            raise InputError("--engine souffle: there is no `souffle` on PATH; the embedded engine needs no installation")
+
+
+def hint(name: str, known: Iterable[str]) -> str:
+    """`, did you mean ...?` when a known name is close."""
+    close = get_close_matches(name, sorted(known), n=1)
+    return f", did you mean `{close[0]}`?" if close else ""

@@ -1,0 +1,66 @@
+"""The options that several sub-commands have."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rosarch.cli.errors import InputError
+
+
+class Engine(str, Enum):
+    """The Datalog engines."""
+
+    embedded = "embedded"
+    souffle = "souffle"
+
+
+class Format(str, Enum):
+    """The formats of a report on stdout."""
+
+    table = "table"
+    json = "json"
+    markdown = "markdown"
+
+
+class ModelFormat(str, Enum):
+    """The formats of whole component models on stdout."""
+
+    table = "table"
+    json = "json"
+
+
+Folder = Annotated[Path, typer.Argument(metavar="DIR", help="A folder with ROS packages at any depth.", show_default=False)]
+Input = Annotated[
+    Path, typer.Argument(metavar="DIR", help="A folder with ROS packages, or one written by `rosarch extract`.", show_default=False)
+]
+Packages = Annotated[
+    list[str] | None,
+    typer.Option("--package", "-p", metavar="NAME", help="Only this package and what it needs; may be repeated.", show_default=False),
+]
+Jobs = Annotated[int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Worker processes; one per processor by default.")]
+Defines = Annotated[
+    list[str] | None,
+    typer.Option("--define", "-D", metavar="K=V", help="A CMake cache variable, e.g. CUDA_FOUND=0; may be repeated.", show_default=False),
+]
+Timeout = Annotated[float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="The time limit of one source file.")]
+Cache = Annotated[
+    Path | None,
+    typer.Option("--cache", metavar="DIR", help="Keep what was read from the sources in DIR, for the next run.", show_default=False),
+]
+EngineChoice = Annotated[Engine, typer.Option("--engine", help="What evaluates the rules; souffle must be on PATH.")]
+Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Show every diagnostic.")]
+
+
+def parse_defines(defines: list[str] | None) -> dict[str, str]:
+    """`K=V` texts as a mapping."""
+    result = {}
+    for text in defines or ():
+        key, equals, value = text.partition("=")
+        if not (key and equals):
+            raise InputError(f"--define {text}: not of the form NAME=VALUE")
+        result[key] = value
+    return result

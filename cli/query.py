@@ -1,0 +1,55 @@
+"""`rosarch query`: a rule body asked of the relations of a component."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from rosarch.cli.derivations import Component, Profiled, RuleFiles, datalog_errors, evaluate, heading, load_rules, selected
+from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose
+from rosarch.cli.terminal import emit
+
+Query = Annotated[str, typer.Argument(metavar="QUERY", help="A rule body: 'port(P), !port_type(P, _)'.", show_default=False)]
+Most = Annotated[int | None, typer.Option("--most", "-n", metavar="N", min=1, help="No more rows than this; all by default.")]
+
+
+def query(
+    folder: Input,
+    text: Query,
+    packages: Packages = None,
+    component: Component = None,
+    rules: RuleFiles = None,
+    output_format: Annotated[ModelFormat, typer.Option("--format", help="The form of the answer on stdout.")] = ModelFormat.table,
+    most: Most = None,
+    profile: Profiled = False,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cache: Cache = None,
+    verbose: Verbose = False,
+) -> None:
+    """List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR."""
+    from rosarch.datalog import query as ask
+    from rosarch.datalog import table_text
+    from rosarch.datalog.queries import check_query, table_values
+
+    with datalog_errors():
+        program = load_rules(rules)
+        check_query(program, text)
+        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+            answers = []
+            for each in components:
+                table = ask(program, evaluate(program, each, engine, profiled=profile)[0], text)
+                answers.append((each, table))
+            title = heading(components)
+    if output_format is ModelFormat.json:
+        import json
+
+        values = [{"package": e.package, "component": e.name, "rows": table_values(t)} for e, t in answers]
+        emit(json.dumps(values, indent=2, ensure_ascii=False) + "\n")
+    else:
+        emit("".join(title(e) + table_text(t, program, most=most) for e, t in answers if t.rows or len(answers) == 1))
+        if not any(t.rows for _, t in answers) and len(answers) > 1:
+            emit("no rows in any component\n")

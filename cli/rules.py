@@ -1,0 +1,137 @@
+"""`rosarch rules`: for those who write rules."""
+
+from __future__ import annotations
+
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.derivations import Component, Profiled, datalog_errors, evaluate, heading, load_rules, selected, shorten
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_folder, hint, unwritable
+from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.terminal import emit
+
+if TYPE_CHECKING:
+    from rosarch.datalog import Program
+
+app = typer.Typer(help="Run, test and document rules.", no_args_is_help=False)
+
+Files = Annotated[
+    list[Path] | None, typer.Argument(metavar="[FILE]...", help="Files of rules of your own, beside rosarch's.", show_default=False)
+]
+
+
+@app.command("list")
+def list_rules(
+    pattern: Annotated[str, typer.Argument(metavar="[PATTERN]", help="Only relations of this name; `*` for any text.")] = "*",
+    rules: Annotated[
+        list[Path] | None, typer.Option("--rules", "-r", metavar="FILE", help="Rules of your own; may be repeated.", show_default=False)
+    ] = None,
+    private: Annotated[bool, typer.Option("--private", help="Also those private to a file, whose names start with `_`.")] = False,
+) -> None:
+    """List relations with the place of their declaration and what they hold."""
+    from rosarch.datalog import reference
+    from rosarch.datalog.relation_reference import list_text
+
+    with datalog_errors():
+        entries = [e for e in reference(load_rules(rules)) if (private or not e.private) and fnmatchcase(e.name, pattern)]
+    if not entries:
+        raise InputError(f"no relation {pattern}")
+    emit(list_text(entries, shorten=shorten))
+
+
+@app.command("run")
+def run(
+    folder: Input,
+    files: Annotated[
+        list[Path], typer.Argument(metavar="FILE...", help="Files of rules of your own, beside rosarch's.", show_default=False)
+    ],
+    relations: Annotated[
+        list[str] | None,
+        typer.Option("--relation", "-R", metavar="NAME", help="Print this relation; by default the `.output` of FILE.", show_default=False),
+    ] = None,
+    packages: Packages = None,
+    component: Component = None,
+    profile: Profiled = False,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cache: Cache = None,
+    verbose: Verbose = False,
+) -> None:
+    """Run rules of your own on each node and nodelet below DIR and print the relations they put out."""
+    from rosarch.datalog.queries import relation_table, table_text
+
+    with datalog_errors():
+        program = load_rules(files)
+        names = _wanted(program, files, relations or [])
+        texts = []
+        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+            title = heading(components)
+            for each in components:
+                result, _ = evaluate(program, each, engine, profiled=profile)
+                tables = [f"{name}\n{table_text(relation_table(program, result, name), program)}" for name in names]
+                texts.append(title(each) + "\n".join(tables))
+    emit("\n".join(texts))
+
+
+def _wanted(program: Program, files: list[Path], relations: list[str]) -> list[str]:
+    for name in relations:
+        if name not in program.relations:
+            raise InputError(f"--relation {name}: no such relation{hint(name, program.relations)}")
+    own = {str(path) for path in files}
+    found = relations or [r.name for r in program.relations.values() if r.is_output and r.location.path in own]
+    if not found:
+        raise InputError(f"{files[0]}: nothing to print; add an `.output` directive or name a relation with --relation")
+    return found
+
+
+@app.command("test")
+def test(
+    folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="The folder with the tests, at any depth.")] = Path(),
+    rules: Annotated[
+        list[Path] | None,
+        typer.Option("--rules", "-r", metavar="FILE", help="Rules that the tests are about, beside rosarch's.", show_default=False),
+    ] = None,
+    coverage: Annotated[bool, typer.Option("--coverage/--no-coverage", help="List the clauses that never fired.")] = True,
+    engine: EngineChoice = Engine.embedded,
+) -> None:
+    """Run the tests below FOLDER: folders with facts/*.facts, expected/*.csv and, optionally, a program.dl. Exit code 1 when one fails."""
+    from rosarch.datalog.rule_tests import find_tests, outcome_text, report_text, run_rule_tests
+    from rosarch.extractor.manifest import rules_folder
+
+    check_folder(folder)
+    if not find_tests(folder):
+        raise InputError(f"{folder}: no tests; a test is a folder with facts/*.facts and expected/*.csv")
+    with datalog_errors():
+        default = [rules_folder() / "component.dl", *(rules or ())]
+        report = run_rule_tests(folder, default, engine=engine.value, progress=lambda outcome: emit(outcome_text(outcome)))
+    emit(report_text(report, shorten=shorten, unfired=coverage))
+    if not report.ok:
+        raise typer.Exit(1)
+
+
+@app.command("doc")
+def doc(
+    rules: Files = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help="Write to FILE, not to stdout.", show_default=False)
+    ] = None,
+    private: Annotated[bool, typer.Option("--private", help="Also relations private to a file, whose names start with `_`.")] = False,
+) -> None:
+    """Write the reference of all relations, as Markdown: what they hold, what they use, what uses them."""
+    from rosarch.datalog import reference, reference_text
+
+    with datalog_errors():
+        text = reference_text(reference(load_rules(rules)), shorten=shorten, private=private)
+    if out is None:
+        emit(text)
+        return
+    try:
+        out.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise unwritable(out, error) from None

@@ -1,0 +1,66 @@
+"""What is shown besides the report: progress and diagnostics, on stderr."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from rosarch.cli.errors import BROKEN_PIPE
+
+if TYPE_CHECKING:
+    from rich.progress import TaskID
+
+    from rosarch.extractor.workspace import Diagnostic
+
+REFRESH_SECONDS = 0.1
+
+
+def emit(text: str) -> None:
+    """Write a report to stdout; a reader that went away (`| head`) is no error."""
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise typer.Exit(BROKEN_PIPE) from None
+
+
+def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool) -> None:
+    """Tell on stderr what was not understood."""
+    from rosarch.reports.diagnostics import diagnostics_text
+
+    sys.stderr.write(diagnostics_text(diagnostics, Path.cwd(), complete=verbose))
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[str, int, int], None] | None]:
+    """A progress bar per stage when stderr is a terminal, else nothing."""
+    if not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description:<10}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    # without auto_refresh there is no thread, and worker processes can be forked
+    with Progress(*columns, console=Console(stderr=True), transient=True, auto_refresh=False) as bars:
+        tasks: dict[str, TaskID] = {}
+        shown = 0.0
+
+        def report(stage: str, done: int, total: int) -> None:
+            nonlocal shown
+            if stage not in tasks:
+                tasks[stage] = bars.add_task(stage, total=total)
+            bars.update(tasks[stage], completed=done, total=total)
+            if done == total or time.monotonic() - shown > REFRESH_SECONDS:
+                shown = time.monotonic()
+                bars.refresh()
+
+        yield report

@@ -1,0 +1,89 @@
+"""Datalog in Soufflé's dialect: an embedded engine, and the souffle binary behind the same interface.
+
+program = load_program(Path("rules.dl"))
+result = program.evaluate({"edge": [("a", "b")]}, keep="all")
+result.rows("path")
+query(program, result, "path(X, Y), X != Y").rows
+print(proof_text(explain(program, result, "path(a, b)")))
+
+`docs/datalog.md` shows the whole interface. What is not needed to evaluate is imported when it is first used.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from .errors import DatalogError, Diagnostic, Location
+from .facts import read_facts, write_facts
+from .program import Attribute, Program, RelationDecl, Result, load_declarations, load_program
+
+if TYPE_CHECKING:
+    from .near_misses import WhyNot, why_not, why_not_text
+    from .profiling import Profile, profile, profile_text
+    from .proof_printer import Layout, proof_text
+    from .proofs import Proof
+    from .prover import explain, explain_all
+    from .queries import Table, query, table_text
+    from .relation_reference import reference, reference_text
+    from .rows import RowStore, row_store
+    from .rule_coverage import Coverage, coverage
+    from .rule_tests import run_rule_tests
+    from .source_lines import SourceLines, folder_reader
+
+_LATER = {
+    "near_misses": ("WhyNot", "why_not", "why_not_text"),
+    "profiling": ("Profile", "profile", "profile_text"),
+    "proof_printer": ("Layout", "proof_text"),
+    "proofs": ("Proof",),
+    "prover": ("explain", "explain_all"),
+    "queries": ("Table", "query", "table_text"),
+    "relation_reference": ("reference", "reference_text"),
+    "rows": ("RowStore", "row_store"),
+    "rule_coverage": ("Coverage", "coverage"),
+    "rule_tests": ("run_rule_tests",),
+    "source_lines": ("SourceLines", "folder_reader"),
+}
+_MODULE_OF = {name: module for module, names in _LATER.items() for name in names}
+
+__all__ = [
+    "Attribute",
+    "Coverage",
+    "DatalogError",
+    "Diagnostic",
+    "Layout",
+    "Location",
+    "Profile",
+    "Program",
+    "Proof",
+    "RelationDecl",
+    "Result",
+    "RowStore",
+    "SourceLines",
+    "Table",
+    "WhyNot",
+    "coverage",
+    "explain",
+    "explain_all",
+    "folder_reader",
+    "load_declarations",
+    "load_program",
+    "profile",
+    "profile_text",
+    "proof_text",
+    "query",
+    "read_facts",
+    "reference",
+    "reference_text",
+    "row_store",
+    "run_rule_tests",
+    "table_text",
+    "why_not",
+    "why_not_text",
+    "write_facts",
+]
+
+
+def __getattr__(name: str) -> Any:
+    module = _MODULE_OF.get(name)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f".{module}", __name__), name)

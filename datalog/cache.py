@@ -1,0 +1,72 @@
+"""Compiled programs on disk, found by the paths of their root files and checked by the content of every file."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pickle
+import sys
+import tempfile
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import platformdirs
+
+CACHE_VARIABLE = "ROSARCH_CACHE_DIR"
+
+
+def cache_folder() -> Path:
+    """`ROSARCH_CACHE_DIR`, or the user's cache folder."""
+    chosen = os.environ.get(CACHE_VARIABLE)
+    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("rosarch"))
+
+
+@cache
+def engine_version() -> str:
+    """A hash of the engine's own source and of the Python that runs it: either change makes caches stale."""
+    found = hashlib.sha256(sys.version.encode())
+    for path in sorted(Path(__file__).parent.iterdir()):
+        if path.suffix in (".py", ".lark"):
+            found.update(path.name.encode())
+            found.update(path.read_bytes())
+    return found.hexdigest()[:16]
+
+
+def _entry(paths: Sequence[Path], extra: str) -> Path:
+    key = hashlib.sha256(engine_version().encode())
+    for path in paths:
+        key.update(f"{path}\0{path.resolve()}\0".encode("utf-8", "surrogateescape"))
+    key.update(extra.encode("utf-8", "surrogateescape"))
+    return cache_folder() / "datalog" / f"{key.hexdigest()[:32]}.pickle"
+
+
+def load(paths: Sequence[Path], extra: str) -> Any | None:
+    """The value stored for a program, or None when there is none or a file of it has changed."""
+    try:
+        with _entry(paths, extra).open("rb") as stream:
+            digests, value = pickle.load(stream)
+            for path, known in digests.items():
+                if hashlib.sha256(Path(path).read_bytes()).hexdigest() != known:
+                    return None
+            return value
+    except Exception:
+        return None
+
+
+def store(paths: Sequence[Path], extra: str, digests: dict[str, str], value: Any) -> None:
+    """Store a value; written to a temporary file first, so that readers never see half of it."""
+    entry = _entry(paths, extra)
+    try:
+        entry.parent.mkdir(parents=True, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(dir=entry.parent, suffix=".tmp")
+        try:
+            with os.fdopen(handle, "wb") as stream:
+                pickle.dump((digests, value), stream, protocol=pickle.HIGHEST_PROTOCOL)
+            os.replace(temporary, entry)
+        except BaseException:
+            Path(temporary).unlink(missing_ok=True)
+            raise
+    except OSError:
+        return  # a cache that cannot be written is only slower

@@ -1,0 +1,154 @@
+"""The rules behind a compiled program, as syntax: what explanations, coverage and the reference work on.
+
+A compiled program keeps the text of its files; they are parsed again here, once per program and process.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .compile import eqrel_clauses
+from .components import instantiate
+from .errors import Location, Report
+from .inference import ClauseTypes
+from .semantics import check
+from .sources import EXTRA_SOURCE, Sources, _Loader, collect
+from .strata import dependencies
+from .syntax import Clause, Relation, Unit
+from .tree import Item
+from .types import Types
+from .witness import ground_witnesses
+
+if TYPE_CHECKING:
+    from .program import Program
+
+_LIMIT = 8  # programs that are kept
+_LONGEST = 200  # lines of a clause
+_known: dict[tuple[str, ...], Rules] = {}
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One clause; `text` is as written, `number` counts the clauses of the program from 0."""
+
+    clause: Clause
+    types: ClauseTypes
+    number: int
+    text: str
+    generated: bool  # by a qualifier of its relation, not by a line of its own
+
+    @property
+    def location(self) -> Location:
+        """Where the clause starts."""
+        return self.clause.location
+
+    @property
+    def place(self) -> str:
+        """`path:line` of the clause."""
+        return f"{self.location.path}:{self.location.line}"
+
+
+@dataclass(frozen=True)
+class Rules:
+    """All clauses of a program, with components instantiated and types inferred."""
+
+    unit: Unit
+    relations: Mapping[str, Relation]
+    types: Types
+    strata: tuple[tuple[str, ...], ...]
+    by_head: Mapping[str, tuple[Rule, ...]]
+
+    @cached_property
+    def all(self) -> tuple[Rule, ...]:
+        """Every clause, in source order."""
+        return tuple(sorted((r for rules in self.by_head.values() for r in rules), key=lambda r: r.number))
+
+    @cached_property
+    def reads(self) -> Mapping[str, frozenset[str]]:
+        """The relations that the clauses of a relation name."""
+        graph = dependencies(self.relations, self.unit.clauses)
+        return {name: frozenset(read) for name, read in graph.reads.items()}
+
+    @cached_property
+    def recursive(self) -> Mapping[str, frozenset[str]]:
+        """For every recursive relation, all that it is recursive with, itself included."""
+        found: dict[str, frozenset[str]] = {}
+        for names in self.strata:
+            if len(names) > 1 or names[0] in self.reads[names[0]]:
+                found.update(dict.fromkeys(names, frozenset(names)))
+        return found
+
+
+class _KnownTexts(_Loader):
+    """Reads the files of a program from memory."""
+
+    def __init__(self, texts: Mapping[str, str], report: Report) -> None:
+        super().__init__(report, Sources())
+        self.texts = texts
+
+    def parse_file(self, path: Path, shown: str, included_at: Location | None) -> list[Item]:
+        """The items of a file that has not been entered yet."""
+        if shown in self.sources.texts or shown not in self.texts:
+            return []
+        return self.parse(self.texts[shown], shown, path.parent)
+
+
+def rules_of(program: Program) -> Rules:
+    """The rules of a program."""
+    key = (program.hash, *program.sources)  # the hash is one of contents only
+    found = _known.get(key)
+    if found is None:
+        found = _read(program)
+        while len(_known) >= _LIMIT:
+            _known.pop(next(iter(_known)))
+        _known[key] = found
+    return found
+
+
+def _read(program: Program) -> Rules:
+    report = Report(program.sources)
+    loader = _KnownTexts(program.sources, report)
+    items: list[Item] = []
+    for shown in program.sources:
+        folder = Path.cwd() / "x" if shown == EXTRA_SOURCE else Path(shown)
+        items.extend(loader.parse_file(folder, shown, None))
+    unit = instantiate(collect(items, report), report)
+    unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
+    written = len(unit.clauses)
+    for relation in unit.relations:
+        if "eqrel" in relation.qualifiers and len(relation.attributes) == 2:
+            unit.clauses.extend(eqrel_clauses(relation))
+    numbers = {id(clause): number for number, clause in enumerate(unit.clauses)}
+    checked = check(unit, report)
+    lines = {path: text.splitlines() for path, text in program.sources.items()}
+    by_head = {
+        name: tuple(
+            Rule(clause, types, numbers[id(clause)], _text(clause, lines), numbers[id(clause)] >= written) for clause, types in clauses
+        )
+        for name, clauses in checked.clauses.items()
+    }
+    return Rules(unit, checked.relations, checked.types, tuple(map(tuple, checked.strata)), by_head)
+
+
+_TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/|[\w?]+(?:\.[\w?]+)+|\.|\s+', re.DOTALL)
+
+
+def _text(clause: Clause, lines: Mapping[str, list[str]]) -> str:
+    """The clause as written, on one line and without comments: from where it starts to the dot that ends it."""
+    at = clause.location
+    rest = "\n".join(lines.get(at.path, [])[at.line - 1 : at.line + _LONGEST])[at.column - 1 :]
+    parts: list[str] = []
+    position = 0
+    for token in _TOKEN.finditer(rest):
+        parts.append(rest[position : token.start()])
+        position = token.end()
+        if token[0] == ".":
+            return "".join(parts).strip() + "."
+        comment = token[0].startswith(("//", "/*"))
+        parts.append("" if comment else " " if token[0].isspace() else token[0])
+    return ""

@@ -1,0 +1,423 @@
+"""Clauses to Python functions: nested loops over relations and hash indexes.
+
+Rows are tuples, except that the rows of a unary relation are the bare values. `D` is the list of everything one
+evaluation holds: relations (sets of rows), deltas, and indexes, each at a fixed slot. An index maps a key (the value
+of its column, a tuple for several) to the list of rows with that key; the rows of a binary relation indexed by one
+column are reduced to the value of the other.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from .errors import DatalogError, Diagnostic
+from .expressions import Expressions
+from .ground import is_bound
+from .normalise import Absent, Fold, Generate, Scan, Step
+from .syntax import Argument, Atom, Branch, Constraint, Nil, Number, Record, String, Truth, Unnamed, Variable, variables
+
+MAX_LOOPS = 16
+IndexKey = tuple[str, tuple[int, ...]]
+
+
+@dataclass(slots=True)
+class Storage:
+    """Which slots and indexes the functions of a program use."""
+
+    relation_slot: dict[str, int]
+    arity: dict[str, int]
+    lists: set[IndexKey] = field(default_factory=set)  # indexes that are iterated
+    sets: set[IndexKey] = field(default_factory=set)  # indexes that are only asked whether a key exists
+    index_slot: dict[IndexKey, int] = field(default_factory=dict)
+
+
+@dataclass(slots=True)
+class RuleFunction:
+    """A generated function before its slots are known."""
+
+    name: str
+    lines: list[str]
+    required: list[str]  # relations that must not be empty
+    relations: set[str]
+    indexes: set[IndexKey]
+    uses_state: bool
+    delta: str = ""  # the relation of which only the delta is scanned
+    target: str = ""
+
+
+def local(relation: str, prefix: str = "r") -> str:
+    """The Python name of a relation inside functions."""
+    return f"{prefix}_{re.sub('[^A-Za-z0-9_]', '_', relation)}"
+
+
+def index_local(key: IndexKey) -> str:
+    """The Python name of an index inside functions."""
+    return f"{local(key[0], 'i')}_{'_'.join(map(str, key[1]))}"
+
+
+def row_of(parts: Sequence[str]) -> str:
+    """The expression of a row: the bare value for one column."""
+    if len(parts) == 1:
+        return parts[0]
+    return f"({', '.join(parts)})"
+
+
+class Emitter:
+    """Writes the function of one clause, or of one delta version of it."""
+
+    def __init__(self, storage: Storage, expressions: Expressions, *, ordered: bool, delta: int | None) -> None:
+        self.storage = storage
+        self.expressions = expressions
+        self.ordered = ordered  # loop in sorted order: something in the clause depends on the order
+        self.delta = delta
+        self.lines: list[str] = []
+        self.depth = 1
+        self.loops = 0
+        self.temporaries = 0
+        self.relations: set[str] = set()
+        self.indexes: set[IndexKey] = set()
+        self.names: dict[str, str] = {}
+        self.functions: list[int] = []  # depths of open nested functions
+
+    # -- writing ------------------------------------------------------------------------------------
+
+    def line(self, text: str) -> None:
+        """Write one line at the current depth."""
+        self.lines.append("    " * self.depth + text)
+
+    def fail_unless(self, condition: str) -> None:
+        """Go on with the next combination unless the condition holds."""
+        self.line(f"if not ({condition}): {'continue' if self.loops else 'return'}")
+
+    def fail_if(self, condition: str) -> None:
+        """Go on with the next combination if the condition holds."""
+        self.line(f"if {condition}: {'continue' if self.loops else 'return'}")
+
+    def open_loop(self, text: str) -> None:
+        """Write a loop header; what follows is inside."""
+        self.line(text)
+        self.depth += 1
+        self.loops += 1
+
+    def temporary(self) -> str:
+        """A fresh Python name."""
+        self.temporaries += 1
+        return f"t{self.temporaries}"
+
+    def python_name(self, variable: str, bound: dict[str, str]) -> str:
+        """A Python name for a variable, not used by any other variable in scope."""
+        base = "v_" + re.sub("[^A-Za-z0-9_]", "_", variable)
+        name, taken = base, set(self.names.values())
+        while name in taken or name in bound.values():
+            self.temporaries += 1
+            name = f"{base}_{self.temporaries}"
+        self.names[f"{variable}@{name}"] = name
+        return name
+
+    def _open_function(self) -> None:
+        """Continue in a nested function: Python allows no more than twenty nested blocks in one."""
+        self.line("def inner():")
+        self.functions.append(self.depth)
+        self.depth += 1
+        self.loops = 0
+
+    # -- bodies -------------------------------------------------------------------------------------
+
+    def body(
+        self, steps: Sequence[Step], bound: dict[str, str], wanted: set[str], finish: Callable[[dict[str, str]], None],
+        *, bag: bool, checkpoint: Callable[[dict[str, str]], bool] | None = None,
+    ) -> None:  # fmt: skip
+        """Emit the steps in a good order, then `finish`. `bag`: every combination of rows counts, not just one."""
+        pending = list(steps)
+        checked = False
+        depth = self.depth
+        while True:
+            self._settle(pending, bound, wanted, bag)
+            if not pending:
+                break
+            if checkpoint is not None and not checked and self.loops:
+                checked = checkpoint(bound)
+            step = self._choose(pending, bound)
+            pending.remove(step)
+            if self.loops >= MAX_LOOPS and checkpoint is not None:
+                self._open_function()
+            if isinstance(step, Generate):
+                self._generate(step, bound)
+            else:
+                self._scan(step, pending, bound, wanted, bag)
+        finish(bound)
+        while checkpoint is not None and self.functions and self.functions[-1] >= depth:
+            self.depth = self.functions.pop()
+            self.line("inner()")
+
+    def _needed(self, pending: Sequence[Step], wanted: set[str]) -> set[str]:
+        """The variables that something after this point uses."""
+        needed = set(wanted)
+        for step in pending:
+            needed |= step_variables(step)
+        return needed
+
+    def _settle(self, pending: list[Step], bound: dict[str, str], wanted: set[str], bag: bool) -> None:
+        """Emit all tests, then assignments, that the bound variables allow, until none is left."""
+        while True:
+            if not any(self._test(s, pending, bound, wanted, bag) for s in list(pending)) and not any(
+                self._assign(s, pending, bound) for s in list(pending)
+            ):
+                return
+
+    def _test(self, step: Step, pending: list[Step], bound: dict[str, str], wanted: set[str], bag: bool) -> bool:
+        names = set(bound)
+        match step:
+            case Truth():
+                if not step.value:
+                    self.fail_if("True")
+            case Constraint() if is_bound(step.left, names) and is_bound(step.right, names):
+                self.fail_unless(self.expressions.condition(step, bound))
+            case Absent() if all(isinstance(a, Unnamed) or is_bound(a, names) for a in step.atom.args):
+                self.fail_if(self._exists(step.atom, bound))
+            case Scan() if step.index != self.delta or step.index < 0:
+                others = self._needed([s for s in pending if s is not step], wanted)
+                if not self._is_test(step.atom, names, others, bag):
+                    return False
+                condition = self._exists(step.atom, bound)
+                if condition != local(step.atom.name) or step.index < 0:  # else tested before any loop
+                    self.fail_unless(condition)
+            case _:
+                return False
+        pending.remove(step)
+        return True
+
+    @staticmethod
+    def _is_test(atom: Atom, names: set[str], others: set[str], bag: bool) -> bool:
+        """Whether a positive atom only asks if some row exists."""
+        free = []
+        for arg in atom.args:
+            if isinstance(arg, Unnamed) or (isinstance(arg, Variable) and arg.name not in names):
+                free.append(arg)
+        if not free:
+            return True
+        named = [a.name for a in free if isinstance(a, Variable)]
+        return not bag and not others & set(named) and len(named) == len(set(named))
+
+    def _exists(self, atom: Atom, bound: dict[str, str]) -> str:
+        """The condition that some row matches the bound arguments."""
+        arity = len(atom.args)
+        columns = tuple(
+            i for i, a in enumerate(atom.args) if not (isinstance(a, Unnamed) or (isinstance(a, Variable) and a.name not in bound))
+        )
+        key = row_of([self.expressions.write(atom.args[i], bound) for i in columns])
+        if not columns or len(columns) == arity:
+            self.relations.add(atom.name)
+            return f"{key} in {local(atom.name)}" if columns else local(atom.name)
+        self.storage.sets.add((atom.name, columns))
+        self.indexes.add((atom.name, columns))
+        return f"{key} in {index_local((atom.name, columns))}"
+
+    def _assign(self, step: Step, pending: list[Step], bound: dict[str, str]) -> bool:
+        names = set(bound)
+        if isinstance(step, Fold):
+            if not step.inputs <= names:
+                return False
+            pending.remove(step)
+            self._fold(step, bound)
+            return True
+        if not isinstance(step, Constraint) or step.op != "=":
+            return False
+        for source, target in ((step.left, step.right), (step.right, step.left)):
+            if isinstance(target, (Variable, Unnamed, Record, Branch)) and is_bound(source, names):
+                pending.remove(step)
+                self._match(target, self.expressions.write(source, bound), bound)
+                return True
+        return False
+
+    # -- patterns -----------------------------------------------------------------------------------
+
+    def _match(self, pattern: Argument, value: str, bound: dict[str, str]) -> None:
+        """Bind or test the parts of a pattern against a value."""
+        match pattern:
+            case Unnamed():
+                return
+            case Variable() if pattern.name not in bound:
+                name = self.python_name(pattern.name, bound)
+                self.line(f"{name} = {value}")
+                bound[pattern.name] = name
+            case Record() | Branch() if not is_bound(pattern, set(bound)):
+                self._unpack(pattern, value, bound)
+            case _ if is_bound(pattern, set(bound)):
+                self.fail_if(f"{value} != {self.expressions.write(pattern, bound)}")
+            case _:
+                raise DatalogError([Diagnostic("cannot solve this equation for its variables", pattern.location)])
+
+    def _unpack(self, pattern: Record | Branch, value: str, bound: dict[str, str]) -> None:
+        if not value.isidentifier():
+            name = self.temporary()
+            self.line(f"{name} = {value}")
+            value = name
+        if isinstance(pattern, Branch):
+            self.fail_if(f"{value}[0] != {pattern.name!r}")
+        else:
+            self.fail_if(f"{value} is None")
+        later: list[tuple[Argument, str]] = []
+        for index, arg in enumerate(pattern.args):
+            part = f"{value}[{index + isinstance(pattern, Branch)}]"
+            if isinstance(arg, (Variable, Unnamed)):
+                self._match(arg, part, bound)
+            else:
+                later.append((arg, part))
+        for arg, part in later:
+            self._match(arg, part, bound)
+
+    # -- loops --------------------------------------------------------------------------------------
+
+    def _choose(self, pending: Sequence[Step], bound: dict[str, str]) -> Scan | Generate:
+        """The next step to loop over: the delta, then the atom with most of its columns bound."""
+        names = set(bound)
+        best: tuple[float, int] | None = None
+        chosen: Scan | Generate | None = None
+        for position, step in enumerate(pending):
+            if isinstance(step, Scan):
+                if step.index == self.delta and step.index >= 0:
+                    return step
+                keyed = [a for a in step.atom.args if is_bound(a, names)]
+                joined = any(isinstance(a, Variable) for a in keyed)  # else its rows multiply with all so far
+                score = (10.0 if joined else 0.0) + 3.0 * len(keyed) / max(len(step.atom.args), 1) + bool(keyed)
+            elif isinstance(step, Generate) and all(is_bound(a, names) for a in step.functor.args):
+                score = 0.5
+            else:
+                continue
+            if best is None or (-score, position) < best:
+                best, chosen = (-score, position), step
+        if chosen is None:
+            at = next((s.location for s in pending if isinstance(s, Constraint)), None)
+            raise DatalogError([Diagnostic("no order of evaluation binds every variable of this rule", at)])
+        return chosen
+
+    def _generate(self, step: Generate, bound: dict[str, str]) -> None:
+        values = self.expressions.write(step.functor, bound)
+        if step.variable in bound:
+            self.fail_unless(f"{bound[step.variable]} in {values}")
+            return
+        name = self.python_name(step.variable, bound)
+        self.open_loop(f"for {name} in {values}:")
+        bound[step.variable] = name
+
+    def _scan(self, step: Scan, pending: list[Step], bound: dict[str, str], wanted: set[str], bag: bool) -> None:
+        atom, names = step.atom, set(bound)
+        needed = self._needed(pending, wanted)
+        is_delta = step.index == self.delta and step.index >= 0
+        columns = () if is_delta else tuple(i for i, a in enumerate(atom.args) if is_bound(a, names))
+        targets: list[str] = []
+        tests: list[str] = []
+        fresh: dict[str, str] = {}
+        for i, arg in enumerate(atom.args):
+            if i in columns or isinstance(arg, Unnamed):
+                targets.append("_")
+            elif isinstance(arg, Variable) and arg.name not in bound and arg.name not in fresh:
+                again = sum(isinstance(a, Variable) and a.name == arg.name for a in atom.args) > 1
+                if arg.name in needed or again:
+                    fresh[arg.name] = self.python_name(arg.name, bound | fresh)
+                targets.append(fresh.get(arg.name, "_"))
+            else:
+                targets.append(self.temporary())
+                tests.append(f"{targets[-1]} != {self.expressions.write(arg, bound | fresh)}")
+        self.open_loop(f"for {self._target(targets, columns)} in {self._source(atom, columns, bound, is_delta)}:")
+        bound.update(fresh)
+        for test in tests:
+            self.fail_if(test)
+
+    @staticmethod
+    def _target(targets: list[str], columns: tuple[int, ...]) -> str:
+        free = [t for i, t in enumerate(targets) if i not in columns]
+        if len(targets) == 2 and len(columns) == 1:
+            return free[0]
+        if len(targets) == 1:
+            return targets[0]
+        return ", ".join(targets) if any(t != "_" for t in targets) else "_"
+
+    def _source(self, atom: Atom, columns: tuple[int, ...], bound: dict[str, str], is_delta: bool) -> str:
+        if is_delta:
+            source = "delta"
+        elif not columns:
+            self.relations.add(atom.name)
+            source = local(atom.name)
+        else:
+            key = (atom.name, columns)
+            self.storage.lists.add(key)
+            self.indexes.add(key)
+            value = row_of([self.expressions.write(atom.args[i], bound) for i in columns])
+            source = f"{index_local(key)}.get({value}, EMPTY)"
+        return f"ordered({source})" if self.ordered else source
+
+    # -- aggregates ---------------------------------------------------------------------------------
+
+    def _fold(self, step: Fold, bound: dict[str, str]) -> None:
+        op = step.aggregate.op
+        result = self.python_name(step.variable, bound)
+        kind = self.expressions.kind(step.aggregate) if op != "count" else "i"
+        collects = op == "mean" or (op == "sum" and kind == "f")
+        self.line(f"{result} = {'[]' if collects else 'None' if op in ('min', 'max') else '0'}")
+        outer_depth, outer_loops = self.depth, self.loops
+        self.open_loop("for _ in ONCE:")
+        inner = {k: v for k, v in bound.items() if k in step.inputs}
+        wanted = set(step.distinct)
+        if step.target is not None:
+            wanted |= variables(step.target)
+
+        if step.distinct:
+            self.line(f"{result}_seen = set()")
+
+        def finish(now: dict[str, str]) -> None:
+            if step.distinct:
+                self.line(f"key = ({''.join(now[v] + ', ' for v in step.distinct if v)})")
+                self.line(f"if key in {result}_seen: continue")
+                self.line(f"{result}_seen.add(key)")
+            if op == "count":
+                self.line(f"{result} += 1")
+                return
+            assert step.target is not None
+            value = self.expressions.write(step.target, now)
+            if collects:
+                self.line(f"{result}.append({value})")
+            elif op == "sum":
+                self.line(f"{result} += {value}")
+            else:
+                name = self.temporary()
+                self.line(f"{name} = {value}")
+                self.line(f"if {result} is None or {name} {'<' if op == 'min' else '>'} {result}: {result} = {name}")
+
+        self.body(step.steps, inner, wanted, finish, bag=op not in ("min", "max"))
+        self.depth, self.loops = outer_depth, outer_loops
+        if op in ("min", "max"):
+            self.fail_if(f"{result} is None")
+        elif op == "mean":
+            self.fail_if(f"not {result}")
+            self.line(f"{result} = single(fsum({result}) / len({result}))")
+        elif op == "sum":
+            self.line(f"{result} = {'single(fsum(' + result + '))' if collects else self._wrapped(result, kind)}")
+        bound_name = bound.get(step.variable)
+        if bound_name is not None:
+            self.fail_unless(f"{bound_name} == {result}")
+        bound[step.variable] = result
+
+    @staticmethod
+    def _wrapped(value: str, kind: str) -> str:
+        return f"wrap({value})" if kind == "i" else f"{value} & 4294967295"
+
+
+def step_variables(step: Step) -> set[str]:
+    """The variables a step reads or binds."""
+    match step:
+        case Scan() | Absent():
+            return {a.name for a in step.atom.args if isinstance(a, Variable)} | {
+                v for a in step.atom.args if not isinstance(a, (Variable, Unnamed, Nil, Number, String)) for v in variables(a)
+            }
+        case Constraint():
+            return variables(step)
+        case Generate():
+            return {step.variable, *variables(step.functor)}
+        case Fold():
+            return {step.variable, *step.inputs}
+        case _:
+            return set()

@@ -1,0 +1,108 @@
+"""The C preprocessor that existing rule bases rely on: `#include`, `#define`, `#ifdef`, and macros from the command line.
+
+Soufflé passes every program through one; rosarch's own rules do without. The expanded text holds `#line` marks, which the parser follows, so that
+messages name the file and line as written; `origin_column` finds the column where a macro has moved it.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import IO, Any
+
+from .errors import Location, Report
+
+_NEEDED = re.compile(r"^[ \t]*#[ \t]*[a-z]|\b__[A-Z_]+__\b", re.MULTILINE)
+LINE_MARK = re.compile(r'^[ \t]*#(?:line)?[ \t]*(\d+)(?:[ \t]+"([^"\n]*)")?[^\n]*$', re.MULTILINE)
+
+
+def expand(
+    text: str, path: str, report: Report, texts: dict[str, str], *, macros: Sequence[str] = (), folders: Iterable[Path] = ()
+) -> str:  # fmt: skip
+    """The text with its directives carried out. `texts` receives the files of `#include`; `macros` are `NAME` or `NAME=VALUE`."""
+    if not macros and not _NEEDED.search(text):
+        return text  # as most programs are: the preprocessor takes longer than the rest of loading
+    import pcpp
+
+    class Expander(pcpp.Preprocessor):  # type: ignore[misc, unused-ignore]
+        """Keeps comments, and reports instead of printing."""
+
+        def on_comment(self, tok: Any) -> bool:
+            return True
+
+        def on_error(self, file: str, line: int, msg: str) -> None:
+            report.error(msg.strip().replace("\n", " "), Location(file or path, max(line, 1), 1))
+            self.return_code += 1
+
+        def on_include_not_found(self, is_malformed: bool, is_system_include: bool, curdir: str, includepath: str) -> None:
+            report.error(f"cannot find `{includepath}`", Location(self.macros["__FILE__"].value[0].value.strip('"'), self.linemacro, 1))
+            raise pcpp.OutputDirective(pcpp.Action.IgnoreAndRemove)
+
+        def on_file_open(self, is_system_include: bool, includepath: str) -> IO[str]:
+            found = Path(includepath).read_text(encoding="utf-8")
+            texts[includepath] = found
+            return io.StringIO(found)
+
+    expander = Expander()
+    expander.rewrite_paths = []
+    folder = os.path.dirname(path)
+    for place in (folder or ".", *map(str, folders)):
+        expander.add_path(place)
+    for macro in macros:
+        name, equals, value = macro.partition("=")
+        expander.define(f"{name} {value if equals else 1}")
+    try:
+        expander.parse(text, path)
+        result = io.StringIO()
+        expander.write(result)
+    except (OSError, UnicodeDecodeError) as error:
+        report.error(f"cannot read an included file: {error}", Location(path, 1, 1))
+        return ""
+    return result.getvalue()
+
+
+class Origins:
+    """Where the lines of an expanded text come from, by its `#line` marks."""
+
+    def __init__(self, text: str, path: str, texts: dict[str, str]) -> None:
+        self._lines = text.splitlines()
+        self._texts = texts
+        self._originals: dict[str, list[str]] = {}
+        self._places: list[tuple[str, int]] = []
+        at, number = path, 1
+        for line in self._lines:
+            mark = LINE_MARK.match(line)
+            if mark is not None:
+                at, number = mark[2] if mark[2] is not None else at, int(mark[1])
+                self._places.append((at, number))
+                continue
+            self._places.append((at, number))
+            number += 1
+
+    def locate(self, line: int, column: int) -> Location:
+        """The place in the files as written."""
+        if not 0 < line <= len(self._places):
+            return Location(*(self._places[-1] if self._places else ("", 1)), column)
+        path, number = self._places[line - 1]
+        if path not in self._originals:
+            self._originals[path] = self._texts.get(path, "").splitlines()
+        original = self._originals[path]
+        if not 0 < number <= len(original):
+            return Location(path, number, column)
+        return Location(path, number, origin_column(original[number - 1], self._lines[line - 1], column))
+
+
+def origin_column(original: str, expanded: str, column: int) -> int:
+    """The column of `original` for one of `expanded`: the same before the first macro, counted from the end after the last one."""
+    before = len(os.path.commonprefix([original, expanded]))
+    if column <= before + 1 or original == expanded:
+        return min(column, before + 1) if column > len(original) + 1 else column
+    after = len(os.path.commonprefix([original[before:][::-1], expanded[before:][::-1]]))
+    if column > len(expanded) - after:
+        return column + len(original) - len(expanded)
+    while before and (original[before - 1].isalnum() or original[before - 1] == "_"):
+        before -= 1
+    return before + 1

@@ -1,0 +1,133 @@
+"""`profile`: where an evaluation by the embedded engine spends its time, by rule and by relation.
+
+The functions of the rules are wrapped for one evaluation; without a profile nothing is measured.
+"""
+
+from __future__ import annotations
+
+import marshal
+import time
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import engine
+from .compile import Rule
+from .program import Program, Result
+
+_Function = Callable[[Any, Any], None]
+
+
+@dataclass(slots=True)
+class RuleProfile:
+    """What one rule took: `calls` of its function, one a round for a recursive rule, and the rows it added."""
+
+    place: str
+    relation: str
+    seconds: float = 0.0
+    calls: int = 0
+    rows: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class RelationProfile:
+    """What all rules of a relation took, and the rows it has in the end."""
+
+    relation: str
+    seconds: float
+    rules: int
+    rows: int
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """An evaluation with its profile; both lists start with what took longest."""
+
+    result: Result
+    seconds: float
+    rules: tuple[RuleProfile, ...]
+    relations: tuple[RelationProfile, ...]
+
+
+def profile(
+    program: Program, facts: Mapping[str, Iterable[tuple[Any, ...]]] | Path, *, keep: Collection[str] | str | None = "all"
+) -> Profile:
+    """Evaluate with the embedded engine and measure every rule."""
+    functions = engine.load_functions(marshal.loads(program.bytecode))
+    found: dict[str, RuleProfile] = {}
+    for stratum in program.code.strata:
+        slots = {m.name: (m.full, m.new) for m in stratum.members}
+        rules = [*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)]
+        for rule in rules:
+            entry = found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
+            functions[rule.function] = _measured(functions[rule.function], entry, slots[rule.target])
+    known, program._functions = program._functions, functions
+    start = time.perf_counter()
+    try:
+        result = program.evaluate(facts, keep=keep)
+    finally:
+        program._functions = known
+    seconds = time.perf_counter() - start
+    by_time = sorted(found.values(), key=lambda r: (-r.seconds, r.place))
+    return Profile(result, seconds, tuple(by_time), _relations(by_time, result))
+
+
+def _family(rule: Rule) -> str:
+    """What the versions of one recursive rule, one for each delta, have in common."""
+    return "_".join(rule.function.split("_")[:2])
+
+
+def _measured(function: _Function, entry: RuleProfile, slots: tuple[int, int]) -> _Function:
+    full, new = slots
+
+    def run(data: Any, state: Any) -> None:
+        before = len(data[full] or ()) + len(data[new] or ())
+        start = time.perf_counter()
+        try:
+            function(data, state)
+        finally:
+            entry.seconds += time.perf_counter() - start
+            entry.calls += 1
+            entry.rows += len(data[full] or ()) + len(data[new] or ()) - before
+
+    return run
+
+
+def _relations(rules: Iterable[RuleProfile], result: Result) -> tuple[RelationProfile, ...]:
+    grouped: dict[str, list[RuleProfile]] = {}
+    for rule in rules:
+        grouped.setdefault(rule.relation, []).append(rule)
+    kept = set(result.names())
+    found = [
+        RelationProfile(name, sum(r.seconds for r in own), len(own), result.count(name) if name in kept else sum(r.rows for r in own))
+        for name, own in grouped.items()
+    ]
+    return tuple(sorted(found, key=lambda r: (-r.seconds, r.relation)))
+
+
+def profile_text(found: Profile, *, most: int = 20, shorten: Callable[[str], str] = str) -> str:
+    """The rules and the relations that took longest."""
+    rules = [(_milliseconds(r.seconds), str(r.rows), str(r.calls), r.relation, shorten(r.place)) for r in found.rules]
+    relations = [(_milliseconds(r.seconds), str(r.rows), str(r.rules), r.relation) for r in found.relations]
+    total = sum(r.seconds for r in found.rules)
+    head = f"{_milliseconds(found.seconds)} ms, {_milliseconds(total)} ms of it in {len(rules)} rules\n"
+    by_rule = _columns(("ms", "rows", "calls", "relation", "rule"), rules, most, 3)
+    return head + "\n" + by_rule + "\n" + _columns(("ms", "rows", "rules", "relation"), relations, most, 3)
+
+
+def _milliseconds(seconds: float) -> str:
+    return f"{seconds * 1000:.1f}"
+
+
+def _columns(names: tuple[str, ...], rows: Sequence[tuple[str, ...]], most: int, numbers: int) -> str:
+    """A table; the first `numbers` columns are aligned to the right."""
+    shown = [names, *rows[:most]]
+    widths = [max(len(row[i]) for row in shown) for i in range(len(names))]
+    lines = []
+    for row in shown:
+        cells = [c.rjust(w) if i < numbers else c.ljust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True))]
+        lines.append("  ".join(cells).rstrip())
+    if len(rows) > most:
+        lines.append(f"... {len(rows) - most} more")
+    return "".join(f"{line}\n" for line in lines)

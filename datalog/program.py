@@ -1,0 +1,241 @@
+"""Programs and results: the public face of the package."""
+
+from __future__ import annotations
+
+import hashlib
+import marshal
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from . import cache, engine
+from .compile import Code, compile_program, eqrel_clauses
+from .components import instantiate
+from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean
+from .facts import read_facts
+from .runtime import ordered
+from .semantics import check
+from .sources import EXTRA_SOURCE, read_program
+from .syntax import Directive, Unit
+from .types import Types, build_types
+from .values import ValueReader
+from .witness import ground_witnesses
+
+Row = tuple[Any, ...]
+_BASES = {"i": "number", "u": "unsigned", "f": "float", "s": "symbol", "r": "record", "+": "adt"}
+
+
+@dataclass(frozen=True, slots=True)
+class Attribute:
+    """A column: `type` as declared, `base` one of number, unsigned, float, symbol, record, adt."""
+
+    name: str
+    type: str
+    base: str
+
+
+@dataclass(frozen=True, slots=True)
+class RelationDecl:
+    """A declared relation; `doc` is the `///` comment above its `.decl`."""
+
+    name: str
+    attributes: tuple[Attribute, ...]
+    doc: str
+    location: Location
+    is_input: bool = False
+    is_output: bool = False
+    qualifiers: frozenset[str] = frozenset()
+
+
+@dataclass(slots=True)
+class Result:
+    """The rows of an evaluation, by relation."""
+
+    _rows: Mapping[str, Collection[Any]]
+    _arity: Mapping[str, int]
+    _sorted: dict[str, list[Row]] = field(default_factory=dict)
+
+    def names(self) -> list[str]:
+        """The relations whose rows were kept."""
+        return sorted(self._rows)
+
+    def rows(self, name: str) -> list[Row]:
+        """The rows of a relation, sorted.
+
+        Values are str, int and float; tuples for records, None for nil, `("Branch", args...)` for algebraic data types.
+        """
+        if name not in self._sorted:
+            if name not in self._rows:
+                raise DatalogError([Diagnostic(f"no rows of `{name}` were kept", hint=did_you_mean(name, self._rows))])
+            rows = ordered(self._rows[name])
+            self._sorted[name] = [(v,) for v in rows] if self._arity[name] == 1 else rows
+        return self._sorted[name]
+
+    def count(self, name: str) -> int:
+        """The number of rows of a relation."""
+        return len(self._rows[name])
+
+
+@dataclass(slots=True)
+class Program:
+    """A checked and compiled program; evaluate it as often as you like."""
+
+    relations: dict[str, RelationDecl]
+    warnings: list[Diagnostic]
+    hash: str
+    code: Code
+    types: Types
+    directives: list[Directive]
+    sources: dict[str, str]
+    bytecode: bytes
+    _functions: dict[str, Any] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        state = {name: getattr(self, name) for name in self.__dataclass_fields__}
+        return {**state, "_functions": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            setattr(self, name, value)
+
+    @property
+    def inputs(self) -> list[str]:
+        """The names of the `.input` relations."""
+        return [r.name for r in self.relations.values() if r.is_input]
+
+    @property
+    def outputs(self) -> list[str]:
+        """The names of the `.output` relations."""
+        return [r.name for r in self.relations.values() if r.is_output]
+
+    def evaluate(
+        self, facts: Mapping[str, Iterable[Row]] | Path, *, engine: str = "embedded",
+        keep: Collection[str] | str | None = None, limit_rows: int | None = None, time_limit: float | None = None,
+    ) -> Result:  # fmt: skip
+        """Derive everything from the facts.
+
+        `facts`: rows of `.input` relations (missing ones are empty), or a folder of `.facts` files.
+        `keep`: the relations whose rows are wanted; the `.output` ones by default, every one with "all".
+        `engine`: `embedded`, or `souffle` to run the souffle binary.
+        `limit_rows`, `time_limit`: raise DatalogError once a relation has more rows, or after so many seconds.
+        """
+        kept = self._kept(keep)
+        if isinstance(facts, (str, Path)):
+            facts = self.read_facts(Path(facts))
+        self._check_facts(facts)
+        if engine == "souffle":
+            from .souffle import evaluate_with_souffle
+
+            rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, facts, kept, time_limit)
+        elif engine == "embedded":
+            rows = self._evaluate_embedded(facts, kept, limit_rows, time_limit)
+        else:
+            raise DatalogError(f"unknown engine `{engine}`, expected `embedded` or `souffle`")
+        return Result(rows, self.code.arity)
+
+    def _evaluate_embedded(
+        self,
+        facts: Mapping[str, Iterable[Row]],
+        kept: Collection[str],
+        limit_rows: int | None,
+        time_limit: float | None,
+    ) -> Mapping[str, Collection[Any]]:
+        if self._functions is None:
+            self._functions = engine.load_functions(marshal.loads(self.bytecode))
+        return engine.evaluate(self.code, self._functions, facts, keep=kept, limit_rows=limit_rows, time_limit=time_limit)
+
+    def _kept(self, keep: Collection[str] | str | None) -> list[str]:
+        if keep is None:
+            return self.outputs
+        if isinstance(keep, str):
+            return list(self.relations) if keep == "all" else self._kept([keep])
+        for name in keep:
+            if name not in self.relations:
+                raise DatalogError([Diagnostic(f"unknown relation `{name}`", hint=did_you_mean(name, self.relations))])
+        return list(dict.fromkeys(keep))
+
+    def _check_facts(self, facts: Mapping[str, Iterable[Row]]) -> None:
+        for name in facts:
+            relation = self.relations.get(name)
+            if relation is None:
+                hint = did_you_mean(name, self.inputs)
+                raise DatalogError([Diagnostic(f"facts given for the unknown relation `{name}`", hint=hint)])
+            if not relation.is_input:
+                raise DatalogError(f"facts given for `{name}`, which is not an `.input` relation")
+
+    def read_facts(self, folder: Path) -> dict[str, list[Row]]:
+        """The rows of every `.input` relation that has a file in the folder.
+
+        Of the parameters of `.input`, `filename` and `delimiter` are honoured.
+        """
+        if not folder.is_dir():
+            raise DatalogError(f"no such folder of facts: `{folder}`")
+        inputs = {n: r for n, r in self.relations.items() if r.is_input}
+        params = {d.relation: dict(d.params) for d in self.directives if d.kind == "input" and d.params}
+        return read_facts(folder, inputs, reader=ValueReader(self.types), params=params)
+
+
+def load_program(path: Path | str | Sequence[Path | str], *, extra_source: str = "") -> Program:
+    """Parse, check and compile a program: one or more root files and what they include.
+
+    `extra_source` is appended as if it were a last file. Compiled programs are cached by the content of all files.
+    Raises DatalogError with every diagnostic.
+    """
+    paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
+    cached = cache.load(paths, extra_source)
+    if isinstance(cached, Program):
+        return cached
+    unit, sources, report = read_program(paths, extra_source)
+    program = compile_unit(unit, sources.texts, report)
+    digests = {
+        p: hashlib.sha256(Path(p).read_bytes()).hexdigest() for p in sources.order if p != EXTRA_SOURCE
+    }  # fmt: skip
+    cache.store(paths, extra_source, digests, program)
+    return program
+
+
+def compile_unit(unit: Unit, texts: dict[str, str], report: Report) -> Program:
+    """Check and compile a syntax tree."""
+    unit = instantiate(unit, report)
+    unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
+    for relation in unit.relations:
+        if "eqrel" in relation.qualifiers and len(relation.attributes) == 2:
+            unit.clauses.extend(eqrel_clauses(relation))
+    checked = check(unit, report)
+    code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
+    bytecode = marshal.dumps(compile(code.source, "<datalog>", "exec"))
+    content = hashlib.sha256(cache.engine_version().encode())
+    for text in texts.values():
+        content.update(text.encode("utf-8", "surrogateescape") + b"\0")
+    relations = _declarations(unit, checked.types)
+    return Program(
+        relations,
+        report.warnings,
+        content.hexdigest()[:32],
+        code,
+        checked.types,
+        unit.directives,
+        dict(texts),
+        bytecode,
+    )
+
+
+def _declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:
+    inputs = {d.relation for d in unit.directives if d.kind == "input"}
+    outputs = {d.relation for d in unit.directives if d.kind in ("output", "printsize")}
+    result: dict[str, RelationDecl] = {}
+    for r in unit.relations:
+        attributes = tuple(Attribute(a.name, a.type, _BASES[types.kind(a.type)] if types.known(a.type) else "") for a in r.attributes)
+        result[r.name] = RelationDecl(r.name, attributes, r.doc, r.location, r.name in inputs, r.name in outputs, r.qualifiers)
+    return result
+
+
+def load_declarations(path: Path | str | Sequence[Path | str]) -> Mapping[str, RelationDecl]:
+    """The relations declared in files and what they include, without checking or compiling their rules."""
+    paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
+    unit, _, report = read_program(paths)
+    unit = instantiate(unit, report)
+    types = build_types(unit.types, report)
+    report.raise_errors()
+    return _declarations(unit, types)

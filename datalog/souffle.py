@@ -1,0 +1,81 @@
+"""The second engine: the `souffle` binary, run on the same program and the same facts.
+
+The files of the program are joined into one, without their `.include` and input/output directives; every input is
+read from a tab-separated file and every wanted relation written to one with a delimiter that no symbol contains.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Collection, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .errors import DatalogError, Diagnostic
+from .facts import read_fact_file, write_facts
+from .values import ValueReader
+
+if TYPE_CHECKING:
+    from .program import Program
+
+DELIMITER = "\x01"
+_SKIPPED = re.compile(
+    r"""("(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/)        # strings and comments stay
+    |\.include\s+"(?:\\.|[^"\\])*"|\.once\b
+    |\.(?:input|output|printsize)\s+[\w?.]+(?:\s*,\s*[\w?.]+)*(?:\s*\((?:[^()"]|"(?:\\.|[^"\\])*")*\))?""",
+    re.DOTALL | re.VERBOSE,
+)
+
+
+def find_souffle() -> str:
+    """The path of the binary; DatalogError when there is none."""
+    found = shutil.which("souffle")
+    if found is None:
+        message = "the souffle engine was asked for, but there is no `souffle` on PATH"
+        raise DatalogError([Diagnostic(message, hint="the embedded engine needs no installation")])
+    return found
+
+
+def joined_source(program: Program, kept: Collection[str]) -> str:
+    """The program as one file that reads its inputs and writes `kept`."""
+    parts = [_SKIPPED.sub(lambda m: m[1] or "", text) for text in program.sources.values()]
+    for name in program.inputs:
+        parts.append(f'.input {name}(IO=file, filename="{name}.facts")')
+    for name in kept:
+        parts.append(f'.output {name}(IO=file, filename="{name}.csv", delimiter="{DELIMITER}")')
+    return "\n".join(parts) + "\n"
+
+
+def evaluate_with_souffle(
+    program: Program, facts: Mapping[str, Iterable[tuple[Any, ...]]], kept: Collection[str], time_limit: float | None
+) -> dict[str, Collection[Any]]:
+    """Run the binary; rows of unary relations come back as bare values, as from the embedded engine."""
+    binary = find_souffle()
+    with tempfile.TemporaryDirectory(prefix="rosarch-souffle-") as folder:
+        root = Path(folder)
+        inputs, outputs = root / "facts", root / "out"
+        outputs.mkdir()
+        relations = {name: program.relations[name] for name in program.inputs}
+        write_facts(inputs, {name: facts.get(name, ()) for name in relations}, relations, types=program.types)
+        source = root / "program.dl"
+        source.write_text(joined_source(program, kept), encoding="utf-8", errors="surrogateescape")
+        command = [binary, "-w", "-F", str(inputs), "-D", str(outputs), str(source)]
+        try:
+            done = subprocess.run(command, capture_output=True, check=False, text=True, errors="replace", timeout=time_limit)
+        except subprocess.TimeoutExpired:
+            raise DatalogError(f"souffle was still running after {time_limit:g} s") from None
+        if done.returncode:
+            raise DatalogError(f"souffle failed with exit code {done.returncode}:\n{done.stderr.strip() or done.stdout.strip()}")
+        return {name: _read_output(outputs / f"{name}.csv", program, name) for name in kept}
+
+
+def _read_output(path: Path, program: Program, name: str) -> Collection[Any]:
+    relation = program.relations[name]
+    errors: list[Diagnostic] = []
+    rows = read_fact_file(path, relation, errors, ValueReader(program.types), delimiter=DELIMITER)
+    if errors:
+        raise DatalogError(errors)
+    return {row[0] for row in rows} if len(relation.attributes) == 1 else set(rows)

@@ -1,0 +1,106 @@
+"""Dependencies between relations, their strongly connected components, and stratification."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from .errors import Location, Report
+from .syntax import Aggregate, Argument, Atom, Clause, Literal, Negation, children
+
+
+@dataclass(slots=True)
+class Dependencies:
+    """Edges from a relation to those its clauses read; `strict` ones must be complete before (with their place)."""
+
+    reads: dict[str, set[str]] = field(default_factory=dict)
+    strict: dict[tuple[str, str], tuple[str, Location]] = field(default_factory=dict)
+
+
+def atoms_of(node: Argument | Literal, strict: str = "") -> Iterator[tuple[Atom, str]]:
+    """Every atom below a node, with `negation` or `aggregate` when it is under one."""
+    if isinstance(node, Atom):
+        yield node, strict
+    inside = "negation" if isinstance(node, Negation) else "aggregate" if isinstance(node, Aggregate) else strict
+    for child in children(node):
+        yield from atoms_of(child, inside or strict)
+
+
+def dependencies(relations: Iterable[str], clauses: Iterable[Clause]) -> Dependencies:
+    """The dependency graph of a program."""
+    found = Dependencies({name: set() for name in relations})
+    for clause in clauses:
+        head = clause.head.name
+        nodes: list[Argument | Literal] = [*clause.head.args, *clause.body]
+        for node in nodes:
+            for atom, strict in atoms_of(node):
+                found.reads[head].add(atom.name)
+                if strict:
+                    found.strict.setdefault((head, atom.name), (strict, atom.location))
+        if clause.dominating is not None:
+            found.reads[head].add(head)
+    return found
+
+
+def components(graph: Mapping[str, Iterable[str]]) -> list[list[str]]:
+    """Strongly connected components, each after the ones it reads (Tarjan's algorithm, without recursion)."""
+    index: dict[str, int] = {}
+    low: dict[str, int] = {}
+    stack: list[str] = []
+    on_stack: set[str] = set()
+    result: list[list[str]] = []
+    for root in graph:
+        if root in index:
+            continue
+        work: list[tuple[str, Iterator[str]]] = [(root, iter(sorted(graph[root])))]
+        index[root] = low[root] = len(index)
+        stack.append(root)
+        on_stack.add(root)
+        while work:
+            node, successors = work[-1]
+            for successor in successors:
+                if successor not in index:
+                    index[successor] = low[successor] = len(index)
+                    stack.append(successor)
+                    on_stack.add(successor)
+                    work.append((successor, iter(sorted(graph[successor]))))
+                    break
+                if successor in on_stack:
+                    low[node] = min(low[node], index[successor])
+            else:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[node])
+                if low[node] == index[node]:
+                    at = stack.index(node)
+                    result.append(stack[at:])
+                    on_stack.difference_update(stack[at:])
+                    del stack[at:]
+    return result
+
+
+def check_stratified(found: Dependencies, strata: Sequence[Sequence[str]], report: Report) -> None:
+    """Report every negation or aggregate over a relation of its own stratum, with the cycle."""
+    stratum_of = {name: i for i, names in enumerate(strata) for name in names}
+    for (head, read), (kind, location) in found.strict.items():
+        if stratum_of[head] == stratum_of[read]:
+            path = _path(found.reads, read, head, set(strata[stratum_of[head]]))
+            cycle = " -> ".join([head, *path])
+            report.error(f"cannot stratify: {kind} of `{read}` in a cycle: {cycle}", location)
+
+
+def _path(reads: Mapping[str, set[str]], start: str, goal: str, within: set[str]) -> list[str]:
+    """The shortest path from `start` to `goal` inside a component."""
+    came_from: dict[str, str] = {start: ""}
+    queue = [start]
+    for node in queue:
+        if node == goal:
+            break
+        for successor in sorted(reads[node] & within):
+            if successor not in came_from:
+                came_from[successor] = node
+                queue.append(successor)
+    path = [goal]
+    while path[-1] != start:
+        path.append(came_from[path[-1]])
+    return path[::-1]

@@ -1,0 +1,87 @@
+"""Witnesses of aggregates: variables of an aggregate body that the rest of the clause uses without binding them.
+
+`tallest(S, H) :- H = max X : { height(S, X) }` asks for the `S` that attain the maximum. As souffle's
+GroundWitnesses.cpp, the body of the aggregate is repeated in the clause with the result in place of its target:
+`H = max X : { height(S', X) }, height(S, H)`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from .ground import aggregates, grounded_variables, outer_variables
+from .rewrite import Rewriter
+from .syntax import Aggregate, Argument, Clause, Constraint, Literal, Variable, children, clause_literals, variables
+
+
+class _Substitution(Rewriter):
+    """Replaces variables by terms, and one aggregate by a variable."""
+
+    def __init__(self, terms: Mapping[str, Argument], aggregate: Aggregate | None = None, by: Argument | None = None) -> None:
+        self.replacement = terms
+        self.replaced = aggregate
+        self.by = by
+
+    def variable(self, term: Variable) -> Argument:
+        """The term for a variable."""
+        return self.replacement.get(term.name, term)
+
+    def aggregate(self, term: Aggregate) -> Argument:
+        """The variable for the aggregate."""
+        return self.by if term is self.replaced and self.by is not None else super().aggregate(term)
+
+
+def ground_witnesses(clause: Clause) -> Clause:
+    """The clause with every witness bound; the same clause when there is none."""
+    for number in range(100):
+        found = _first_witnessed(clause)
+        if found is None:
+            return clause
+        clause = _ground(clause, *found, number)
+    return clause
+
+
+def _first_witnessed(clause: Clause) -> tuple[Aggregate, set[str]] | None:
+    literals = clause_literals(clause)
+    if not any(True for literal in literals for _ in aggregates(literal)):
+        return None
+    outside = {v.name for literal in literals for v in outer_variables(literal) if isinstance(v, Variable)}
+    missing = outside - grounded_variables(clause.body)
+    if not missing:
+        return None
+    for aggregate in _all_aggregates(literals):
+        if aggregate.target is not None:
+            witnesses = missing & grounded_variables(aggregate.body)
+            if witnesses:
+                return aggregate, witnesses
+    return None
+
+
+def _all_aggregates(nodes: Iterable[Argument | Literal]) -> Iterable[Aggregate]:
+    """All aggregates, inner ones before those they are in."""
+    for node in nodes:
+        for aggregate in aggregates(node):
+            yield from _all_aggregates(children(aggregate))
+            yield aggregate
+
+
+def _ground(clause: Clause, aggregate: Aggregate, witnesses: set[str], number: int) -> Clause:
+    at, target = aggregate.location, aggregate.target
+    assert target is not None
+    result = Variable(f"+result{number}", at)
+    outer = grounded_variables(clause.body)
+    inside = {v for part in children(aggregate) for v in variables(part)}
+    local = (inside - outer) | variables(target)
+    inner = {w: Variable(f"{w}+w{number}", at) for w in witnesses}
+    renamed = _Substitution(inner).aggregate(aggregate)
+    copies: dict[str, Argument] = {v: Variable(f"{v}+c{number}", at) for v in local - witnesses}
+    extra: list[Literal] = []
+    if isinstance(target, Variable):
+        copies[target.name] = result
+    else:
+        extra.append(Constraint("=", result, _Substitution(copies).term(target), at))
+    extra.extend(_Substitution(copies).literal(literal) for literal in aggregate.body)
+    outermost = any(a is aggregate for literal in clause_literals(clause) for a in aggregates(literal))
+    rest = _Substitution({}, aggregate, result if outermost else renamed).clause(clause)
+    body = (*rest.body, Constraint("=", result, renamed, at), *extra)
+    return Clause(rest.head, body, clause.location, rest.dominating, clause.plan)

@@ -1,0 +1,231 @@
+"""Calls, constructions and overloaded operators."""
+
+from __future__ import annotations
+
+import re
+
+from rosarch.extractor.cxx import kinds, libclang
+from rosarch.extractor.cxx.body import Body, expressions, operands, strip, template_argument_texts
+from rosarch.extractor.cxx.declarations import declare_class, declare_function, declare_type, declare_unknown_type
+from rosarch.extractor.cxx.libclang import Cursor, Tree
+
+_OPERATOR = re.compile(r"operator\s*([^\w\s].*|new|delete)$")
+_VALUES = frozenset({kinds.STRING, kinds.INTEGER, kinds.FLOATING, kinds.BOOLEAN, kinds.CHARACTER, kinds.NULLPTR, kinds.INIT_LIST})
+_MEMBER_NAME = re.compile(r"(?:\.|->|::)\s*(?:template\s+)?(~?\w+)\s*$")
+_BUILTIN = re.compile(r"(unsigned |signed |long |short )*(int|bool|float|double|char|long|short|unsigned)")
+_CONSTRUCTED = re.compile(rb"(?:\w+\s*::\s*)*\w+")
+_LAST_NAME = re.compile(r"(~?\w+)\s*(?:<.*>)?\s*$", re.DOTALL)
+
+
+def lower_call(body: Body, tree: Tree) -> str:
+    """Record a call, a construction or an overloaded operator."""
+    target = libclang.referenced(tree.cursor)
+    kind = libclang.template_kind(target) if target.kind == kinds.FUNCTION_TEMPLATE else target.kind
+    if kind == kinds.CONSTRUCTOR:
+        return _lower_construction(body, tree, target)
+    name = libclang.spelling(tree.cursor)
+    operator = _OPERATOR.match(name)
+    if operator and _operator_reference(tree, name) is not None:
+        return _lower_operator(body, tree, target, name, operator.group(1))
+    if kind == kinds.CONVERSION and expressions(tree):
+        callee = strip(expressions(tree)[0])
+        if expressions(callee):  # an implicit conversion: the object that is converted
+            return _lower(body, expressions(callee)[0])
+    return _lower_named_call(body, tree, target, name)
+
+
+def _lower(body: Body, tree: Tree, *, text: bool = False) -> str:
+    from rosarch.extractor.cxx.expressions import lower_expression  # calls hold expressions, these calls
+
+    return lower_expression(body, tree, text=text)
+
+
+def _arguments(body: Body, trees: list[Tree]) -> list[Tree]:
+    """Leave out default arguments: they are nowhere in the source."""
+    return [tree for tree in trees if not _implicit(body, tree)]
+
+
+def _implicit(body: Body, tree: Tree) -> bool:
+    span = body.unit.span(tree.cursor)
+    return span.begin == span.end and span.begin == 0
+
+
+def _lower_construction(body: Body, tree: Tree, constructor: Cursor) -> str:
+    unit = body.unit
+    arguments = _arguments(body, expressions(tree))
+    written = tree.children and tree.children[0].kind == kinds.TYPE_REFERENCE
+    if len(arguments) == 1 and not written and _same_place(body, tree, arguments[0]):
+        return _lower(body, arguments[0])  # an implicit conversion or copy
+    lowered = [_lower(body, argument, text=True) for argument in arguments]
+    call, span = body.node(tree, "call")
+    name = _CONSTRUCTED.match(span.file.data, span.begin)
+    if name:
+        unit.call_sites[id(span.file)].add(name.end())
+    unit.add("call", call, libclang.spelling(constructor))
+    unit.add("call_function", call, declare_function(unit, constructor))
+    unit.add("call_constructs", call, declare_class(unit, libclang.semantic_parent(constructor)))
+    unit.add("expr_type", call, declare_type(unit, libclang.cursor_type(tree.cursor)))
+    for index, argument in enumerate(lowered):
+        unit.add("call_argument", call, index, argument)
+    body.flow.evaluate(call)
+    return call
+
+
+def _same_place(body: Body, outer: Tree, inner: Tree) -> bool:
+    """Whether `outer` is written with no character more than `inner`: an implicit step around it."""
+    own = body.unit.span(outer.cursor)
+    spans = (body.unit.span(inner.cursor), body.unit.span(strip(inner).cursor))
+    return any((own.begin, own.end) == (span.begin, span.end) for span in spans)
+
+
+def _operator_reference(tree: Tree, name: str) -> Tree | None:
+    """The child that names the operator function in `a + b`; a call `a.operator+(b)` has none of its own."""
+    for child in expressions(tree):
+        inner = strip(child)
+        if inner.kind == kinds.DECLARATION_REFERENCE and libclang.spelling(inner.cursor) == name:
+            return child
+    return None
+
+
+def _lower_operator(body: Body, tree: Tree, target: Cursor, name: str, operator: str) -> str:
+    from rosarch.extractor.cxx.expressions import operator_expression
+
+    reference = _operator_reference(tree, name)
+    parts = [child for child in operands(tree) if child is not reference]
+    if operator in ("++", "--"):
+        parts = parts[:1]  # the postfix forms have an int argument that nobody wrote
+    if operator in ("->", "*") and len(parts) == 1:
+        operator = "*"
+    expr = operator_expression(body, tree, "op", operator, _arguments(body, parts))
+    if target.kind in kinds.FUNCTIONS:
+        function = declare_function(body.unit, target)
+        if "@" in function or operator == "()":  # the workspace's own operators, and called function objects
+            body.unit.add("call", expr, name)
+            body.unit.add("call_function", expr, function)
+            member = libclang.template_kind(target) if target.kind == kinds.FUNCTION_TEMPLATE else target.kind
+            _operator_arguments(body, expr, member=member == kinds.METHOD)
+            body.flow.evaluate(expr)
+    return expr
+
+
+def _operator_arguments(body: Body, expr: str, *, member: bool) -> None:
+    """The operands of an overloaded operator are the arguments of its function, a member's first its object."""
+    for owner, index, operand in [row for row in body.unit.rows["operand"] if row[0] == expr]:
+        if member and index == 0:
+            body.unit.add("call_receiver", owner, operand)
+        else:
+            body.unit.add("call_argument", owner, int(index) - member, operand)
+
+
+def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
+    unit = body.unit
+    parts = expressions(tree)
+    if not parts:
+        return _dropped(body, tree)
+    callee = strip(parts[0])
+    if len(parts) == 1 and (callee.kind in _VALUES or _constructs(callee) or _same_place(body, tree, parts[0])):
+        return _lower(body, parts[0])  # the move of a temporary into its variable
+    receiver = _receiver(body, callee, target)
+    arguments = [_lower(body, argument, text=True) for argument in _arguments(body, parts[1:])]
+    through = None
+    candidates = _candidates(callee)
+    if target.kind not in kinds.FUNCTIONS and not candidates and callee.kind not in (kinds.UNEXPOSED_EXPR, kinds.MEMBER_ACCESS):
+        through = _lower(body, callee)
+    call, _ = body.node(tree, "call")
+    callee_span = unit.span(parts[0].cursor)
+    callee_text = callee_span.file.data[callee_span.begin : callee_span.end].decode("utf-8", "replace")
+    if not name:
+        match = _MEMBER_NAME.search(callee_text) or _LAST_NAME.search(callee_text)
+        name = match.group(1) if match else "?"
+    unit.call_sites[id(callee_span.file)].add(callee_span.begin + _name_end(callee_text, name))
+    unit.add("call", call, name)
+    if target.kind in kinds.FUNCTIONS:
+        unit.add("call_function", call, declare_function(unit, target))
+        unit.add("expr_type", call, declare_type(unit, libclang.cursor_type(tree.cursor)))
+    elif through is not None:
+        unit.add("call_through", call, through)
+    else:
+        for candidate in candidates:
+            unit.add("call_function", call, declare_function(unit, candidate))
+        unit.add("call_unresolved", call, "overloaded" if candidates else "dependent")
+    if receiver is not None:
+        unit.add("call_receiver", call, receiver)
+    for index, argument in enumerate(arguments):
+        unit.add("call_argument", call, index, argument)
+    for index, type_ in enumerate(_template_arguments(body, callee, callee_text, callee_span.begin)):
+        unit.add("call_template_argument", call, index, type_)
+    body.flow.evaluate(call)
+    return call
+
+
+def _name_end(callee: str, name: str) -> int:
+    """Where the name ends in a callee's text, explicit template arguments left out; in bytes."""
+    before, found, _ = callee.rpartition(name)
+    while found and "<" in before and before.count("<") > before.count(">") - before.count("->"):
+        before, found, _ = before.rpartition(name)  # that was within the template arguments
+    return len((before + name if found else callee).encode())
+
+
+def _constructs(tree: Tree) -> bool:
+    return tree.kind == kinds.CALL and libclang.referenced(tree.cursor).kind == kinds.CONSTRUCTOR
+
+
+def _dropped(body: Body, tree: Tree) -> str:
+    expr, span = body.node(tree, "unknown")
+    body.unit.add("expr_unknown", expr, "dropped")
+    body.unit.add("expr_text", expr, body.unit.text(span))
+    return expr
+
+
+def _receiver(body: Body, callee: Tree, target: Cursor) -> str | None:
+    """The object of a member call."""
+    if callee.kind == kinds.MEMBER_ACCESS or callee.kind == kinds.UNEXPOSED_EXPR:
+        bases = expressions(callee)
+        if bases:
+            return _lower(body, bases[0])
+    member = libclang.template_kind(target) if target.kind == kinds.FUNCTION_TEMPLATE else target.kind
+    if member == kinds.METHOD and body.owner and not libclang.is_static_method(target):
+        return body.this()
+    return None
+
+
+def _candidates(callee: Tree) -> list[Cursor]:
+    """The functions of an overload set."""
+    return [
+        libclang.overload(reference.cursor, index)
+        for reference in [callee, *callee.children]
+        for index in range(libclang.overload_count(reference.cursor))
+        if libclang.overload(reference.cursor, index).kind in kinds.FUNCTIONS
+    ]
+
+
+def _template_arguments(body: Body, callee: Tree, text: str, begin: int) -> list[str]:
+    """The explicit template arguments of a call, each as a type."""
+    result = []
+    for argument in template_argument_texts(text.rstrip()):
+        start = begin + len(text[: text.rindex(argument)].encode())
+        result.append(_written_type(body, callee, argument, start, start + len(argument.encode())))
+    return result
+
+
+def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> str:
+    """The type written at [`begin`, `end`): by the references that clang saw in it, else as spelled."""
+    found: Cursor | None = None
+    for child in callee.children:
+        if child.kind in (kinds.TYPE_REFERENCE, kinds.TEMPLATE_REFERENCE):
+            span = body.unit.span(child.cursor)
+            if begin <= span.begin and span.end <= end:
+                target = libclang.referenced(child.cursor)
+                if child.kind == kinds.TYPE_REFERENCE and span.end == end:
+                    return declare_type(body.unit, libclang.cursor_type(target))
+                if child.kind == kinds.TEMPLATE_REFERENCE and found is None:
+                    found = target
+    if found is not None:
+        name = "".join(text.split())
+        body.unit.add("type_class", name, declare_class(body.unit, found))
+        return name
+    return (
+        text
+        if re.fullmatch(r"(unsigned |signed |long |short )*(int|bool|float|double|char|long|short|unsigned)", text)
+        else declare_unknown_type(body.unit, text)
+    )

@@ -1,0 +1,237 @@
+"""Identifiers and facts of declared functions, variables, classes and types, made when first met."""
+
+from __future__ import annotations
+
+import re
+
+from rosarch.extractor.cxx import kinds, libclang
+from rosarch.extractor.cxx.libclang import Cursor, Type
+from rosarch.extractor.cxx.unit import UnitFacts
+
+_FUNCTION_KINDS = {
+    kinds.FUNCTION: "function",
+    kinds.METHOD: "method",
+    kinds.CONSTRUCTOR: "constructor",
+    kinds.DESTRUCTOR: "destructor",
+    kinds.CONVERSION: "conversion",
+}
+_CLASS_KINDS = {kinds.STRUCT: "struct", kinds.UNION: "union", kinds.CLASS: "class", kinds.ENUM: "enum"}
+_INT_WORDS = re.compile(r"\b(int|auto|signed|unsigned|short|long|decltype)\b")
+_INT = re.compile(r"(signed|int|auto|decltype\s*\(.*\)|\s)*")
+_QUALIFIERS = re.compile(r"\bconst\b|\bvolatile\b|\[\d*\]|[&*\s]")
+_SPECIFIERS = re.compile(r"\b(const|constexpr|static|mutable|extern|inline|volatile|register|typename|struct|class)\b")
+_TEMPLATE_PARAMETER = re.compile(r"type-parameter-\d+-(\d+)")
+_ANONYMOUS = re.compile(r"\(.*? at .*\)")
+
+
+def qualified_name(unit: UnitFacts, cursor: Cursor) -> str:
+    """Return the qualified name of a declaration, without template arguments; what has no name gets its place."""
+    name = _ANONYMOUS.sub("", libclang.spelling(cursor)).strip()
+    if not name or (cursor.kind in kinds.CLASSES and libclang.is_anonymous(cursor)):
+        file, line, column = unit.place(cursor)
+        name = f"(anonymous {file.key or file.path.name}:{line}:{column})"
+        if cursor.kind == kinds.NAMESPACE:
+            name = "(anonymous)"
+    if cursor.kind in kinds.FUNCTIONS and not name.startswith("operator"):
+        name = name.partition("<")[0]  # constructors of class templates carry the parameters
+    parent = libclang.semantic_parent(cursor)
+    while parent.kind in (kinds.LINKAGE_SPEC, kinds.UNEXPOSED_DECLARATION):
+        parent = libclang.semantic_parent(parent)
+    if parent.kind == kinds.NAMESPACE or parent.kind in kinds.CLASSES or parent.kind in kinds.FUNCTIONS:
+        return f"{_scope_name(unit, parent)}::{name}"
+    if parent.kind == kinds.ENUM:
+        return f"{declare_class(unit, parent)}::{name}"
+    return name
+
+
+def _scope_name(unit: UnitFacts, cursor: Cursor) -> str:
+    pointer = libclang.canonical(cursor).d0 or 0
+    if pointer not in unit.scopes:
+        unit.scopes[pointer] = qualified_name(unit, cursor)
+    return unit.scopes[pointer]
+
+
+def _pattern(cursor: Cursor) -> Cursor:
+    """The template member that `cursor` was instantiated from, else its canonical declaration."""
+    template = libclang.template_of(cursor)
+    return libclang.canonical(template if template.d0 else cursor)  # type: ignore[no-any-return]
+
+
+def declare_function(unit: UnitFacts, cursor: Cursor) -> str:
+    """Return the identifier of the function at `cursor`, recording its facts on first sight."""
+    known = unit.declared.get(cursor.d0 or 0)
+    if known is not None:
+        return known
+    pattern = _pattern(cursor)
+    name = qualified_name(unit, pattern)
+    file, line, column = unit.place(pattern)
+    identifier = f"{name}@{file.key}:{line}:{column}" if file.key else name
+    unit.declared[cursor.d0 or 0] = unit.declared[pattern.d0 or 0] = identifier
+    kind = libclang.template_kind(pattern) if pattern.kind == kinds.FUNCTION_TEMPLATE else pattern.kind
+    static = kind == kinds.METHOD and libclang.is_static_method(pattern)
+    unit.add("function", identifier, "static_method" if static else _FUNCTION_KINDS.get(kind, "function"))
+    unit.add("function_name", identifier, name)
+    if file.key:
+        unit.add("location", identifier, file.key, line, column)
+    parent = libclang.semantic_parent(pattern)
+    if parent.kind in kinds.CLASSES:
+        unit.add("function_class", identifier, declare_class(unit, parent))
+    if kind == kinds.METHOD:
+        for base in libclang.overridden(pattern):
+            unit.add("function_overrides", identifier, declare_function(unit, base))
+    if kind in (kinds.FUNCTION, kinds.METHOD, kinds.CONVERSION):
+        unit.add("function_return_type", identifier, declare_type(unit, libclang.result_type(pattern)))
+    if file.key and pattern.kind != kinds.FUNCTION_TEMPLATE:
+        for index in range(libclang.argument_count(pattern)):
+            declare_parameter(unit, identifier, index, libclang.argument(pattern, index))
+    return identifier
+
+
+def declare_parameter(unit: UnitFacts, function: str, index: int, cursor: Cursor) -> str:
+    """Record the parameter of `function` at `index`; declaration and definition share one identifier."""
+    identifier = f"{function}#{index}"
+    unit.declared[cursor.d0 or 0] = identifier
+    unit.add("function_parameter", function, index, identifier)
+    unit.add("variable", identifier, "parameter")
+    unit.add("variable_function", identifier, function)
+    name = libclang.spelling(cursor)
+    if name:
+        unit.add("variable_name", identifier, name)
+    unit.add("variable_type", identifier, declared_type(unit, cursor))
+    return identifier
+
+
+def declare_variable(unit: UnitFacts, cursor: Cursor, function: str = "") -> str:
+    """Return the identifier of the variable or field at `cursor`; `function` is the one whose body declares it."""
+    known = unit.declared.get(cursor.d0 or 0)
+    if known is not None:
+        return known
+    pattern = libclang.canonical(cursor)
+    if pattern.d0 in unit.declared:
+        identifier = unit.declared[cursor.d0 or 0] = unit.declared[pattern.d0]
+        return identifier
+    parent = libclang.semantic_parent(pattern)
+    file, line, column = unit.place(pattern)
+    name = libclang.spelling(pattern)
+    where = f"@{file.key or file.path.name}:{line}:{column}"
+    if parent.kind in kinds.CLASSES:
+        owner = declare_class(unit, parent)
+        identifier = f"{owner}::{name or where}"
+        unit.add("variable", identifier, "field" if pattern.kind == kinds.FIELD else "static_field")
+        unit.add("field_class", identifier, owner)
+    elif (parent.kind in kinds.FUNCTIONS or function) and libclang.storage_class(pattern) != kinds.STORAGE_EXTERN:
+        identifier = name + where
+        static = libclang.storage_class(pattern) == kinds.STORAGE_STATIC
+        kind = "parameter" if pattern.kind == kinds.PARAMETER else "static_local" if static else "local"
+        unit.add("variable", identifier, kind)
+        if function:
+            unit.add("variable_function", identifier, function)
+    else:
+        identifier = name if parent.kind in kinds.FUNCTIONS else qualified_name(unit, pattern)
+        if libclang.linkage(pattern) != kinds.LINKAGE_EXTERNAL:
+            identifier += f"@{file.key or file.path.name}"
+        unit.add("variable", identifier, "global")
+    unit.declared[cursor.d0 or 0] = unit.declared[pattern.d0 or 0] = identifier
+    unit.add("variable_name", identifier, name)
+    unit.add("variable_type", identifier, declared_type(unit, pattern))
+    if file.key:
+        unit.add("location", identifier, file.key, line, column)
+    return identifier
+
+
+def declared_type(unit: UnitFacts, cursor: Cursor) -> str:
+    """Return the type of a declaration.
+
+    Clang silently gives `int` to a variable whose type it does not know, so an `int` that the source does not
+    spell is unknown: the result is `?` and the type as written.
+    """
+    type_ = libclang.cursor_type(cursor)
+    if "int" in libclang.type_spelling(type_):
+        span = unit.span(cursor)
+        if span.file.key:
+            file, offset = unit.locate(libclang.location(cursor))
+            written = file.text(span.begin, offset if offset > span.begin else span.end)
+            if _is_guessed(libclang.type_spelling(type_), written):
+                return declare_unknown_type(unit, written)
+    return declare_type(unit, type_)
+
+
+def _is_guessed(spelling: str, written: str) -> bool:
+    """Whether clang's `int` stands for a type that it does not know."""
+    if _QUALIFIERS.sub("", spelling) == "int":
+        return not _INT.fullmatch(_SPECIFIERS.sub("", written).replace("&", " ").replace("*", " ").strip())
+    return bool(re.search(r"\bint\b", spelling)) and not _INT_WORDS.search(written)
+
+
+def unknown_type(written: str) -> str:
+    """The type that stands for an absent declaration."""
+    return "?" + _SPECIFIERS.sub("", written).replace(" ", "").rstrip("&*")
+
+
+def declare_unknown_type(unit: UnitFacts, written: str) -> str:
+    """Record the type that stands for an absent declaration: of the class with the written name."""
+    name = unknown_type(written)
+    unit.add("type_class", name, name[1:].partition("<")[0])
+    return name
+
+
+def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
+    """Return the qualified name of the class at `cursor`, recording its bases on first sight."""
+    pattern = _pattern(cursor)
+    known = unit.declared.get(pattern.d0 or 0)
+    if known is not None:
+        return known
+    identifier = unit.declared[pattern.d0 or 0] = _scope_name(unit, pattern)
+    kind = "template" if pattern.kind in (kinds.CLASS_TEMPLATE, kinds.PARTIAL_SPECIALIZATION) else _CLASS_KINDS.get(pattern.kind, "class")
+    unit.add("class", identifier, kind)
+    body = libclang.definition(pattern)
+    for child in libclang.children(body if body.d0 else pattern) if pattern.kind in kinds.CLASSES else ():
+        if child.kind == kinds.BASE_SPECIFIER:
+            declaration = libclang.type_declaration(libclang.cursor_type(child))
+            if declaration.kind in kinds.CLASSES:
+                unit.add("class_base", identifier, declare_class(unit, declaration))
+            else:
+                unit.add("class_base", identifier, _template_base(unit, child))
+    return identifier
+
+
+def _template_base(unit: UnitFacts, specifier: Cursor) -> str:
+    """A base that depends on a template parameter: its template when that is known, else its text."""
+    for reference in libclang.children(specifier):
+        if reference.kind == kinds.TEMPLATE_REFERENCE:
+            return declare_class(unit, libclang.referenced(reference))
+    return unknown_type(unit.text(unit.span(specifier)))
+
+
+def declare_type(unit: UnitFacts, type_: Type) -> str:
+    """Return the canonical spelling of a type, recording its structure on first sight."""
+    type_ = libclang.canonical_type(type_)
+    name = libclang.type_spelling(type_).replace(f"{unit.root}/", "")
+    if name in unit.types:
+        return name
+    unit.types.add(name)
+    inner: Type | None = None
+    kind = "const"
+    if libclang.is_const(type_):
+        inner = libclang.unqualified_type(type_)
+    elif type_.kind in (kinds.TYPE_POINTER, kinds.TYPE_REFERENCE_LVALUE, kinds.TYPE_REFERENCE_RVALUE):
+        kind = "pointer" if type_.kind == kinds.TYPE_POINTER else "reference"
+        inner = libclang.pointee(type_)
+    elif type_.kind in kinds.TYPE_ARRAYS:
+        kind, inner = "array", libclang.array_element(type_)
+    if inner is not None:
+        inner_name = declare_type(unit, inner)
+        if inner_name != name:
+            unit.add("type_inner", name, kind, inner_name)
+        return name
+    parameter = _TEMPLATE_PARAMETER.fullmatch(name)
+    if parameter:
+        unit.add("template_parameter", name, int(parameter.group(1)))
+    declaration = libclang.type_declaration(type_)
+    if declaration.kind in kinds.CLASSES or declaration.kind == kinds.ENUM:
+        unit.add("type_class", name, declare_class(unit, declaration))
+    for index in range(libclang.template_argument_count(type_)):
+        argument = libclang.template_argument(type_, index)
+        if argument.kind != kinds.TYPE_INVALID:
+            unit.add("type_argument", name, index, declare_type(unit, argument))
+    return name

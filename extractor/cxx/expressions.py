@@ -1,0 +1,263 @@
+"""Expressions: from cursors to rows of `rules/schema/expressions.dl`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rosarch.extractor.cxx import kinds, libclang, literals
+from rosarch.extractor.cxx.body import Body, expressions, strip
+from rosarch.extractor.cxx.calls import lower_call
+from rosarch.extractor.cxx.declarations import declare_function, declare_type, declare_variable, qualified_name
+from rosarch.extractor.cxx.libclang import Tree
+
+_ASSIGNMENTS = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
+_VARIABLES = frozenset({kinds.VARIABLE, kinds.PARAMETER, kinds.FIELD})
+
+
+def lower_expression(body: Body, tree: Tree, *, text: bool = False) -> str:
+    """Record the expression at `tree` and return its identifier; with `text`, its source text too."""
+    tree = strip(tree)
+    lower = _FORMS.get(tree.kind, _lower_unknown)
+    expr = lower(body, tree)
+    if text:
+        body.unit.add("expr_text", expr, body.unit.text(body.unit.span(tree.cursor)))
+    return expr
+
+
+def operator_expression(body: Body, tree: Tree, form: str, name: str, operands: list[Tree]) -> str:
+    """Record an operator with its operands, evaluated from left to right."""
+    expr, _ = body.node(tree, form)
+    body.unit.add("operator", expr, name)
+    assigns = name in _ASSIGNMENTS
+    for index, operand in enumerate(operands):
+        body.unit.add("operand", expr, index, lower_expression(body, operand, text=assigns and index == 1))
+    if assigns or name in ("++", "--", "<<", ">>", "delete"):  # of streams, the last ones write
+        body.flow.evaluate(expr)
+    return expr
+
+
+def _lower_reference(body: Body, tree: Tree) -> str:
+    target = libclang.referenced(tree.cursor)
+    if target.kind in _VARIABLES:
+        expr, _ = body.node(tree, "use")
+        body.unit.add("variable_use", expr, declare_variable(body.unit, target))
+        body.flow.read(expr)
+        return expr
+    if target.kind == kinds.ENUM_CONSTANT:
+        expr, _ = body.node(tree, "enum")
+        body.unit.add("literal", expr, "enum", qualified_name(body.unit, target))
+        body.unit.add("expr_constant", expr, str(libclang.enum_value(target)))
+        return expr
+    if target.kind in kinds.FUNCTIONS:
+        expr, _ = body.node(tree, "fn")
+        body.unit.add("function_use", expr, declare_function(body.unit, target))
+        return expr
+    return _lower_overloaded(body, tree, [tree, *tree.children])
+
+
+def _lower_overloaded(body: Body, tree: Tree, references: list[Tree]) -> str:
+    """The name of an overload set: one row per candidate."""
+    candidates = [
+        candidate
+        for reference in references
+        for index in range(libclang.overload_count(reference.cursor))
+        if (candidate := libclang.overload(reference.cursor, index)).kind in kinds.FUNCTIONS
+    ]
+    if not candidates:
+        return _lower_unknown(body, tree)
+    expr, _ = body.node(tree, "fn")
+    for candidate in candidates:
+        body.unit.add("function_use", expr, declare_function(body.unit, candidate))
+    return expr
+
+
+def _lower_member(body: Body, tree: Tree) -> str:
+    target = libclang.referenced(tree.cursor)
+    bases = expressions(tree)
+    if target.kind in kinds.FUNCTIONS:
+        span = body.unit.span(tree.cursor)
+        expr = _lower_reference(body, tree)
+        body.unit.remnants.append((expr, span.file, span.end))
+        return expr
+    if target.kind not in _VARIABLES:
+        return _lower_reference(body, tree) if target.kind == kinds.ENUM_CONSTANT else _lower_unknown(body, tree)
+    base = lower_expression(body, bases[0]) if bases else body.this()
+    expr, _ = body.node(tree, "use")
+    body.unit.add("variable_use", expr, declare_variable(body.unit, target))
+    body.unit.add("field_object", expr, base)
+    body.flow.read(expr)
+    return expr
+
+
+def _lower_this(body: Body, tree: Tree) -> str:
+    expr, _ = body.node(tree, "this")
+    body.unit.add("this_use", expr, body.owner)
+    return expr
+
+
+def _lower_unary(body: Body, tree: Tree) -> str:
+    name = libclang.operator_spelling(tree.cursor, unary=True)
+    inner = strip(expressions(tree)[0]) if expressions(tree) else tree
+    if name == "&" and inner is not tree:
+        references = [inner, *inner.children]
+        if inner.kind == kinds.DECLARATION_REFERENCE and libclang.referenced(inner.cursor).kind in kinds.FUNCTIONS:
+            return _lower_reference(body, inner)
+        if any(libclang.overload_count(reference.cursor) for reference in references):
+            return _lower_overloaded(body, tree, references)
+    return operator_expression(body, tree, "op", name or "?", expressions(tree))
+
+
+def _lower_binary(body: Body, tree: Tree) -> str:
+    name = libclang.operator_spelling(tree.cursor, unary=False)
+    operands = expressions(tree)
+    if name in ("&&", "||") and len(operands) == 2:
+        return _lower_logical(body, tree, name, operands)
+    return operator_expression(body, tree, "op", name or "?", operands)
+
+
+def _lower_logical(body: Body, tree: Tree, name: str, operands: list[Tree]) -> str:
+    """The right operand of `&&` and `||` is a branch of its own when it evaluates anything."""
+    left = lower_expression(body, operands[0])
+    right = _maybe(body, left, operands[1], taken=name == "&&")
+    expr, _ = body.node(tree, "op")
+    body.unit.add("operator", expr, name)
+    body.unit.add("operand", expr, 0, left)
+    body.unit.add("operand", expr, 1, right)
+    return expr
+
+
+def _maybe(body: Body, condition: str, tree: Tree, *, taken: bool) -> str:
+    """Read an expression that is evaluated only when `condition` is `taken`."""
+    flow = body.flow
+    before, inner = flow.current, flow.block()
+    flow.start(inner)
+    expr = lower_expression(body, tree)
+    if flow.current is inner and not inner.acts:
+        before.exprs += inner.exprs  # nothing happens there: no branch
+        inner.exprs.clear()
+        flow.start(before)
+        return expr
+    after = flow.block()
+    before.condition = condition
+    before.edges.append((inner, "true" if taken else "false"))
+    before.edges.append((after, "false" if taken else "true"))
+    flow.to(after)
+    flow.start(after)
+    return expr
+
+
+def _lower_conditional(body: Body, tree: Tree) -> str:
+    operands = expressions(tree)
+    if len(operands) != 3:
+        return _lower_unknown(body, tree)
+    condition = lower_expression(body, operands[0], text=True)
+    values = [condition, *_either(body, condition, operands[1], operands[2])]
+    expr, _ = body.node(tree, "op")
+    body.unit.add("operator", expr, "?:")
+    for index, value in enumerate(values):
+        body.unit.add("operand", expr, index, value)
+    return expr
+
+
+def _either(body: Body, condition: str, yes: Tree, no: Tree) -> tuple[str, str]:
+    """Read two expressions of which `condition` chooses one; they are branches when either does anything."""
+    flow = body.flow
+    before, first, second = flow.current, flow.block(), flow.block()
+    flow.start(first)
+    left = lower_expression(body, yes)
+    first_end = flow.current
+    flow.start(second)
+    right = lower_expression(body, no)
+    second_end = flow.current
+    if first_end is first and second_end is second and not first.acts and not second.acts:
+        before.exprs += first.exprs + second.exprs
+        first.exprs.clear()
+        second.exprs.clear()
+        flow.start(before)
+        return left, right
+    after = flow.block()
+    before.condition = condition
+    before.edges += [(first, "true"), (second, "false")]
+    first_end.edges.append((after, "next"))
+    second_end.edges.append((after, "next"))
+    flow.start(after)
+    return left, right
+
+
+def _lower_cast(body: Body, tree: Tree) -> str:
+    inner = expressions(tree)
+    stripped = strip(inner[-1]) if inner else tree
+    if tree.kind == kinds.FUNCTIONAL_CAST and stripped.kind == kinds.CALL:
+        return lower_expression(body, stripped)
+    expr = operator_expression(body, tree, "cast", "cast", inner[-1:])
+    body.unit.add("expr_type", expr, declare_type(body.unit, libclang.cursor_type(tree.cursor)))
+    return expr
+
+
+def _lower_new(body: Body, tree: Tree) -> str:
+    expr = operator_expression(body, tree, "new", "new", expressions(tree)[-1:])
+    body.unit.add("expr_type", expr, declare_type(body.unit, libclang.cursor_type(tree.cursor)))
+    return expr
+
+
+def _lower_throw(body: Body, tree: Tree) -> str:
+    expr = operator_expression(body, tree, "throw", "throw", expressions(tree))
+    body.flow.evaluate(expr)
+    body.flow.throw()
+    return expr
+
+
+def _lower_lambda(body: Body, tree: Tree) -> str:
+    from rosarch.extractor.cxx.statements import lower_lambda  # a lambda's body holds statements, these expressions
+
+    return lower_lambda(body, tree)
+
+
+def _lower_statements(body: Body, tree: Tree) -> str:
+    from rosarch.extractor.cxx.statements import lower_statement
+
+    for child in tree.children:
+        lower_statement(body, child)
+    return _lower_unknown(body, Tree(tree.cursor))
+
+
+def _lower_unknown(body: Body, tree: Tree) -> str:
+    """A form without facts of its own: its parts are read, so that no call is lost."""
+    expr, span = body.node(tree, "unknown")
+    for index, child in enumerate(expressions(tree)):
+        body.unit.add("operand", expr, index, lower_expression(body, child))
+    body.unit.add("expr_unknown", expr, "form")
+    body.unit.add("expr_text", expr, body.unit.text(span))
+    return expr
+
+
+def _operator(form: str, name: str) -> Callable[[Body, Tree], str]:
+    return lambda body, tree: operator_expression(body, tree, form, name, expressions(tree))
+
+
+_FORMS: dict[int, Callable[[Body, Tree], str]] = {
+    kinds.DECLARATION_REFERENCE: _lower_reference,
+    kinds.MEMBER_ACCESS: _lower_member,
+    kinds.CALL: lower_call,
+    kinds.INTEGER: literals.integer,
+    kinds.FLOATING: literals.floating,
+    kinds.STRING: literals.string,
+    kinds.CHARACTER: literals.character,
+    kinds.BOOLEAN: literals.boolean,
+    kinds.NULLPTR: literals.null,
+    kinds.GNU_NULL: literals.null,
+    kinds.THIS: _lower_this,
+    kinds.UNARY: _lower_unary,
+    kinds.BINARY: _lower_binary,
+    kinds.COMPOUND_ASSIGNMENT: _lower_binary,
+    kinds.CONDITIONAL: _lower_conditional,
+    kinds.SUBSCRIPT: _operator("op", "[]"),
+    kinds.INIT_LIST: _operator("list", "{}"),
+    kinds.SIZEOF: _operator("op", "sizeof"),
+    kinds.DELETE: _operator("op", "delete"),
+    kinds.THROW: _lower_throw,
+    kinds.NEW: _lower_new,
+    kinds.LAMBDA: _lower_lambda,
+    kinds.STATEMENT_EXPR: _lower_statements,
+    **dict.fromkeys(kinds.CASTS, _lower_cast),
+}

@@ -1,0 +1,22 @@
+// Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <ros/ros.h>
+#include <tf/transform_listener.h>
+#include <message_filters/subscriber.h>
+#include <message_filters/simple_filter.h>
+namespace tf {
+namespace filter_failure_reasons { enum FilterFailureReason { Unknown, OutTheBack, EmptyFrameID }; }
+typedef filter_failure_reasons::FilterFailureReason FilterFailureReason;
+class MessageFilterBase { public: virtual ~MessageFilterBase(); virtual void clear(); virtual void setTargetFrame(const std::string&);
+  virtual void setTargetFrames(const std::vector<std::string>&); virtual void setTolerance(const ros::Duration&);
+  virtual void setQueueSize(uint32_t); };
+template <class M> class MessageFilter : public MessageFilterBase, public message_filters::SimpleFilter<M> {
+public:
+  typedef boost::shared_ptr<const M> MConstPtr;
+  // ([filter,] listener, target frame, queue size[, node handle][, rate])
+  template <class... A> MessageFilter(A&&...);
+  template <class F> void connectInput(F&);
+  std::string getTargetFramesString(); template <class X> void add(const X&);
+  template <class... A> message_filters::Connection registerFailureCallback(const A&...);
+};
+}

@@ -1,0 +1,6 @@
+// Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <sys/ipc.h>
+struct shmid_ds { size_t shm_segsz; int shm_nattch; };
+extern "C" { int shmget(key_t, size_t, int); void* shmat(int, const void*, int); int shmdt(const void*);
+  int shmctl(int, int, struct shmid_ds*); }

@@ -1,0 +1,287 @@
+"""Declaring what absent headers would have declared, so that clang keeps the statements that use it.
+
+Clang says which names it misses, and the text around them says what they are: a namespace, a class, a base class, a
+template, a function, a variable, a macro. They are declared permissively in a header that the source sees first.
+Messages of which only the name is known get the fields that code uses.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosarch.extractor.cxx import libclang
+from rosarch.extractor.cxx.unit import UnitFacts
+from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
+
+ROUNDS = 3
+ERROR_LIMIT = 2000  # beyond, a source is of another language, or of a library that is absent as a whole
+OPTIONS = libclang.KEEP_GOING | libclang.DETAILED_PREPROCESSING
+_ERROR = 3
+
+_QUOTED = re.compile(r"'([^']*)'")
+_CHAIN = re.compile(rb"\w+(?:\s*::\s*\w+)*")
+_QUALIFIER = re.compile(rb"((?:\w+\s*::\s*)+)$")
+_BASE_CLAUSE = re.compile(rb"[:,]\s*(?:(?:public|protected|private|virtual)\s+)*(?:\w+\s*::\s*)*$")
+_CLASS_HEAD = re.compile(rb"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?([\w:]+)[^;{}()]*$")
+_TEMPLATE = re.compile(rb"\s*<((?:[\w\s:,*&.]|<[\w\s:,*&.]*>)*)>\s*(.?)")
+_FOLLOWING = re.compile(rb"\s*(?:\[[^\]\n]*\]\s*|\([^()\n]*\)\s*)*(?:\.|->)\s*(\w+)\s*(\(?)")
+_DECLARATOR = re.compile(rb"\s*(?:const\s*)?[*&]*\s*[A-Za-z_]\w*\s*[;=,(){\[:]")
+_MACRO = re.compile(r"__\w+__|[A-Z][A-Z0-9_]{2,}")
+_MACRO_CALL = re.compile(rb"\s*\((?:[^()]|\([^()]*\))*\)\s*(.?)")
+_DECLARATION = re.compile(rb"\s+[A-Za-z_]\w*(?:\s*[*&]+\s*|\s+|\s*<[^;{}]*>\s*|\s*::\s*)[A-Za-z_]")
+_CLASH = re.compile(r"redefinition of '(\w+)'|reference to '(\w+)' is ambiguous|conflicting types for '(\w+)'")
+_NAME_ERRORS = ("use of undeclared identifier", "unknown type name", "no template named", "expected class name", "expected namespace name")
+
+Rows = Mapping[str, set[tuple[str | int, ...]]]
+
+
+@dataclass(frozen=True)
+class _Error:
+    """What clang complains of."""
+
+    message: str
+    file: str
+    offset: int
+
+
+@dataclass(frozen=True)
+class _Place:
+    """The text around an error."""
+
+    before: bytes
+    after: bytes
+
+    def chain(self) -> tuple[list[str], bytes]:
+        """The qualified name that begins here, and the text after it."""
+        match = _CHAIN.match(self.after)
+        if match is None:
+            return [], b""
+        return re.sub(r"\s+", "", match.group().decode("utf-8", "replace")).split("::"), self.after[match.end() :]
+
+
+class _Sources:
+    """The files that errors are in."""
+
+    def __init__(self) -> None:
+        self._data: dict[str, bytes] = {}
+
+    def place(self, error: _Error) -> _Place:
+        """Where an error is."""
+        if error.file not in self._data:
+            self._data[error.file] = b""
+            with suppress(OSError):
+                self._data[error.file] = Path(error.file).read_bytes()
+        data, offset = self._data[error.file], error.offset
+        return _Place(data[max(0, offset - 400) : offset], data[offset : offset + 500])
+
+
+def worth_healing(facts: UnitFacts, parsed: libclang.Unit) -> bool:
+    """Whether clang had trouble with a file of the workspace; what it drops there may leave no trace in the facts."""
+    return any(facts.file(error.file).key for error in _errors(parsed) if error.file)
+
+
+def keeps_calls(first: Rows, healed: Rows) -> bool:
+    """Whether no call that clang had found in the first place is lost."""
+    return not _call_places(first) - _call_places(healed)
+
+
+def without_unknown(rows: dict[str, set[tuple[str | int, ...]]]) -> None:
+    """Take back the types that stand for unknown ones: no type is what the rules know as unknown."""
+    rows["expr_type"] = {row for row in rows["expr_type"] if UNKNOWN not in str(row[1])}
+
+
+def _call_places(rows: Rows) -> Counter[str]:
+    """How many calls begin where; without those read from text and without operators that clang took for calls."""
+    recovered = {call for call, reason in rows.get("call_unresolved", ()) if reason == "recovered"}
+    return Counter(str(call).rpartition(":")[0] for call, name in rows.get("call", ()) if call not in recovered and name != "?")
+
+
+@contextmanager
+def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch: Path) -> Iterator[libclang.Unit | None]:
+    """Parse `source` again with declarations for what `first` lacks; yield None when that leaves no fewer errors."""
+    errors = _errors(first)
+    fewest, best = len(errors), None
+    wanted = Wanted(scratch)
+    with ExitStack() as units:
+        for number in range(ROUNDS if fewest <= ERROR_LIMIT else 0):
+            wanted.changed = False
+            _collect(wanted, errors, variables=number > 0)
+            if not wanted.changed:
+                break
+            try:
+                unit = units.enter_context(libclang.Unit(source, _with(arguments, wanted.write()), OPTIONS))
+            except libclang.ParseError:
+                break
+            errors = _errors(unit)
+            wanted.ban({name for error in errors for match in _CLASH.finditer(error.message) for name in match.groups() if name})
+            if len(errors) < fewest:
+                best, fewest = unit, len(errors)
+        yield best
+
+
+def _errors(unit: libclang.Unit) -> list[_Error]:
+    found = [(message, location) for severity, message, location in unit.diagnostics() if severity >= _ERROR]
+    return [_Error(message, *libclang.file_location(location)) for message, location in found]
+
+
+def _with(arguments: Sequence[str], folder: Path) -> list[str]:
+    """The arguments with the healed headers: searched before other stand-ins, included after the precompiled one."""
+    first = arguments.index("-isystem") if "-isystem" in arguments else len(arguments)
+    return [*arguments[:first], "-isystem", str(folder), *arguments[first:], "-include", str(folder / "healed.h")]
+
+
+def _collect(wanted: Wanted, errors: Iterable[_Error], variables: bool) -> None:
+    """Read off the errors what is missing.
+
+    Plain names wait: a class may come in from a namespace by `using`, and most undeclared variables follow from a
+    declaration that clang dropped, so `variables` are not wanted before all else is declared.
+    """
+    sources = _Sources()
+    plain: list[tuple[str, str, str]] = []
+    for error in errors:
+        quoted = _QUOTED.findall(error.message)
+        place = sources.place(error)
+        if error.message.startswith(_NAME_ERRORS):
+            _collect_name(wanted, error.message, quoted, place, plain)
+        elif error.message.startswith(("no member named", "no type named")) and quoted:
+            _collect_member(wanted, error.message, quoted, place)
+        else:
+            _collect_correction(wanted, error.message, quoted, place)
+    for name, kind, parameters in plain:
+        if kind != "value" and not wanted.nested(name):
+            wanted.name([name], kind, parameters)
+    if variables or not wanted.changed:
+        for name, kind, _ in plain:
+            if kind == "value":
+                wanted.name([name], kind)
+
+
+def _collect_name(wanted: Wanted, message: str, quoted: list[str], place: _Place, plain: list[tuple[str, str, str]]) -> None:
+    """A name that is not declared: `use of undeclared identifier 'x'` and the like."""
+    path, after = place.chain()
+    if quoted and (not path or path[0] != quoted[0]):
+        path, after = [quoted[0]], b""  # within a macro: the place is that of its use
+    if not path:
+        return
+    body = _macro_body(path[0], after) if len(path) == 1 and not message.startswith("expected") else None
+    if body is not None:
+        wanted.macro(path[0], body)
+        return
+    if message.startswith("no template named") and len(quoted) > 1:
+        path = [*quoted[1].partition("<")[0].split("::"), *path]
+    default = ""
+    if message.startswith("expected namespace"):
+        default = "namespace"
+    elif message.startswith("expected class"):
+        default = "base"
+        qualifier = _QUALIFIER.search(place.before)
+        path = [*(re.findall(r"\w+", qualifier.group(1).decode()) if qualifier else []), *path]
+    elif message.startswith("unknown type name") and len(path) == 1:
+        default = "class"
+    kind, parameters = _kind(path, place.before, after, default)
+    head = _CLASS_HEAD.search(place.before)
+    if head and kind in ("base", "template") and _BASE_CLAUSE.search(place.before):
+        wanted.bases.setdefault(head.group(1).decode().rpartition("::")[2], set()).add("::".join(path))
+    if len(path) == 1 and kind in ("value", "class", "template"):
+        plain.append((path[0], kind, parameters))
+    else:
+        wanted.name(path, kind, parameters)
+
+
+def _macro_body(name: str, after: bytes) -> str | None:
+    """The body of a macro that would make sense of a name in capitals, parameters included; None for no macro."""
+    if not _MACRO.fullmatch(name):
+        return None
+    if name.startswith("__"):
+        return "(...)" if after.lstrip().startswith(b"(") else ""
+    call = _MACRO_CALL.match(after)
+    if call:
+        return f"(...) for (; {UNKNOWN}(); )" if call.group(1) == b"{" else None
+    return "" if re.match(rb"[ \t]*\r?\n", after) or _DECLARATION.match(after) else None
+
+
+def _kind(path: Sequence[str], before: bytes, after: bytes, default: str = "") -> tuple[str, str]:
+    """What a name is by what is around it, `default` if that is known; for a template also its parameters."""
+    name = path[-1]
+    template = _TEMPLATE.match(after)
+    if template and (template.group(2) or default):
+        if template.group(2) == b"(" and name[:1].islower() and not default:
+            return "function", ""
+        values = [bool(re.fullmatch(rb"\s*(?:-?\d+|true|false)\s*", argument)) for argument in template.group(1).split(b",")]
+        return "template", ", ".join("auto" if value else "typename" for value in values) if any(values) else "typename..."
+    if _BASE_CLAUSE.search(before) and re.match(rb"\s*[{,]", after) and re.search(rb"\b(?:class|struct)\s+[\w\s:]+:[^;{}()]*$", before):
+        return "base", ""
+    return default or _kind_in_expression(name, len(path) > 1, before, after), ""
+
+
+def _kind_in_expression(name: str, qualified: bool, before: bytes, after: bytes) -> str:
+    capital = name[:1].isupper()
+    if after.lstrip().startswith(b"("):
+        return "class" if re.search(rb"\b(?:new|throw)\s*$", before) or (qualified and capital) else "function"
+    if re.search(rb"\busing\s+namespace\s+$", before):
+        return "namespace"
+    if re.search(rb"\b(?:const|new|typedef|struct|class)\s+$", before) or _DECLARATOR.match(after):
+        return "class"
+    if capital and re.search(rb"\busing\s+$", before):
+        return "class"
+    if (
+        capital
+        and not name.isupper()
+        and re.match(rb"\s*(?:const\s*)?[*&]*\s*[>)]", after)
+        and re.search(rb"[<,(]\s*(?:const\s+)?$", before)
+    ):
+        return "class"
+    if re.search(rb"\bcase\s+$", before):
+        return "constant"
+    return "class" if qualified and capital and re.match(rb"\s*[*&]*\s*[>{]", after) else "value"
+
+
+def _collect_member(wanted: Wanted, message: str, quoted: list[str], place: _Place) -> None:
+    """A name that is not declared in a namespace or class: `no member named 'x' in 'Y'` and the like."""
+    path, after = place.chain()
+    if not path or path[0] != quoted[0]:
+        path, after = [quoted[0]], b""
+    is_type = message.startswith("no type")
+    kind, parameters = _kind(["", *path], place.before, after, "class" if is_type and len(path) == 1 else "")
+    if "in the global namespace" in message:
+        wanted.name(path, kind, parameters)
+    elif len(quoted) < 2:
+        return
+    elif "in namespace" in message:
+        wanted.name([*quoted[1].split("::"), *path], kind, parameters)
+    elif is_type:
+        owner = quoted[1].partition("<")[0].split("::")
+        if wanted.find(owner) is not None:
+            wanted.name([*owner, path[0]], kind if len(path) == 1 else "class", parameters)
+    elif re.search(rb"::\s*$", place.before):
+        wanted.member(quoted[1], path[0], "function" if after.lstrip().startswith(b"(") else "constant")
+    else:
+        wanted.member(quoted[1], path[0], "function" if after.lstrip().startswith(b"(") else "value")
+        for name, kind in _following(after):
+            wanted.member(UNKNOWN, name, kind)
+
+
+def _following(after: bytes) -> Iterator[tuple[str, str]]:
+    """The members that code goes on to, `.stamp.toSec()`, each with its kind."""
+    position = 0
+    while (match := _FOLLOWING.match(after, position)) is not None:
+        yield match.group(1).decode(), "function" if match.group(2) else "value"
+        position = match.end(1)
+
+
+def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: _Place) -> None:
+    """What was declared in an earlier round, but not as it is used; and classes that are declared but not defined."""
+    path = place.chain()[0]
+    if message.startswith("case value is not a constant") and path:
+        wanted.correct(path[-1], "constant")
+    elif message.endswith("does not refer to a value"):
+        wanted.correct(quoted[0], "value")
+    elif message.startswith("expected '(' for function-style") and (name := re.search(rb"(\w+)\s*$", place.before)):
+        wanted.correct(name.group(1).decode(), "value")
+    elif "incomplete type" in message and quoted:
+        wanted.name(re.sub(r"^(?:class|struct|const)\s+|<.*", "", quoted[0]).split("::"), "class")

@@ -1,0 +1,195 @@
+"""Finding the headers that a source includes, and standing in for those that are not there."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+SHIPPED = Path(__file__).parent / "headers"
+SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
+PRELUDE = SHIPPED / "prelude.h"
+
+_INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|\"([^\"\n]+)\")", re.MULTILINE)
+_MESSAGE_HEADER = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
+_HEADER_SUFFIXES = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".inl", ".tcc", ".cuh")
+
+
+@dataclass(frozen=True)
+class Missing:
+    """An include that nothing provides."""
+
+    file: Path
+    line: int
+    header: str
+
+
+@dataclass
+class Includes:
+    """What one source includes, directly and through others; `made` are the folders of generated and absent headers."""
+
+    made: list[Path] = field(default_factory=list)
+    files: list[Path] = field(default_factory=list)
+    missing: list[Missing] = field(default_factory=list)
+
+
+class HeaderFinder:
+    """Resolves includes against a workspace; what has to be made is written below `scratch`.
+
+    `message_header` gives the text of a generated header by the name that code includes it by, else None.
+    """
+
+    def __init__(self, root: Path, scratch: Path, message_header: Callable[[str], str | None]) -> None:
+        self.root = root
+        self.scratch = scratch
+        self.message_header = message_header
+        self._by_name: dict[str, list[Path]] | None = None
+        self._included: dict[Path, list[tuple[int, str, bool]]] = {}
+        self._exists: dict[str, bool] = {}
+        self._made: dict[str, Path | None] = {}
+
+    def closure(self, source: Path, include_dirs: Sequence[Path]) -> Includes:
+        """Find all that `source` includes, making what is generated or absent."""
+        result = Includes()
+        extra: dict[Path, None] = {}
+        seen = {source}
+        queue = [source]
+        while queue:
+            file = queue.pop()
+            for line, name, quoted in self._includes_of(file):
+                found, folder = self._resolve(file, name, quoted, include_dirs, result, line)
+                if folder is not None:
+                    extra[folder] = None
+                if found is not None and found not in seen:
+                    seen.add(found)
+                    queue.append(found)
+        result.files = sorted(seen)
+        result.made = sorted(extra)
+        return result
+
+    def _includes_of(self, file: Path) -> list[tuple[int, str, bool]]:
+        if file not in self._included:
+            try:
+                data = file.read_bytes()
+            except OSError:
+                data = b""
+            self._included[file] = [
+                (
+                    data.count(b"\n", 0, match.start()) + 1,
+                    (match.group(1) or match.group(2)).decode("utf-8", "replace").strip(),
+                    bool(match.group(2)),
+                )
+                for match in _INCLUDE.finditer(data)
+            ]
+        return self._included[file]
+
+    def _is_file(self, path: str) -> bool:
+        known = self._exists.get(path)
+        if known is None:
+            known = self._exists[path] = os.path.isfile(path)
+        return known
+
+    def _resolve(
+        self, file: Path, name: str, quoted: bool, include_dirs: Sequence[Path], result: Includes, line: int
+    ) -> tuple[Path | None, Path | None]:
+        """Return (file to go on with, folder to search for it beyond the usual ones)."""
+        if name.startswith("/"):
+            return (Path(name), None) if self._is_file(name) else (None, None)
+        if quoted and self._is_file(beside := os.path.join(file.parent, name)):
+            return Path(os.path.normpath(beside)), None
+        for folder in include_dirs:
+            if self._is_file(path := os.path.join(folder, name)):
+                return Path(os.path.normpath(path)), None
+        for folder in SHIPPED_DIRS:
+            if self._is_file(path := os.path.join(folder, name)):
+                return Path(path), None  # it may include messages in turn
+        made = self._generated(name)
+        if made is not None:
+            return made, self.scratch / "messages"
+        elsewhere = self._elsewhere(file, name)
+        if elsewhere is not None:
+            return elsewhere, self._forward(name, elsewhere)
+        result.missing.append(Missing(file, line, name))
+        return None, self._absent(name)
+
+    def _generated(self, name: str) -> Path | None:
+        if name not in self._made:
+            text = self.message_header(name)
+            self._made[name] = self._write("messages", name, text) if text is not None else None
+        return self._made[name]
+
+    def _elsewhere(self, file: Path, name: str) -> Path | None:
+        """The header of the tree whose path ends in `name`; of several, the one nearest to the including file."""
+        if self._by_name is None:
+            self._by_name = _headers_below(self.root)
+        suffix = "/" + os.path.normpath(name).lstrip("./")
+        candidates = [path for path in self._by_name.get(os.path.basename(name), ()) if str(path).endswith(suffix)]
+        if not candidates:
+            return None
+        return max(candidates, key=lambda path: (len(os.path.commonpath([path, file])), -len(str(path)), str(path)))
+
+    def _forward(self, name: str, target: Path) -> Path:
+        """A folder in which `name` is a header that includes `target`."""
+        key = "forward/" + hashlib.sha1(f"{name}\0{target}".encode(), usedforsecurity=False).hexdigest()[:10]
+        if key not in self._made:
+            self._made[key] = self._write(key, name, f'#include "{target}"\n')
+        return self.scratch / key
+
+    def _absent(self, name: str) -> Path:
+        """A folder in which `name` is an empty header, or a message of which only the name is known."""
+        folder = f"absent/{name.count('/')}"  # by depth: QtGui may be a header and QtGui/QWidget one below it
+        key = f"{folder}/{name}"
+        if key not in self._made:
+            match = _MESSAGE_HEADER.fullmatch(name)
+            self._made[key] = self._write(folder, name, _assumed_message(*match.groups()) if match else "")
+        return self.scratch / folder
+
+    def _write(self, folder: str, name: str, text: str) -> Path:
+        path = self.scratch / folder / name
+        if not path.resolve().is_relative_to(self.scratch.resolve()):  # a name with ../ in it
+            path = self.scratch / folder / path.name
+        if not path.is_file():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            temporary = path.with_name(f"{path.name}.{os.getpid()}")
+            temporary.write_text(text, encoding="utf-8")
+            temporary.replace(path)
+        return path
+
+
+def assumed_message_class(header: str) -> tuple[str, str] | None:
+    """The (C++ class, `pkg/Name`) that a missing header named like a message's is taken to declare."""
+    match = _MESSAGE_HEADER.fullmatch(header)
+    return (f"{match.group(1)}::{match.group(2)}_", f"{match.group(1)}/{match.group(2)}") if match else None
+
+
+def _assumed_message(package: str, name: str) -> str:
+    """A message, service or configuration of which only the name is known."""
+    return (
+        "#pragma once\n#include <ros/message_prelude.h>\n"
+        f"namespace {package} {{\nstruct {name}_ {{\n"
+        f"  typedef boost::shared_ptr<{name}_> Ptr;\n  typedef boost::shared_ptr<{name}_ const> ConstPtr;\n"
+        f"  typedef {name}_ Request;\n  typedef {name}_ Response;\n  int request;\n  int response;\n}};\n"
+        f"typedef {name}_ {name};\ntypedef boost::shared_ptr<{name}_> {name}Ptr;\n"
+        f"typedef boost::shared_ptr<{name}_ const> {name}ConstPtr;\n}}\n"
+    )
+
+
+def _headers_below(root: Path) -> dict[str, list[Path]]:
+    """All headers below a folder by base name; hidden folders and symbolic links to folders are left out."""
+    found: dict[str, list[Path]] = {}
+    stack = [str(root)]
+    while stack:
+        try:
+            entries = sorted(os.scandir(stack.pop()), key=lambda entry: entry.name)
+        except OSError:
+            continue
+        for entry in entries:
+            if entry.is_dir(follow_symlinks=False):
+                if not entry.name.startswith("."):
+                    stack.append(entry.path)
+            elif entry.name.endswith(_HEADER_SUFFIXES):
+                found.setdefault(entry.name, []).append(Path(entry.path))
+    return found

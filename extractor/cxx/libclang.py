@@ -1,0 +1,306 @@
+"""A lean binding of libclang: the few calls the extractor needs, through ctypes, without a Python object per cursor.
+
+`clang.cindex` wraps every cursor, type and location in an object and costs five times as much per node
+(see also https://clang.llvm.org/doxygen/group__CINDEX.html for the meaning of the functions used here).
+The library itself comes with the `libclang` wheel.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Iterator, Sequence
+from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_uint, c_void_p
+from pathlib import Path
+from typing import Any
+
+import clang.native
+
+
+class Cursor(Structure):
+    """CXCursor. `data[1]` tells expressions and statements apart, `data[0]` declarations."""
+
+    _fields_ = [("kind", c_int), ("xdata", c_int), ("d0", c_void_p), ("d1", c_void_p), ("d2", c_void_p)]
+    kind: int
+    d0: int | None
+    d1: int | None
+
+
+class Type(Structure):
+    """CXType."""
+
+    _fields_ = [("kind", c_int), ("d0", c_void_p), ("d1", c_void_p)]
+    kind: int
+
+
+class Location(Structure):
+    """CXSourceLocation. `raw` is clang's own offset over all files; its top bit marks a macro expansion."""
+
+    _fields_ = [("p0", c_void_p), ("p1", c_void_p), ("raw", c_uint)]
+    raw: int
+
+
+class Range(Structure):
+    """CXSourceRange."""
+
+    _fields_ = [("p0", c_void_p), ("p1", c_void_p), ("begin", c_uint), ("end", c_uint)]
+    begin: int
+    end: int
+
+
+class _String(Structure):
+    _fields_ = [("data", c_void_p), ("flags", c_uint)]
+
+
+class _RangeList(Structure):
+    _fields_ = [("count", c_uint), ("ranges", POINTER(Range))]
+
+
+MACRO_BIT = 1 << 31
+KEEP_GOING = 0x200
+INCOMPLETE = 0x02
+FOR_SERIALIZATION = 0x10
+DETAILED_PREPROCESSING = 0x01
+
+_lib = ctypes.CDLL(str(next(Path(next(iter(clang.native.__path__))).glob("libclang.*"))))
+_Visitor = ctypes.CFUNCTYPE(c_int, Cursor, Cursor, c_void_p)
+
+
+def _bind(name: str, result: Any, *arguments: Any) -> Callable[..., Any]:
+    function = getattr(_lib, "clang_" + name)
+    function.restype = result
+    function.argtypes = arguments
+    return function  # type: ignore[no-any-return]
+
+
+_get_c_string = _bind("getCString", c_char_p, _String)
+_dispose_string = _bind("disposeString", None, _String)
+_create_index = _bind("createIndex", c_void_p, c_int, c_int)
+_dispose_index = _bind("disposeIndex", None, c_void_p)
+_parse = _bind(
+    "parseTranslationUnit2",
+    c_int,
+    c_void_p,
+    c_char_p,
+    POINTER(c_char_p),
+    c_int,
+    c_void_p,
+    c_uint,
+    c_uint,
+    POINTER(c_void_p),
+)
+_dispose_unit = _bind("disposeTranslationUnit", None, c_void_p)
+_save_unit = _bind("saveTranslationUnit", c_int, c_void_p, c_char_p, c_uint)
+_visit = _bind("visitChildren", c_uint, Cursor, _Visitor, c_void_p)
+
+unit_cursor = _bind("getTranslationUnitCursor", Cursor, c_void_p)
+extent = _bind("getCursorExtent", Range, Cursor)
+location = _bind("getCursorLocation", Location, Cursor)
+referenced = _bind("getCursorReferenced", Cursor, Cursor)
+canonical = _bind("getCanonicalCursor", Cursor, Cursor)
+definition = _bind("getCursorDefinition", Cursor, Cursor)
+semantic_parent = _bind("getCursorSemanticParent", Cursor, Cursor)
+template_of = _bind("getSpecializedCursorTemplate", Cursor, Cursor)
+is_definition = _bind("isCursorDefinition", c_uint, Cursor)
+linkage = _bind("getCursorLinkage", c_int, Cursor)
+storage_class = _bind("Cursor_getStorageClass", c_int, Cursor)
+is_static_method = _bind("CXXMethod_isStatic", c_uint, Cursor)
+is_anonymous = _bind("Cursor_isAnonymous", c_uint, Cursor)
+cursor_type = _bind("getCursorType", Type, Cursor)
+result_type = _bind("getCursorResultType", Type, Cursor)
+underlying_typedef = _bind("getTypedefDeclUnderlyingType", Type, Cursor)
+canonical_type = _bind("getCanonicalType", Type, Type)
+pointee = _bind("getPointeeType", Type, Type)
+array_element = _bind("getArrayElementType", Type, Type)
+type_declaration = _bind("getTypeDeclaration", Cursor, Type)
+unqualified_type = _bind("getUnqualifiedType", Type, Type)
+template_kind = _bind("getTemplateCursorKind", c_int, Cursor)
+is_const = _bind("isConstQualifiedType", c_uint, Type)
+template_argument_count = _bind("Type_getNumTemplateArguments", c_int, Type)
+template_argument = _bind("Type_getTemplateArgumentAsType", Type, Type, c_uint)
+argument_count = _bind("Cursor_getNumArguments", c_int, Cursor)
+argument = _bind("Cursor_getArgument", Cursor, Cursor, c_uint)
+overload_count = _bind("getNumOverloadedDecls", c_uint, Cursor)
+overload = _bind("getOverloadedDecl", Cursor, Cursor, c_uint)
+enum_value = _bind("getEnumConstantDeclValue", c_longlong, Cursor)
+_evaluate = _bind("Cursor_Evaluate", c_void_p, Cursor)
+_result_kind = _bind("EvalResult_getKind", c_int, c_void_p)
+_result_integer = _bind("EvalResult_getAsLongLong", c_longlong, c_void_p)
+_result_double = _bind("EvalResult_getAsDouble", c_double, c_void_p)
+_dispose_result = _bind("EvalResult_dispose", None, c_void_p)
+binary_operator = _bind("getCursorBinaryOperatorKind", c_int, Cursor)
+unary_operator = _bind("getCursorUnaryOperatorKind", c_int, Cursor)
+is_virtual = _bind("CXXMethod_isVirtual", c_uint, Cursor)
+_get_overridden = _bind("getOverriddenCursors", None, Cursor, POINTER(POINTER(Cursor)), POINTER(c_uint))
+_dispose_overridden = _bind("disposeOverriddenCursors", None, POINTER(Cursor))
+_cursor_spelling = _bind("getCursorSpelling", _String, Cursor)
+_type_spelling = _bind("getTypeSpelling", _String, Type)
+_file_location = _bind("getFileLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
+_file_name = _bind("getFileName", _String, c_void_p)
+_all_skipped_ranges = _bind("getAllSkippedRanges", POINTER(_RangeList), c_void_p)
+_dispose_ranges = _bind("disposeSourceRangeList", None, POINTER(_RangeList))
+_diagnostic_count = _bind("getNumDiagnostics", c_uint, c_void_p)
+_diagnostic = _bind("getDiagnostic", c_void_p, c_void_p, c_uint)
+_dispose_diagnostic = _bind("disposeDiagnostic", None, c_void_p)
+_diagnostic_severity = _bind("getDiagnosticSeverity", c_int, c_void_p)
+_diagnostic_spelling = _bind("getDiagnosticSpelling", _String, c_void_p)
+_diagnostic_location = _bind("getDiagnosticLocation", Location, c_void_p)
+_binary_spelling = _bind("getBinaryOperatorKindSpelling", _String, c_int)
+_unary_spelling = _bind("getUnaryOperatorKindSpelling", _String, c_int)
+
+
+class ParseError(Exception):
+    """libclang gave no translation unit at all."""
+
+
+def _text(string: _String) -> str:
+    data = _get_c_string(string)
+    result = data.decode("utf-8", "replace") if data else ""
+    _dispose_string(string)
+    return result
+
+
+def spelling(cursor: Cursor) -> str:
+    """The unqualified name of what `cursor` declares or refers to."""
+    return _text(_cursor_spelling(cursor))
+
+
+def type_spelling(type_: Type) -> str:
+    """The C++ spelling of `type_`."""
+    return _text(_type_spelling(type_))
+
+
+_OPERATORS: dict[tuple[str, int], str] = {}
+
+
+def operator_spelling(cursor: Cursor, unary: bool) -> str:
+    """The operator of a unary, binary or compound-assignment cursor; empty when libclang cannot tell."""
+    key = ("u", unary_operator(cursor)) if unary else ("b", binary_operator(cursor))
+    if key not in _OPERATORS:
+        _OPERATORS[key] = _text((_unary_spelling if unary else _binary_spelling)(key[1]))
+    return _OPERATORS[key]
+
+
+def evaluate(cursor: Cursor) -> int | float | None:
+    """The compile-time value of an expression, if it is a number."""
+    handle = _evaluate(cursor)
+    if not handle:
+        return None
+    kind = _result_kind(handle)
+    value = _result_integer(handle) if kind == 1 else _result_double(handle) if kind == 2 else None
+    _dispose_result(handle)
+    return value
+
+
+def overridden(cursor: Cursor) -> list[Cursor]:
+    """The methods of base classes that the method at `cursor` overrides directly."""
+    array, count = POINTER(Cursor)(), c_uint()
+    _get_overridden(cursor, byref(array), byref(count))
+    result = [Cursor.from_buffer_copy(array[i]) for i in range(count.value)]
+    if array:
+        _dispose_overridden(array)
+    return result
+
+
+def children(cursor: Cursor) -> list[Cursor]:
+    """The direct children of `cursor`, in source order."""
+    found: list[Cursor] = []
+
+    def visit(child: Cursor, _parent: Cursor, _data: Any) -> int:
+        found.append(child)
+        return 1
+
+    _visit(cursor, _Visitor(visit), None)
+    return found
+
+
+class Tree:
+    """A cursor with all its descendants, read in one visit."""
+
+    __slots__ = ("children", "cursor", "kind")
+
+    def __init__(self, cursor: Cursor) -> None:
+        self.kind = cursor.kind
+        self.cursor = cursor
+        self.children: list[Tree] = []
+
+
+_stack: list[tuple[tuple[int, int | None, int | None], Tree]] = []
+
+
+def _grow(child: Cursor, parent: Cursor, _data: Any) -> int:
+    key = (parent.kind, parent.d0, parent.d1)
+    stack = _stack
+    depth = len(stack)
+    while depth and stack[depth - 1][0] != key:
+        depth -= 1
+    if depth:  # some children, such as a lambda's captured values, name a parent that is not visited
+        del stack[depth:]
+    node = Tree(child)
+    stack[-1][1].children.append(node)
+    stack.append(((child.kind, child.d0, child.d1), node))
+    return 2
+
+
+_GROW = _Visitor(_grow)
+
+
+def tree(cursor: Cursor) -> Tree:
+    """Return the whole subtree of `cursor` (preorder visit; parents are found on a stack)."""
+    root = Tree(cursor)
+    _stack[:] = [((cursor.kind, cursor.d0, cursor.d1), root)]
+    _visit(cursor, _GROW, None)
+    _stack.clear()
+    return root
+
+
+def file_location(place: Location) -> tuple[str, int]:
+    """Return (file name, byte offset) of a location; a macro body counts as the place of its use."""
+    file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
+    _file_location(place, byref(file), byref(line), byref(column), byref(offset))
+    return (_text(_file_name(file)) if file else "", offset.value)
+
+
+class Unit:
+    """A parsed translation unit; use as a context manager."""
+
+    def __init__(self, path: Path, arguments: Sequence[str], options: int = KEEP_GOING) -> None:
+        # declarations from a precompiled header are not visited: what it declares is declared on first reference
+        self._index = _create_index(1, 0)
+        self._handle = c_void_p()
+        array = (c_char_p * len(arguments))(*[argument.encode() for argument in arguments])
+        code = _parse(self._index, str(path).encode(), array, len(arguments), None, 0, options, byref(self._handle))
+        if code or not self._handle:
+            _dispose_index(self._index)
+            raise ParseError(f"libclang error {code}")
+
+    def __enter__(self) -> Unit:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        _dispose_unit(self._handle)
+        _dispose_index(self._index)
+
+    @property
+    def cursor(self) -> Cursor:
+        """The cursor of the whole unit."""
+        return unit_cursor(self._handle)  # type: ignore[no-any-return]
+
+    def save(self, path: Path) -> None:
+        """Write the unit as a precompiled header."""
+        code = _save_unit(self._handle, str(path).encode(), 0)
+        if code:
+            raise ParseError(f"precompiled header not saved (libclang error {code})")
+
+    def skipped_ranges(self) -> Iterator[Range]:
+        """Yield what conditional compilation leaves out; needs `DETAILED_PREPROCESSING`."""
+        ranges = _all_skipped_ranges(self._handle)
+        for index in range(ranges.contents.count):
+            yield Range.from_buffer_copy(ranges.contents.ranges[index])
+        _dispose_ranges(ranges)
+
+    def diagnostics(self) -> Iterator[tuple[int, str, Location]]:
+        """Yield (severity, message, location); severity 3 is an error, 4 fatal."""
+        for index in range(_diagnostic_count(self._handle)):
+            handle = _diagnostic(self._handle, index)
+            yield _diagnostic_severity(handle), _text(_diagnostic_spelling(handle)), _diagnostic_location(handle)
+            _dispose_diagnostic(handle)

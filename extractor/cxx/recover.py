@@ -1,0 +1,303 @@
+"""What clang dropped: calls and names in statements it could not type, read from the source text.
+
+Clang leaves a whole statement out of its tree when one name in it is not declared. The calls in such a statement are
+found in the text; receivers and arguments are the literals, variables and functions that their words name. Everything
+made here is marked: `call_unresolved(call, "recovered")`.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from rosarch.extractor.cxx.declarations import declare_unknown_type
+from rosarch.extractor.cxx.literals import decode_string
+from rosarch.extractor.cxx.unit import FunctionSpan, SourceFile, Span, UnitFacts
+
+_HIDDEN = re.compile(
+    rb"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^()\s\\]{0,16})\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'"""
+    rb"""|^[ \t]*\#(?:[^\n\\]|\\.)*""",
+    re.DOTALL | re.MULTILINE,
+)
+_CALL = re.compile(
+    rb"(?:(?P<receiver>(?:\w+(?:\[\w*\])?\s*(?:\.|->)\s*)*\w+(?:\[\w*\])?)\s*(?:\.|->)\s*(?:template\s+)?)?"
+    rb"(?P<name>(?:\w+::)*\w+)\s*(?P<types><[\w:<>,\s]*>)?\s*\("
+)
+_KEYWORDS = frozenset(
+    {"if", "while", "for", "switch", "return", "catch", "sizeof", "defined", "new", "delete", "throw", "else", "do", "and", "or", "not"}
+)
+_NUMBER = re.compile(r"[-+]?(\d+|\d*\.\d+|\d+\.\d*)([eE][-+]?\d+)?[fFuUlL]*")
+_NAME = re.compile(r"&?\s*(?:\w+\s*(?:\.|->|::)\s*)*\w+")
+_TARGET = re.compile(rb"(?<![\w.>=!<+*/|&^%-])(\w+)\s*=\s*$")
+_STRINGS = re.compile(r"(?:\"(?:\\.|[^\"\\])*\"\s*)+")
+
+
+@dataclass
+class _Names:
+    """The unit's declared entities by unqualified name."""
+
+    functions: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
+    locals: dict[tuple[str, str], str] = field(default_factory=dict)
+    fields: dict[tuple[str, str], str] = field(default_factory=dict)
+    fields_by_name: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+    globals: dict[str, str] = field(default_factory=dict)
+
+
+def recover(unit: UnitFacts) -> None:
+    """Add the calls and names that the walk of the syntax tree did not meet."""
+    names = _names(unit)
+    _name_unknowns(unit, names)
+    by_file: dict[int, tuple[SourceFile, list[FunctionSpan]]] = {}
+    for function in unit.functions:
+        by_file.setdefault(id(function.file), (function.file, []))[1].append(function)
+    for file, functions in by_file.values():
+        seen = unit.call_sites[id(file)]
+        text = hide(file.data)
+        skipped = unit.skipped.get(str(file.path), [])
+        functions.sort(key=lambda function: (function.begin, -function.end))
+        begins = [function.begin for function in functions]
+        for match in _CALL.finditer(text):
+            begin = match.start("name")
+            if match.end("name") in seen or any(start <= begin < stop for start, stop in skipped):
+                continue
+            holder = _innermost(functions, begins, begin)
+            if holder is not None:
+                _recover_call(_Reader(unit, names, holder, text), match)
+    for expr, file, end in unit.remnants:
+        if (id(file), end) in unit.recovered:
+            unit.add("call_remnant", expr, unit.recovered[id(file), end])
+
+
+def _innermost(functions: list[FunctionSpan], begins: list[int], offset: int) -> FunctionSpan | None:
+    """The function, of those sorted by where they begin, whose body holds `offset`; of nested ones the inner."""
+    for index in range(bisect_left(begins, offset) - 1, -1, -1):
+        if functions[index].end > offset:
+            return functions[index]
+        if index and functions[index - 1].end < begins[index]:
+            return None  # a body that ends before the next begins holds no other
+    return None
+
+
+def hide(data: bytes) -> bytes:
+    """Blank out comments, literals and preprocessor lines; offsets stay as they are, quotes too."""
+
+    def blank(match: re.Match[bytes]) -> bytes:
+        text = match.group()
+        kept = re.sub(rb"[^\n]", b" ", text)
+        return text[:1] + kept[1:-1] + text[-1:] if text[:1] in b"\"'" and len(text) > 1 else kept
+
+    return _HIDDEN.sub(blank, data)
+
+
+def _names(unit: UnitFacts) -> _Names:
+    names = _Names()
+    callable_kinds = {str(function) for function, kind in unit.rows["function"] if kind in ("function", "method", "static_method")}
+    for function, name in sorted(unit.rows["function_name"]):
+        if function in callable_kinds:
+            names.functions[str(name).rpartition("::")[2]].append((str(name), str(function)))
+    owners = {str(variable): str(owner) for variable, owner in unit.rows["field_class"]}
+    functions = {str(variable): str(function) for variable, function in unit.rows["variable_function"]}
+    for variable, name in sorted(unit.rows["variable_name"]):
+        variable, name = str(variable), str(name)
+        if variable in owners:
+            names.fields[owners[variable], name] = variable
+            names.fields_by_name[name].append(variable)
+        elif variable in functions:
+            names.locals[functions[variable], name] = variable
+        else:
+            names.globals[name] = variable
+    return names
+
+
+def _name_unknowns(unit: UnitFacts, names: _Names) -> None:
+    """An expression without type that is a plain name: the functions called so."""
+    texts = {expr: str(text) for expr, text in unit.rows["expr_text"]}
+    for expr, _reason in sorted(unit.rows["expr_unknown"]):
+        text = texts.get(expr, "")
+        if _NAME.fullmatch(text):
+            for function in _functions_named(names, text):
+                unit.add("function_use", expr, function)
+
+
+def _functions_named(names: _Names, text: str) -> list[str]:
+    name = re.sub(r"[&\s]", "", text)
+    return [function for full, function in names.functions.get(name.rpartition("::")[2], ()) if full == name or full.endswith(f"::{name}")]
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Reads expressions of one function from text."""
+
+    unit: UnitFacts
+    names: _Names
+    holder: FunctionSpan
+    hidden: bytes
+
+    def node(self, begin: int, end: int, form: str) -> str:
+        expr = self.unit.node(Span(self.holder.file, begin, end), form)
+        self.unit.add("expr_function", expr, self.holder.function)
+        return expr
+
+    def source(self, begin: int, end: int) -> str:
+        return self.holder.file.data[begin:end].decode("utf-8", "replace")
+
+    def variable(self, name: str) -> str | None:
+        """The variable that a name means in the function: local, parameter, field, global."""
+        found = self.names.locals.get((self.holder.function, name)) or self.names.fields.get((self.holder.owner, name))
+        if found is None and len(self.names.fields_by_name.get(name, ())) == 1:
+            found = self.names.fields_by_name[name][0]
+        return found or self.names.globals.get(name)
+
+    def expression(self, begin: int, end: int) -> str:
+        """Record the expression written at [begin, end)."""
+        text = self.source(begin, end)
+        lead = len(text) - len(text.lstrip())
+        begin, text = begin + len(text[:lead].encode()), text.strip()
+        end = begin + len(text.encode())
+        for read in (self._literal, self._sum, self._name, self._call):
+            expr = read(text, begin, end)
+            if expr is not None:
+                self.unit.add("expr_text", expr, " ".join(text.split())[:500])
+                return expr
+        expr = self.node(begin, end, "unknown")
+        self.unit.add("expr_unknown", expr, "recovered")
+        self.unit.add("expr_text", expr, " ".join(text.split())[:500])
+        return expr
+
+    def _literal(self, text: str, begin: int, end: int) -> str | None:
+        if _STRINGS.fullmatch(text):
+            kind, value = "string", decode_string('"' + "".join(re.findall(r"\"((?:\\.|[^\"\\])*)\"", text)) + '"')
+        elif _NUMBER.fullmatch(text):
+            value = text.rstrip("fFuUlL")
+            kind = "float" if "." in value or "e" in value.lower() else "integer"
+        elif text in ("true", "false"):
+            kind, value = "boolean", text
+        else:
+            return None
+        expr = self.node(begin, end, "str" if kind == "string" else "num")
+        self.unit.add("literal", expr, kind, value)
+        return expr
+
+    def _sum(self, text: str, begin: int, end: int) -> str | None:
+        parts = list(split(self.hidden[begin:end], b"+"))
+        if len(parts) < 2:
+            return None
+        total = self.expression(begin + parts[0][0], begin + parts[0][1])
+        for start, stop in parts[1:]:
+            right = self.expression(begin + start, begin + stop)
+            expr = self.node(begin, begin + stop, "op")
+            self.unit.add("operator", expr, "+")
+            self.unit.add("operand", expr, 0, total)
+            self.unit.add("operand", expr, 1, right)
+            total = expr
+        return total
+
+    def _name(self, text: str, begin: int, end: int) -> str | None:
+        if not _NAME.fullmatch(text):
+            return None
+        if text == "this":
+            expr = self.node(begin, end, "this")
+            self.unit.add("this_use", expr, self.holder.owner)
+            return expr
+        variable = None if "&" in text or "::" in text else self.variable(re.split(r"\.|->", text)[-1].strip())
+        if variable is not None:
+            expr = self.node(begin, end, "use")
+            self.unit.add("variable_use", expr, variable)
+            return expr
+        functions = _functions_named(self.names, text)
+        if not functions:
+            return None
+        expr = self.node(begin, end, "fn")
+        for function in functions:
+            self.unit.add("function_use", expr, function)
+        return expr
+
+    def _call(self, _text: str, begin: int, end: int) -> str | None:
+        match = _CALL.match(self.hidden, begin, end)
+        if match is None or _closing(self.hidden, match.end() - 1) != end - 1:
+            return None
+        return _recover_call(self, match)
+
+
+def _recover_call(reader: _Reader, match: re.Match[bytes]) -> str | None:
+    """Record one call; a plain name must be that of a function, so that declarations are not taken for calls."""
+    unit, holder, text = reader.unit, reader.holder, reader.hidden
+    name = match.group("name").decode()
+    receiver = match.group("receiver")
+    functions = [] if receiver else _functions_named(reader.names, name)
+    if not receiver and not functions and "::" in name:  # declared by a header that brings no rows of its own
+        functions = [name]
+        unit.add("function", name, "function")
+        unit.add("function_name", name, name)
+    close = _closing(text, match.end() - 1)
+    seen = unit.call_sites[id(holder.file)]
+    if name in _KEYWORDS or close is None or not (receiver or functions) or match.end("name") in seen:
+        return None
+    seen.add(match.end("name"))
+    begin = match.start("receiver") if receiver else match.start("name")
+    call = reader.node(begin, close + 1, "call")
+    unit.recovered[id(holder.file), match.end("name")] = call
+    unit.add("call", call, name.rpartition("::")[2])
+    unit.add("call_unresolved", call, "recovered")
+    unit.add("expr_text", call, holder.file.text(begin, close + 1)[:500])
+    for function in functions:
+        unit.add("call_function", call, function)
+    if receiver:
+        unit.add("call_receiver", call, reader.expression(match.start("receiver"), match.end("receiver")))
+    for index, (start, stop) in enumerate(split(text[match.end() : close], b",")):
+        if text[match.end() + start : match.end() + stop].strip():
+            unit.add("call_argument", call, index, reader.expression(match.end() + start, match.end() + stop))
+    _recover_target(reader, call, begin)
+    if match.group("types"):
+        inner = match.group("types")[1:-1]
+        for index, (start, stop) in enumerate(split(inner.replace(b"<", b"(").replace(b">", b")"), b",")):
+            unit.add("call_template_argument", call, index, declare_unknown_type(unit, inner[start:stop].decode()))
+    return call
+
+
+def _recover_target(reader: _Reader, call: str, begin: int) -> None:
+    """`variable = call`, `Type variable = call`: the call's value becomes the variable's."""
+    data = reader.holder.file.data
+    match = _TARGET.search(data[max(0, begin - 200) : begin])
+    variable = reader.variable(match.group(1).decode()) if match else None
+    if match is None or variable is None:
+        return
+    start = max(0, begin - 200) + match.start(1)
+    assignment = reader.node(start, begin, "op")
+    reader.unit.add("operator", assignment, "=")
+    reader.unit.add("operand", assignment, 0, reader.expression(start, start + len(match.group(1))))
+    reader.unit.add("operand", assignment, 1, call)
+
+
+def _closing(text: bytes, start: int) -> int | None:
+    depth = 0
+    for offset in range(start, min(len(text), start + 20_000)):
+        char = text[offset]
+        if char == 0x28:
+            depth += 1
+        elif char == 0x29:
+            depth -= 1
+            if depth == 0:
+                return offset
+    return None
+
+
+def split(text: bytes, separator: bytes) -> Iterator[tuple[int, int]]:
+    """The parts of hidden text between separators outside brackets and literals, as offsets."""
+    depth, start, quoted = 0, 0, 0
+    for offset, char in enumerate(text):
+        if quoted:
+            quoted = 0 if char == quoted else quoted
+        elif char in b"\"'":
+            quoted = char
+        elif char in b"([{":
+            depth += 1
+        elif char in b")]}":
+            depth -= 1
+        elif depth == 0 and char == separator[0] and text[offset - 1 : offset] != separator and text[offset + 1 : offset + 2] != separator:
+            yield start, offset
+            start = offset + 1
+    yield start, len(text)

@@ -1,0 +1,87 @@
+"""One translation unit: parsed without a build, walked, turned into rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosarch.extractor.cxx import libclang
+from rosarch.extractor.cxx.heal import OPTIONS, healed, keeps_calls, without_unknown, worth_healing
+from rosarch.extractor.cxx.includes import PRELUDE, SHIPPED_DIRS, HeaderFinder, Includes, assumed_message_class
+from rosarch.extractor.cxx.libclang import Location
+from rosarch.extractor.cxx.recover import recover
+from rosarch.extractor.cxx.unit import UnitFacts, file_key
+from rosarch.extractor.cxx.walk import walk_unit
+
+# gnu++17: the shipped headers need deduction guides; a fixed target: the same types on every host;
+# no access control: a private member is a fact like any other
+BASE_ARGUMENTS = (
+    "-x", "c++", "-std=gnu++17", "--target=x86_64-unknown-linux-gnu", "-nostdinc", "-nostdinc++", "-Wno-everything",
+    "-fno-access-control", "-fbracket-depth=2048", "-fno-spell-checking", "-ferror-limit=0",
+)  # fmt: skip
+
+Rows = Mapping[str, set[tuple[str | int, ...]]]
+
+
+@dataclass(frozen=True)
+class CompileUnit:
+    """A source with what its target compiles it with."""
+
+    source: Path
+    include_dirs: tuple[Path, ...] = ()
+    definitions: tuple[str, ...] = ()
+
+
+def _system(folders: Iterable[Path]) -> list[str]:
+    return [word for folder in folders for word in ("-isystem", str(folder))]
+
+
+def build_prelude(path: Path) -> None:
+    """Precompile the shipped declarations that nearly every source includes."""
+    arguments = ["-x", "c++-header", *BASE_ARGUMENTS[2:], *_system(SHIPPED_DIRS)]
+    with libclang.Unit(PRELUDE, arguments, libclang.KEEP_GOING | libclang.INCOMPLETE | libclang.FOR_SERIALIZATION) as unit:
+        unit.save(path)
+
+
+def extract_unit(unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path | None, *, heal: bool = False) -> Rows:
+    """Return the rows of one translation unit; `heal` declares what absent headers would have declared.
+
+    Raises `libclang.ParseError` when clang gives no translation unit at all.
+    """
+    includes = finder.closure(unit.source, unit.include_dirs)
+    arguments = [*BASE_ARGUMENTS, *(f"-D{definition}" for definition in unit.definitions), *(f"-I{folder}" for folder in unit.include_dirs)]
+    arguments += _system([*SHIPPED_DIRS, *includes.made])
+    if prelude is not None:
+        arguments += ["-include-pch", str(prelude)]
+    with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
+        facts = _facts(root, includes, parsed)
+        if heal and worth_healing(facts, parsed):
+            with healed(unit.source, arguments, parsed, finder.scratch) as better:
+                again = _facts(root, includes, better) if better else None
+            if again and keeps_calls(facts.rows, again.rows):
+                facts = again
+                without_unknown(facts.rows)
+    return facts.rows
+
+
+def _facts(root: Path, includes: Includes, parsed: libclang.Unit) -> UnitFacts:
+    """Walk a parsed unit."""
+    facts = UnitFacts(root)
+    for missing in includes.missing:
+        if missing.file.is_relative_to(root):
+            relative = missing.file.relative_to(root).as_posix()
+            facts.add("source_file", file_key(relative), relative)
+            facts.add("include_missing", file_key(relative), missing.line, missing.header)
+        assumed = assumed_message_class(missing.header)
+        if assumed:
+            facts.add("message_class", assumed[0], "message", assumed[1])
+    for skipped in parsed.skipped_ranges():
+        file, begin = facts.locate(Location(skipped.p0, skipped.p1, skipped.begin))
+        _, end = facts.locate(Location(skipped.p0, skipped.p1, skipped.end))
+        facts.skipped.setdefault(str(file.path), []).append((begin, end))
+        if file.key:
+            facts.add("lines_skipped", file.key, file.line_column(begin)[0], file.line_column(end)[0])
+    walk_unit(facts, parsed.cursor)
+    recover(facts)
+    return facts

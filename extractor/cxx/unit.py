@@ -1,0 +1,174 @@
+"""What is known of the translation unit in work: its files, its rows and the identifiers given out so far."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+
+from rosarch.extractor.cxx import libclang
+from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range
+
+TEXT_LIMIT = 500
+
+
+@lru_cache(maxsize=4096)
+def file_key(relative: str) -> str:
+    """Return the identifier of the file at path `relative` below the workspace: base name and a short hash of the path."""
+    return f"{Path(relative).name}#{hashlib.sha1(relative.encode(), usedforsecurity=False).hexdigest()[:4]}"
+
+
+class SourceFile:
+    """One file that clang read; `key` is None when it lies outside the workspace."""
+
+    __slots__ = ("_starts", "data", "key", "path")
+
+    def __init__(self, path: Path, key: str | None, data: bytes) -> None:
+        self.path, self.key, self.data = path, key, data
+        self._starts: list[int] | None = None
+
+    def line_column(self, offset: int) -> tuple[int, int]:
+        """Return line and column (bytes), both from 1, of a byte offset."""
+        if self._starts is None:
+            self._starts = [0, *(match.end() for match in re.finditer(b"\n", self.data))]
+        line = bisect_right(self._starts, offset)
+        return line, offset - self._starts[line - 1] + 1
+
+    def text(self, begin: int, end: int) -> str:
+        """The source text between two offsets, white space folded."""
+        return " ".join(self.data[begin:end].decode("utf-8", "replace").split())
+
+
+@dataclass(frozen=True)
+class Span:
+    """Where a cursor lies: `begin` and `end` are byte offsets into `file`."""
+
+    file: SourceFile
+    begin: int
+    end: int
+
+
+@dataclass(frozen=True)
+class FunctionSpan:
+    """Where a function with a body lies; `owner` is its class, or empty."""
+
+    function: str
+    owner: str
+    file: SourceFile
+    begin: int
+    end: int
+
+
+@dataclass
+class UnitFacts:
+    """Rows and identifiers of one translation unit.
+
+    `call_sites` holds, per file, the offsets at which the names of the calls met so far end; `remnants`
+    are names of methods whose calls clang dropped, with the offset at which the name ends; `skipped`, per path, the
+    ranges that conditional compilation leaves out.
+    """
+
+    root: Path
+    rows: dict[str, set[tuple[str | int, ...]]] = field(default_factory=lambda: defaultdict(set))
+    declared: dict[int, str] = field(default_factory=dict)
+    scopes: dict[int, str] = field(default_factory=dict)
+    types: set[str] = field(default_factory=set)
+    functions: list[FunctionSpan] = field(default_factory=list)
+    walked: set[tuple[str, int, int, str]] = field(default_factory=set)
+    call_sites: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
+    recovered: dict[tuple[int, int], str] = field(default_factory=dict)
+    remnants: list[tuple[str, SourceFile, int]] = field(default_factory=list)
+    skipped: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
+    _ids: dict[str, int] = field(default_factory=dict)
+    _files: dict[str, SourceFile] = field(default_factory=dict)
+    _bases: list[int] = field(default_factory=list)
+    _intervals: list[tuple[int, int, SourceFile]] = field(default_factory=list)
+
+    def add(self, relation: str, *row: str | int) -> None:
+        """Add one row to `relation`."""
+        self.rows[relation].add(row)
+
+    def unique(self, base: str) -> str:
+        """Return `base`, or `base` with an ordinal when it was given out before."""
+        count = self._ids.get(base, 0) + 1
+        self._ids[base] = count
+        return base if count == 1 else f"{base}'{count}"
+
+    def file(self, name: str) -> SourceFile:
+        """The file that clang knows as `name`."""
+        known = self._files.get(name)
+        if known is None:
+            path = Path(os.path.abspath(name))  # links are kept: a linked package belongs to the workspace it is linked into
+            try:
+                data = path.read_bytes()
+            except OSError:
+                data = b""
+            key = file_key(path.relative_to(self.root).as_posix()) if path.is_relative_to(self.root) else None
+            if key:
+                self.add("source_file", key, path.relative_to(self.root).as_posix())
+            known = self._files[name] = SourceFile(path, key, data)
+        return known
+
+    def locate(self, place: Location) -> tuple[SourceFile, int]:
+        """Return (file, byte offset) of a location.
+
+        Clang numbers the bytes of all files in one row; once one location of a file is known, all others
+        follow without asking clang again.
+        """
+        raw = place.raw
+        if not raw & MACRO_BIT:
+            index = bisect_right(self._bases, raw) - 1
+            if index >= 0:
+                base, end, file = self._intervals[index]
+                if raw <= end:
+                    return file, raw - base
+        name, offset = libclang.file_location(place)
+        file = self.file(name)
+        if not raw & MACRO_BIT and name:
+            base = raw - offset
+            index = bisect_right(self._bases, base)
+            self._bases.insert(index, base)
+            self._intervals.insert(index, (base, base + len(file.data), file))
+        return file, offset
+
+    def span(self, cursor: Cursor) -> Span:
+        """Return where `cursor` lies; an implicit cursor has an empty span in a file without name."""
+        extent: Range = libclang.extent(cursor)
+        file, begin = self.locate(Location(extent.p0, extent.p1, extent.begin))
+        if extent.end == extent.begin:
+            return Span(file, begin, begin)
+        end_file, end = self.locate(Location(extent.p0, extent.p1, extent.end))
+        return Span(file, begin, end if end_file is file and end >= begin else begin)
+
+    def place(self, cursor: Cursor) -> tuple[SourceFile, int, int]:
+        """Return file, line and column of the name that `cursor` declares."""
+        file, offset = self.locate(libclang.location(cursor))
+        return (file, *file.line_column(offset))
+
+    def text(self, span: Span) -> str:
+        """The source text of `span`, folded and cut."""
+        text = span.file.text(span.begin, span.end)
+        return text if len(text) <= TEXT_LIMIT else text[: TEXT_LIMIT - 3] + "..."
+
+    def node(self, span: Span, form: str) -> str:
+        """Give out the identifier of an AST node and record its location."""
+        line, column = span.file.line_column(span.begin)
+        key = span.file.key or span.file.path.name
+        identifier = self.unique(f"{key}:{line}:{column}:{form}")
+        self.add("location", identifier, key, line, column)
+        return identifier
+
+
+def merge(units: Sequence[Mapping[str, Iterable[tuple[str | int, ...]]]]) -> dict[str, set[tuple[str | int, ...]]]:
+    """Unite the rows of several translation units: equal identifiers mean equal entities."""
+    result: dict[str, set[tuple[str | int, ...]]] = defaultdict(set)
+    for unit in units:
+        for relation, rows in unit.items():
+            result[relation].update(rows)
+    return result

@@ -1,0 +1,114 @@
+"""Top-level declarations: which functions, classes and globals of the workspace a unit defines."""
+
+from __future__ import annotations
+
+from rosarch.extractor.cxx import kinds, libclang
+from rosarch.extractor.cxx.body import Body
+from rosarch.extractor.cxx.declarations import (
+    declare_class,
+    declare_function,
+    declare_parameter,
+    declare_type,
+    declare_variable,
+    qualified_name,
+)
+from rosarch.extractor.cxx.expressions import lower_expression
+from rosarch.extractor.cxx.flow import Flow
+from rosarch.extractor.cxx.libclang import Cursor, Tree
+from rosarch.extractor.cxx.statements import lower_body, lower_variable
+from rosarch.extractor.cxx.unit import FunctionSpan, UnitFacts
+
+_TRANSPARENT = frozenset({kinds.NAMESPACE, kinds.LINKAGE_SPEC, kinds.UNEXPOSED_DECLARATION})
+
+
+def walk_unit(unit: UnitFacts, root: Cursor) -> None:
+    """Record everything that the unit declares in files of the workspace."""
+    for cursor in libclang.children(root):
+        _walk_declaration(unit, cursor)
+
+
+def _walk_declaration(unit: UnitFacts, cursor: Cursor) -> None:
+    file, offset = unit.locate(libclang.location(cursor))
+    if file.key is None:
+        return
+    kind = cursor.kind
+    seen = (file.key, offset, kind, libclang.spelling(cursor))
+    if kind not in _TRANSPARENT and seen in unit.walked:
+        return  # a file that is read several times says the same each time
+    unit.walked.add(seen)
+    if kind in _TRANSPARENT:
+        for child in libclang.children(cursor):
+            _walk_declaration(unit, child)
+    elif kind in kinds.FUNCTIONS:
+        if not libclang.is_definition(cursor):
+            declare_function(unit, cursor)  # so that a call that clang drops finds it
+        elif not _is_instance(cursor):
+            walk_function(unit, cursor)
+    elif kind in kinds.CLASSES:
+        if libclang.is_definition(cursor):
+            walk_class(unit, cursor)
+    elif kind == kinds.VARIABLE:
+        lower_variable(Body(unit, Flow()), libclang.tree(cursor))
+    elif kind in (kinds.TYPEDEF, kinds.TYPE_ALIAS):
+        unit.add("type_alias", qualified_name(unit, cursor), declare_type(unit, libclang.underlying_typedef(cursor)))
+
+
+def _is_instance(cursor: Cursor) -> bool:
+    """Whether clang made this function from a template: it stands where the template stands."""
+    template = libclang.template_of(cursor)
+    return bool(template.d0) and libclang.location(template).raw == libclang.location(cursor).raw
+
+
+def walk_class(unit: UnitFacts, cursor: Cursor) -> None:
+    """Record a class definition: its fields, nested classes and inline functions."""
+    owner = declare_class(unit, cursor)
+    file, line, column = unit.place(cursor)
+    if file.key:
+        unit.add("location", owner, file.key, line, column)
+    for child in libclang.children(cursor):
+        if child.kind == kinds.FIELD or child.kind == kinds.VARIABLE:
+            declare_variable(unit, child)
+            lower_variable(Body(unit, Flow(), "", owner), libclang.tree(child))
+        elif child.kind in kinds.CLASSES or child.kind in kinds.FUNCTIONS:
+            _walk_declaration(unit, child)
+
+
+def walk_function(unit: UnitFacts, cursor: Cursor) -> None:
+    """Record a function definition: parameters, initialisers, body."""
+    function = declare_function(unit, cursor)
+    parent = libclang.semantic_parent(cursor)
+    owner = declare_class(unit, parent) if parent.kind in kinds.CLASSES else ""
+    body = Body(unit, Flow(), function, owner)
+    tree = libclang.tree(cursor)
+    index = 0
+    for child in tree.children:
+        if child.kind == kinds.PARAMETER:
+            parameter = declare_parameter(unit, function, index, child.cursor)
+            index += 1
+            defaults = [part for part in child.children if kinds.is_expression(part.kind)]
+            if defaults:
+                value = lower_expression(Body(unit, Flow(), "", owner), defaults[-1], text=True)
+                unit.add("parameter_default", parameter, value)
+    _walk_initialisers(body, tree)
+    for child in tree.children:
+        if child.kind in (kinds.COMPOUND, kinds.TRY):
+            span = unit.span(child.cursor)
+            unit.functions.append(FunctionSpan(function, owner, span.file, span.begin, span.end))
+            lower_body(body, child)
+
+
+def _walk_initialisers(body: Body, tree: Tree) -> None:
+    """A constructor's initialiser list: a reference to field or base, then its value."""
+    target: Tree | None = None
+    for child in tree.children:
+        if child.kind in (kinds.MEMBER_REFERENCE, kinds.TYPE_REFERENCE):
+            target = child
+        elif kinds.is_expression(child.kind):
+            value = lower_expression(body, child, text=True)
+            if target is not None and target.kind == kinds.MEMBER_REFERENCE:
+                field = declare_variable(body.unit, libclang.referenced(target.cursor))
+                body.unit.add("field_initializer", body.function, field, value)
+                body.flow.evaluate(value)
+            elif body.owner:
+                body.unit.add("call_receiver", value, body.this())
+            target = None

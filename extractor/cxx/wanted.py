@@ -1,0 +1,208 @@
+"""Names to declare in place of headers that are absent, and the header that declares them all permissively."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import zlib
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rosarch.extractor.cxx.includes import SHIPPED
+
+UNKNOWN = "rosarch_healed::unknown"
+
+_RANK = {"value": 1, "constant": 2, "function": 3, "class": 4, "template": 5, "base": 6, "namespace": 7}
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_KEYWORDS = frozenset(
+    {"void", "int", "unsigned", "signed", "long", "short", "char", "bool", "float", "double", "auto", "const", "static"}
+    | {"class", "struct", "union", "enum", "template", "typename", "operator"}
+)
+
+
+@dataclass
+class Node:
+    """A name with the names inside it; `kind` is a key of the ranks above: a later, higher one replaces a lower one."""
+
+    kind: str
+    parameters: str = "typename..."
+    inner: dict[str, Node] = field(default_factory=dict)
+
+    def render(self, name: str, member: bool) -> Iterator[str]:
+        """The declaration, line by line; `member` of a class."""
+        if self.kind == "namespace" and not member:
+            yield f"namespace {name} {{"
+            yield from _render_all(self.inner, False)
+            yield "}"
+        elif self.kind == "value":
+            yield f"{'static' if member else 'extern'} {UNKNOWN} {name};"
+        elif self.kind == "constant":
+            yield f"{'static ' if member else ''}constexpr int {name} = {_number(name)};"
+        elif self.kind == "function":
+            yield f"template <typename... T, typename... A> {'static ' if member else ''}{UNKNOWN}& {name}(A&&...);"
+        else:
+            yield from self._render_class(name)
+
+    def _render_class(self, name: str) -> Iterator[str]:
+        if self.kind == "template":
+            yield f"template <{self.parameters}>"
+        # a base is no unknown value: what derives from it would convert to everything
+        yield f"struct {name}{'' if self.kind == 'base' else f' : {UNKNOWN}'} {{"
+        yield f"{name}(); template <typename A, typename... B> {name}(A&&, B&&...);"
+        if self.kind == "base":
+            yield f"virtual ~{name}();"
+        elif self.kind == "class":
+            yield f"template <typename A> {name}& operator=(A&&);"
+            yield f"typedef boost::shared_ptr<{name}> Ptr; typedef boost::shared_ptr<const {name}> ConstPtr;"
+        yield from _render_all({key: node for key, node in self.inner.items() if key not in (name, "Ptr", "ConstPtr")}, True)
+        yield "};"
+
+
+def _render_all(nodes: dict[str, Node], member: bool) -> Iterator[str]:
+    for name, node in sorted(nodes.items()):
+        yield from node.render(name, member)
+
+
+def _number(name: str) -> int:
+    """A value for a constant of unknown value: it only has to make a case label."""
+    return zlib.crc32(name.encode()) & 0x7FFFFFFF
+
+
+@dataclass
+class Wanted:
+    """All that is to be declared; `changed` tells of additions.
+
+    `messages` holds the fields of messages of which only the name is known, true for a constant; `bases` the absent
+    base classes of a class of the workspace.
+    """
+
+    scratch: Path
+    top: dict[str, Node] = field(default_factory=dict)
+    macros: dict[str, str] = field(default_factory=dict)
+    members: dict[str, str] = field(default_factory=dict)
+    messages: dict[tuple[str, str], dict[str, bool]] = field(default_factory=dict)
+    bases: dict[str, set[str]] = field(default_factory=dict)
+    banned: set[str] = field(default_factory=set)
+    changed: bool = False
+
+    def name(self, path: Sequence[str], kind: str, parameters: str = "") -> None:
+        """Want the qualified name `path`; what encloses it is a namespace, or a class by its capital letter."""
+        if path[-1] in self.banned or any(part in _KEYWORDS or not _NAME.fullmatch(part) for part in path):
+            return
+        scope, inside = self.top, False
+        for part in path[:-1]:
+            inside = inside or (part[:1].isupper() and (part not in scope or scope[part].kind != "namespace"))
+            scope = self._put(scope, part, "class" if inside else "namespace").inner
+        node = self._put(scope, path[-1], kind)
+        if parameters and parameters != node.parameters == "typename...":
+            node.parameters, self.changed = parameters, True
+
+    def _put(self, scope: dict[str, Node], name: str, kind: str) -> Node:
+        node = scope.get(name)
+        if node is None:
+            node = scope[name] = Node(kind)
+            self.changed = True
+        elif _RANK[kind] > _RANK[node.kind] and not (kind == "namespace" and node.kind in ("class", "template", "base")):
+            node.kind, self.changed = kind, True
+        return node
+
+    def macro(self, name: str, body: str) -> None:
+        """Want a macro."""
+        if name not in self.banned and self.macros.get(name) != body:
+            self.macros[name], self.changed = body, True
+
+    def correct(self, name: str, kind: str) -> None:
+        """Take what was declared as class or value for something else: clang does not accept it where it is used."""
+        for scope in self._scopes():
+            node = scope.get(name)
+            if node is not None and node.kind in ("class", "value") and not node.inner and node.kind != kind:
+                node.kind, self.changed = kind, True
+
+    def _scopes(self) -> list[dict[str, Node]]:
+        found = [self.top]
+        for scope in found:
+            found += [node.inner for node in scope.values()]
+        return found
+
+    def nested(self, name: str) -> bool:
+        """Whether the name is wanted in a namespace or class."""
+        return any(name in scope for scope in self._scopes()[1:])
+
+    def find(self, path: Sequence[str]) -> Node | None:
+        """What is wanted under a qualified name."""
+        scope, node = self.top, None
+        for part in path:
+            node = scope.get(part)
+            if node is None:
+                return None
+            scope = node.inner
+        return node
+
+    def member(self, owner: str, name: str, kind: str) -> None:
+        """Want member `name` of the class that clang spells `owner`, if that class is a stand-in."""
+        owner = re.sub(r"\b(?:const|volatile|struct|class)\b|<.*", "", owner).strip()
+        path = owner.split("::")
+        if owner == UNKNOWN:
+            if self.members.get(name) not in (kind, "value") and name not in _KEYWORDS:
+                self.members[name], self.changed = kind, True  # a value can be called, a function cannot be read
+        elif len(path) > 1 and self._message(path[0], path[1].rstrip("_")).is_file():
+            fields = self.messages.setdefault((path[0], path[1].rstrip("_")), {})
+            if name not in fields:
+                fields[name], self.changed = kind == "constant", True
+        elif self.find(path) is not None:
+            self.name([*path, name], kind)
+        else:
+            for base in sorted(self.bases.get(path[-1], ())):
+                self.name([*base.split("::"), name], kind)
+
+    def _message(self, package: str, name: str) -> Path:
+        """Where the stand-in of a message is of which only the name is known (see `HeaderFinder`)."""
+        return self.scratch / "absent" / "1" / package / f"{name}.h"
+
+    def ban(self, names: Iterable[str]) -> None:
+        """Leave out names that the workspace declares itself; the outermost of that name is in its way."""
+        for name in names:
+            self.banned.add(name)
+            if self.top.pop(name, None) is None and self.macros.pop(name, None) is None:
+                for scope in self._scopes():
+                    scope.pop(name, None)
+
+    def write(self) -> Path:
+        """Write `healed.h` and the messages; return their folder."""
+        unknown = " ".join(
+            f"template <typename... A> unknown& {name}(A&&...) const;" if kind == "function" else f"static unknown {name};"
+            for name, kind in sorted(self.members.items())
+        )
+        lines = ["#pragma once", f"#define ROSARCH_UNKNOWN_MEMBERS {unknown}", f'#include "{SHIPPED / "healing.h"}"']
+        lines += ["#include <boost/shared_ptr.hpp>", *_render_all(self.top, False)]
+        lines += [f"#define {name}{body}" for name, body in sorted(self.macros.items())]
+        files = {f"{package}/{name}.h": self._message_text(package, name) for package, name in sorted(self.messages)}
+        files["healed.h"] = "\n".join(lines) + "\n"
+        key = hashlib.sha1("\0".join([*files, *files.values()]).encode(), usedforsecurity=False).hexdigest()[:16]
+        folder = self.scratch / "healed" / key
+        for name, text in files.items():
+            _write(folder / name, text)
+        return folder
+
+    def _message_text(self, package: str, name: str) -> str:
+        """The stand-in of a message, with the fields that code uses."""
+        fields = self.messages[package, name]
+        added = "".join(
+            f"  static constexpr int {key} = {_number(key)};\n" if constant else f"  {UNKNOWN} {key};\n"
+            for key, constant in sorted(fields.items())
+        )
+        text = self._message(package, name).read_text(encoding="utf-8")
+        text = re.sub(
+            r"^  int (request|response);\n", lambda m: "" if m[1] in fields else f"  {UNKNOWN} {m[1]};\n", text, flags=re.MULTILINE
+        )
+        return text.replace(f"struct {name}_ {{\n", f"struct {name}_ {{\n{added}", 1)
+
+
+def _write(path: Path, text: str) -> None:
+    if not path.is_file():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary = path.with_name(f"{path.name}.{os.getpid()}")
+        temporary.write_text(text, encoding="utf-8")
+        temporary.replace(path)

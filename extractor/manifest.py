@@ -1,0 +1,116 @@
+"""`manifest.json`: what a folder of facts was made from, so that a stale or damaged one is refused."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import rosarch.rules
+from rosarch.extractor.workspace.model import Diagnostic
+
+NAME = "manifest.json"
+FORMAT = 1
+
+
+class ManifestError(Exception):
+    """A folder of facts that cannot be trusted; the text says why and what to do."""
+
+
+@dataclass(frozen=True)
+class FactsEntry:
+    """One component's folder: `rows` per relation, and a hash over all files."""
+
+    package: str
+    component: str
+    kind: str
+    folder: str
+    sources: tuple[str, ...]
+    rows: Mapping[str, int]
+    digest: str
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """All components of a folder of facts. `hashes` are those of the sources' contents."""
+
+    root: str
+    entries: tuple[FactsEntry, ...]
+    hashes: Mapping[str, str]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def rules_folder() -> Path:
+    """The folder of the shipped rules."""
+    return Path(next(iter(rosarch.rules.__path__)))
+
+
+@lru_cache(maxsize=1)
+def schema_hash() -> str:
+    """A hash of the fact schema: facts written under another one are of no use."""
+    digest = hashlib.sha256()
+    for path in sorted((rules_folder() / "schema").glob("*.dl")):
+        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def content_hash(path: Path) -> str:
+    """A hash of a file's content; empty when it cannot be read."""
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    except OSError:
+        return ""
+
+
+def folder_digest(folder: Path) -> str:
+    """A hash over the names and contents of all fact files of a folder."""
+    digest = hashlib.sha256()
+    for path in sorted(folder.glob("*.facts")):
+        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def write_manifest(out: Path, root: Path, entries: Sequence[FactsEntry], sources: Sequence[str], diagnostics: Sequence[Diagnostic]) -> None:
+    """Write `out`/manifest.json."""
+    data = {
+        "format": FORMAT,
+        "schema": schema_hash(),
+        "root": str(root),
+        "components": [asdict(entry) for entry in entries],
+        "sources": {source: content_hash(root / source) for source in sorted(set(sources))},
+        "diagnostics": [{**asdict(diagnostic), "path": str(diagnostic.path)} for diagnostic in diagnostics],
+    }
+    (out / NAME).write_text(json.dumps(data, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
+def read_manifest(folder: Path) -> Manifest:
+    """Read and check `folder`/manifest.json.
+
+    Raises `ManifestError` when it is missing or damaged, was written under another schema, when fact files were
+    changed since, or when a source that is still there has changed.
+    """
+    path = folder / NAME
+    try:
+        data: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        entries = tuple(FactsEntry(**{**entry, "sources": tuple(entry["sources"])}) for entry in data["components"])
+        diagnostics = tuple(Diagnostic(**{**entry, "path": Path(entry["path"])}) for entry in data["diagnostics"])
+        manifest = Manifest(data["root"], entries, data["sources"], diagnostics)
+        schema = data["schema"]
+    except OSError:
+        raise ManifestError(f"{path}: no such file; is this a folder of facts?") from None
+    except (ValueError, KeyError, TypeError) as error:
+        raise ManifestError(f"{path}: damaged ({error}); extract the facts again") from None
+    if data.get("format") != FORMAT or schema != schema_hash():
+        raise ManifestError(f"{path}: the facts were written under another schema; extract them again")
+    for entry in entries:
+        if folder_digest(folder / entry.folder) != entry.digest:
+            raise ManifestError(f"{folder / entry.folder}: the facts are incomplete or were changed; extract them again")
+    root = Path(manifest.root)
+    for source, digest in manifest.hashes.items():
+        if (root / source).is_file() and content_hash(root / source) != digest:
+            raise ManifestError(f"{root / source}: changed since the facts were extracted; extract them again")
+    return manifest

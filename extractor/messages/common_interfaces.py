@@ -1,0 +1,114 @@
+"""Definitions of the packages that nearly every ROS system uses but no source tree contains.
+
+Messages come from the ROS 1 type store of `rosbags`. What it lacks, all services and actions among it, is in `common/*.txt`: one file
+per package, `=== msg Name`, `=== srv Name` or `=== action Name` before each definition.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from rosarch.extractor.workspace.model import Diagnostic
+
+from .model import UNBOUNDED, Action, Constant, Field, Message, Service
+from .parse import parse_action, parse_message, parse_service
+
+COMMON = Path(__file__).parent / "common"
+_SECTION = re.compile(r"^=== (msg|srv|action) (\w+)[ \t]*$", re.MULTILINE)
+
+
+def common_interfaces() -> tuple[dict[str, Message], dict[str, Service], dict[str, Action]]:
+    """All common messages, services and actions by `pkg/Name`."""
+    messages = stored_messages()
+    services: dict[str, Service] = {}
+    actions: dict[str, Action] = {}
+    problems: list[Diagnostic] = []
+    for path in sorted(COMMON.glob("*.txt")):
+        pieces = _SECTION.split(path.read_text(encoding="utf-8"))
+        for kind, short, text in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
+            name = f"{path.stem}/{short}"
+            if kind == "msg":
+                messages[name] = parse_message(text, name, path, problems)
+            elif kind == "srv":
+                services[name], parts = parse_service(text, name, path, problems)
+                messages.update({part.name: part for part in parts})
+            else:
+                actions[name], parts = parse_action(text, name, path, problems)
+                messages.update({part.name: part for part in parts})
+    return messages, services, actions
+
+
+def cache_folder() -> Path:
+    """`ROSARCH_CACHE_DIR`, else the user's cache folder."""
+    chosen = os.environ.get("ROSARCH_CACHE_DIR")
+    if chosen:
+        return Path(chosen)
+    from platformdirs import user_cache_dir
+
+    return Path(user_cache_dir("rosarch"))
+
+
+def stored_messages() -> dict[str, Message]:
+    """The messages of the rosbags store. Importing that store takes longer than all else here, so a JSON copy is cached."""
+    spec = find_spec("rosbags.typesys")
+    origin = Path(spec.origin).parent / "stores" / "ros1_noetic.py" if spec and spec.origin else None
+    if origin is None or not origin.is_file():
+        return {}
+    stat = origin.stat()
+    key = hashlib.sha256(f"1 {origin} {stat.st_size} {stat.st_mtime_ns}".encode()).hexdigest()[:16]
+    path = cache_folder() / f"messages-{key}.json"
+    try:
+        table = json.loads(path.read_bytes())
+    except (OSError, ValueError):
+        table = _store_table()
+        _write(path, json.dumps(table, separators=(",", ":")))
+    return {name: _message(name, row) for name, row in table.items()}
+
+
+def _write(path: Path, text: str) -> None:
+    """Write a cache file so that nobody reads half of it. A cache that cannot be written is none."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary = path.with_name(f"{path.name}.{os.getpid()}")
+        temporary.write_text(text)
+        temporary.replace(path)
+    except OSError:
+        return
+
+
+def _message(name: str, row: list[list[list[Any]]]) -> Message:
+    constants, fields = row
+    return Message(name, tuple(Field(*parts) for parts in fields), tuple(Constant(*parts) for parts in constants))
+
+
+_TIMES = {"builtin_interfaces/Time": "time", "builtin_interfaces/Duration": "duration"}
+
+
+def _store_table() -> dict[str, list[list[list[Any]]]]:
+    from rosbags.typesys.stores.ros1_noetic import FIELDDEFS
+
+    table: dict[str, list[list[list[Any]]]] = {}
+    for full, (constants, fields) in FIELDDEFS.items():
+        name = full.replace("/msg/", "/")
+        rows: list[list[Any]] = [[field, *_type(description)] for field, description in fields]
+        constant_rows: list[list[Any]] = [[constant, kind, str(value)] for constant, kind, value in constants]
+        table[name] = [constant_rows, rows]
+    return {name: row for name, row in table.items() if not name.startswith("builtin_interfaces/")}
+
+
+def _type(description: Any) -> tuple[str, int | None]:
+    """A rosbags field description as type and array length."""
+    node, detail = int(description[0]), description[1]
+    if node == 1:
+        return detail[0], None
+    if node == 2:
+        name = detail.replace("/msg/", "/")
+        return _TIMES.get(name, name), None
+    inner, _array = _type(detail[0])
+    return inner, detail[1] if node == 3 else UNBOUNDED

@@ -1,0 +1,234 @@
+"""From a workspace to the facts of each component.
+
+Translation units are read first, each once however many components share it, in worker processes; the facts of a
+component are the union of those of its units.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import marshal
+import os
+import re
+import sys
+import tempfile
+from collections.abc import Callable, Collection, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rosarch.extractor.cxx.includes import HeaderFinder
+from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit
+from rosarch.extractor.cxx.unit import file_key, merge
+from rosarch.extractor.facts import Rows, write_component
+from rosarch.extractor.manifest import write_manifest
+from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
+from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path
+
+Progress = Callable[[str, int, int], None]
+
+
+@dataclass(frozen=True)
+class ComponentFacts:
+    """One component: the files that hold the rows of its translation units, and its own rows."""
+
+    name: str
+    package: str
+    kind: str
+    sources: tuple[str, ...]
+    units: tuple[Path, ...]
+    own: Rows
+
+    def rows(self) -> Rows:
+        """All facts of the component; message classes that its sources never name are left out."""
+        merged = merge([*(marshal.loads(path.read_bytes()) for path in self.units), self.own])
+        classes = {row[0] for row in merged["class"]} | {row[1] for row in merged["type_class"]}
+        merged["message_class"] = {row for row in merged["message_class"] if row[0] in classes}
+        return merged
+
+
+@dataclass
+class Extraction:
+    """The facts of all components; use as a context manager, its temporary files go with it."""
+
+    root: Path
+    components: tuple[ComponentFacts, ...] = ()
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    _stack: ExitStack = field(default_factory=ExitStack)
+
+    def __enter__(self) -> Extraction:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self._stack.close()
+
+    def write(self, out: Path) -> None:
+        """Write one folder of facts per component below `out`, and a manifest."""
+        out.mkdir(parents=True, exist_ok=True)
+        entries, sources = [], []
+        for component in self.components:
+            rows = component.rows()
+            sources += [str(path) for _, path in rows["source_file"]]
+            entries.append(write_component(out, component.package, component.name, component.kind, component.sources, rows))
+        write_manifest(out, self.root, entries, sources, self.diagnostics)
+
+
+def extract(
+    root: Path,
+    packages: Collection[str] | None = None,
+    *,
+    jobs: int | None = None,
+    timeout: float = 60.0,
+    defines: Mapping[str, str] | None = None,
+    cache: Path | None = None,
+    progress: Progress | None = None,
+) -> Extraction:
+    """Extract the facts of the components of `packages` (all by default) below `root`.
+
+    `timeout` is the limit in seconds for one source. `defines` are CMake cache variables. Sources that fail and
+    whatever else was not understood is in `diagnostics`; nothing raises for bad input below `root`.
+    """
+    workspace = discover(root, packages, defines=defines)
+    store = load_messages(workspace.packages)
+    extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
+    scratch = cache or Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
+    found = components(workspace)
+    units_of = {component: _compile_units(workspace, component) for component in found}
+    units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
+    paths = _extract_units(units, workspace.root, store, scratch, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
+    classes = {
+        (name, row.role or row.kind, _message_type(row))
+        for row in message_classes(store)
+        for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
+    }
+    extraction.components = tuple(
+        _component_facts(component, units_of[component], workspace.root, paths, classes)
+        for component in sorted(found, key=lambda c: (c.package, c.name))
+    )
+    return extraction
+
+
+def _compile_units(workspace: Workspace, component: Component) -> list[CompileUnit]:
+    """The sources of a component, those of a library as the library's own target compiles them."""
+    own = [CompileUnit(source, component.include_dirs, component.definitions) for source in component.sources]
+    wanted = set(component.library_sources)
+    linked = [
+        CompileUnit(source, include_path(workspace, library), library.definitions)
+        for library in component.libraries
+        for source in library.sources
+        if source in wanted
+    ]
+    return list(dict.fromkeys([*own, *linked]))
+
+
+def _extract_units(
+    units: Sequence[CompileUnit],
+    root: Path,
+    store: MessageStore,
+    scratch: Path,
+    jobs: int,
+    timeout: float,
+    progress: Progress | None,
+    diagnostics: list[Diagnostic],
+) -> dict[CompileUnit, Path]:
+    """Extract every unit into a file; return the files, leaving out the units that failed."""
+    if not units:
+        return {}
+    scratch.mkdir(parents=True, exist_ok=True)
+    prelude = scratch / "prelude.pch"
+    build_prelude(prelude)
+    finder = HeaderFinder(root, scratch, lambda name: header_text(store, name))
+
+    def work(unit: CompileUnit) -> Path:
+        sys.setrecursionlimit(20_000)
+        rows = extract_unit(unit, root, finder, prelude, heal=True)
+        path = scratch / f"{hashlib.sha1(repr(unit).encode(), usedforsecurity=False).hexdigest()}.unit"
+        path.write_bytes(marshal.dumps(dict(rows)))
+        return path
+
+    paths = {}
+    largest = sorted(range(len(units)), key=lambda index: -_size(units[index].source))  # long ones first: even ends
+    ordered = [units[index] for index in largest]
+    diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in _odd_source(source)]
+    for done, (index, outcome) in enumerate(run_tasks(work, ordered, jobs=jobs, timeout=timeout)):
+        if isinstance(outcome, Failure):
+            diagnostics.append(Diagnostic("source", ordered[index].source, 1, 1, f"not analysed: {outcome.reason} ({outcome.detail})"))
+        else:
+            paths[ordered[index]] = outcome
+        if progress:
+            progress("sources", done + 1, len(units))
+    diagnostics.sort(key=str)
+    return paths
+
+
+_SELF_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
+
+
+def _odd_source(path: Path) -> list[Diagnostic]:
+    """What a reader would want to know of a source before wondering why little was found in it: one diagnostic."""
+    try:
+        data = path.read_bytes()
+    except OSError:
+        return []  # reported where it is read
+    if not data.strip():
+        return [Diagnostic("source", path, 1, 1, "empty source")]
+    if b"\0" in data:
+        return [_at(path, data, data.index(b"\0"), "not a text file")]
+    for match in _SELF_INCLUDE.finditer(data):
+        if match.group(1).decode("utf-8", "replace") == path.name and (path.parent / path.name).samefile(path):
+            return [_at(path, data, match.start(), "the source includes itself")]
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        return [_at(path, data, error.start, f"not UTF-8 (byte 0x{data[error.start]:02x}); read as it is")]
+    return []
+
+
+def _at(path: Path, data: bytes, offset: int, message: str) -> Diagnostic:
+    start = data.rfind(b"\n", 0, offset) + 1
+    return Diagnostic("source", path, data.count(b"\n", 0, offset) + 1, offset - start + 1, message)
+
+
+def _size(path: Path) -> int:
+    try:
+        return os.path.getsize(path)
+    except OSError:
+        return 0
+
+
+def _message_type(row: MessageClass) -> str:
+    """What a class stands for: a service for its request and response, else its own type."""
+    if row.kind == "config":
+        return f"{row.type}Config"
+    return row.owner if row.owner and row.role in ("request", "response") else row.type
+
+
+def _component_facts(
+    component: Component, units: Sequence[CompileUnit], root: Path, paths: Mapping[CompileUnit, Path], classes: set[tuple[str, str, str]]
+) -> ComponentFacts:
+    own: dict[str, set[tuple[str | int, ...]]] = {
+        "component": {(component.name, component.package, component.kind)},
+        "message_class": set(classes),
+        "component_source": set(),
+        "source_file": set(),
+        "source_failed": set(),
+    }
+    if component.entry_class:
+        own["component_class"] = {(component.entry_class,)}
+    for unit in units:
+        if unit.source.is_relative_to(root):
+            relative = unit.source.relative_to(root).as_posix()
+            origin = "own" if unit.source in component.sources else "library"
+            own["source_file"].add((file_key(relative), relative))
+            own["component_source"].add((file_key(relative), origin))
+            if unit not in paths:
+                own["source_failed"].add((file_key(relative), "failed"))
+    return ComponentFacts(
+        component.name,
+        component.package,
+        component.kind,
+        tuple(source.relative_to(root).as_posix() for source in component.sources if source.is_relative_to(root)),
+        tuple(paths[unit] for unit in units if unit in paths),
+        own,
+    )

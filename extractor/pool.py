@@ -1,0 +1,119 @@
+"""Worker processes for work that may crash or hang: a task that does costs itself, never the run."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import time
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from multiprocessing.process import BaseProcess
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a task has no result: `crash`, `time limit` or `error`, with a detail for the reader."""
+
+    reason: str
+    detail: str
+
+
+@dataclass
+class _Worker(Generic[Task]):
+    process: BaseProcess
+    connection: Connection
+    index: int = -1
+    deadline: float = 0.0
+
+
+def default_jobs() -> int:
+    """The number of processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def run_tasks(
+    function: Callable[[Task], Result], tasks: Sequence[Task], *, jobs: int, timeout: float
+) -> Iterator[tuple[int, Result | Failure]]:
+    """Yield (index of the task, its result or failure) as tasks end, in no particular order.
+
+    A worker that dies or works on one task for more than `timeout` seconds is replaced.
+    """
+    pending = iter(range(len(tasks)))
+    workers = [_start(function) for _ in range(min(jobs, len(tasks)))]
+    busy: list[_Worker[Task]] = []
+    try:
+        for worker in workers:
+            _feed(worker, pending, tasks, timeout, busy)
+        while busy:
+            patience = max(0.0, min(worker.deadline for worker in busy) - time.monotonic())
+            ready = wait([worker.connection for worker in busy], patience)
+            for worker in [w for w in busy if w.connection in ready or time.monotonic() > w.deadline]:
+                busy.remove(worker)
+                index, outcome = worker.index, _outcome(worker, timeout) if worker.connection in ready else _expire(worker, timeout)
+                if not worker.process.is_alive():
+                    workers.remove(worker)
+                    worker.connection.close()
+                    worker = _start(function)
+                    workers.append(worker)
+                _feed(worker, pending, tasks, timeout, busy)
+                yield index, outcome
+    finally:
+        for worker in workers:
+            worker.process.terminate()
+            worker.process.join()
+            worker.connection.close()
+
+
+def _start(function: Callable[[Any], Any]) -> _Worker[Any]:
+    # fork hands the tables that the task function needs to the workers without copying them
+    context: Any = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=_work, args=(function, theirs), daemon=True)
+    process.start()
+    theirs.close()
+    return _Worker(process, ours)
+
+
+def _feed(worker: _Worker[Task], pending: Iterator[int], tasks: Sequence[Task], timeout: float, busy: list[_Worker[Task]]) -> None:
+    index = next(pending, None)
+    if index is not None:
+        worker.index, worker.deadline = index, time.monotonic() + timeout
+        worker.connection.send(tasks[index])
+        busy.append(worker)
+
+
+def _outcome(worker: _Worker[Any], timeout: float) -> Any:
+    try:
+        return worker.connection.recv()
+    except (EOFError, ConnectionResetError):
+        worker.process.join()
+        return Failure("crash", f"the worker process ended with code {worker.process.exitcode}")
+
+
+def _expire(worker: _Worker[Any], timeout: float) -> Failure:
+    worker.process.kill()
+    worker.process.join()
+    return Failure("time limit", f"not done after {timeout:g} s")
+
+
+def _work(function: Callable[[Any], Any], connection: Connection) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends its workers
+    while True:
+        try:
+            task = connection.recv()
+        except (EOFError, OSError):
+            return
+        try:
+            result = function(task)
+        except Exception as error:  # the boundary of a worker: whatever goes wrong belongs to this task
+            frame = traceback.extract_tb(error.__traceback__)[-1]
+            result = Failure("error", f"{type(error).__name__}: {error}, in {Path(frame.filename).name}:{frame.lineno}")
+        connection.send(result)

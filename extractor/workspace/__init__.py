@@ -1,0 +1,24 @@
+"""ROS packages, their CMake targets and the components these make up, read from the source tree alone.
+
+`discover` reads a workspace, `components` lists what runs, `closure` and `include_path` answer questions about one target.
+"""
+
+from .components import components
+from .discovery import discover
+from .graph import closure, include_path
+from .model import Component, Configured, Diagnostic, Exports, Package, PluginClass, Target, Workspace
+
+__all__ = [
+    "Component",
+    "Configured",
+    "Diagnostic",
+    "Exports",
+    "Package",
+    "PluginClass",
+    "Target",
+    "Workspace",
+    "closure",
+    "components",
+    "discover",
+    "include_path",
+]

@@ -1,0 +1,65 @@
+"""File name patterns of `file(GLOB)` and `file(GLOB_RECURSE)`: `*`, `?`, `[...]`, results sorted."""
+
+from __future__ import annotations
+
+import os
+import re
+
+_MAGIC = re.compile(r"[*?\[]")
+MAX_FILES = 100_000
+
+
+def glob(pattern: str, recurse: bool, directories: bool) -> list[str]:
+    """Existing paths that match an absolute pattern. Recursion does not follow symlinks (policy CMP0009)."""
+    folder, _, name = pattern.rpartition("/")
+    starts = _folders(folder or "/")
+    matcher = _matcher(name)
+    found: list[str] = []
+    for start in starts:
+        _collect(start, matcher, recurse, directories, found)
+    return sorted(found)
+
+
+def _matcher(name: str) -> re.Pattern[str]:
+    parts: list[str] = []
+    for piece in re.findall(r"\[[!^]?\]?[^\]]*\]|.", name):
+        if piece == "*":
+            parts.append("[^/]*")
+        elif piece == "?":
+            parts.append("[^/]")
+        elif len(piece) > 1:
+            body = piece[1:-1].replace("\\", "\\\\")
+            parts.append("[" + ("^" + body[1:] if body[:1] in "!^" else body) + "]")
+        else:
+            parts.append(re.escape(piece))
+    return re.compile("".join(parts))
+
+
+def _folders(path: str) -> list[str]:
+    if not _MAGIC.search(path):
+        return [path]
+    parent, _, name = path.rpartition("/")
+    result = []
+    matcher = _matcher(name)
+    for folder in _folders(parent or "/"):
+        result += [entry.path for entry in _scan(folder) if entry.is_dir() and matcher.fullmatch(entry.name)]
+    return result
+
+
+def _scan(folder: str) -> list[os.DirEntry[str]]:
+    try:
+        with os.scandir(folder) as entries:
+            return sorted(entries, key=lambda entry: entry.name)
+    except OSError:
+        return []
+
+
+def _collect(folder: str, matcher: re.Pattern[str], recurse: bool, directories: bool, found: list[str]) -> None:
+    if len(found) > MAX_FILES:
+        return
+    for entry in _scan(folder):
+        is_folder = entry.is_dir()
+        if matcher.fullmatch(entry.name) and (directories or not is_folder):
+            found.append(os.path.normpath(entry.path))
+        if recurse and is_folder and not entry.is_symlink():
+            _collect(entry.path, matcher, recurse, directories, found)

@@ -1,0 +1,241 @@
+"""The CMake language: text to commands, commands to blocks.
+
+Source: cmake-language(7), https://cmake.org/cmake/help/latest/manual/cmake-language.7.html. The grammar is coarse on
+purpose: an argument is one token, and references inside it are expanded by `cmake_expand` when the command runs.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from lark import Lark, Token, Transformer
+from lark.exceptions import UnexpectedInput
+
+from .model import Diagnostic
+
+GRAMMAR = r"""
+start: command*
+command: IDENTIFIER _open argument* ")"
+?argument: BRACKET | QUOTED | UNQUOTED | group
+group: _open argument* ")"
+_open: "("
+
+IDENTIFIER: /[A-Za-z_][A-Za-z0-9_]*/
+BRACKET.3: /\[(?P<eq>=*)\[(?:.|\n)*?\](?P=eq)\]/
+QUOTED.2: /"(?:[^"\\]|\\(?:.|\n))*"/
+UNQUOTED: /(?:\$\([^\s()]*\)|[^\s()#"\\]|\\.)(?:\$\([^\s()]*\)|"(?:[^"\\]|\\(?:.|\n))*"|[^\s()#"\\]|\\.)*/
+
+BRACKET_COMMENT.4: /#\[(?P<ceq>=*)\[(?:.|\n)*?\](?P=ceq)\]/
+COMMENT.3: /#[^\n]*/
+SPACE: /[ \t\r\n\f\ufeff]+/
+%ignore BRACKET_COMMENT
+%ignore COMMENT
+%ignore SPACE
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """One written argument; `quoted` arguments are never split into list elements, `raw` ones never expanded."""
+
+    text: str
+    line: int
+    column: int
+    quoted: bool = False
+    raw: bool = False
+    plain: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """One invocation. `name` is lower case: command names ignore case."""
+
+    name: str
+    written: str
+    arguments: tuple[Argument, ...]
+    line: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """`if`, `elseif` (with their condition) or `else` (without), and the body."""
+
+    condition: Command | None
+    body: tuple[Statement, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class If:
+    """A whole `if` ... `endif`."""
+
+    branches: tuple[Branch, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """`foreach`, `while`, `function`, `macro` or `block` with its body."""
+
+    opener: Command
+    body: tuple[Statement, ...]
+
+
+Statement = Command | If | Block
+
+
+class _Build(Transformer[Token, list[Command]]):
+    """Commands straight from the parser, without a tree in between."""
+
+    def start(self, children: list[Command]) -> list[Command]:
+        return children
+
+    def command(self, children: list[object]) -> Command:
+        name, arguments = children[0], children[1:]
+        assert isinstance(name, Token)
+        return Command(name.lower(), str(name), tuple(_flatten(arguments)), name.line or 0, name.column or 0)
+
+    def group(self, children: list[object]) -> list[Argument]:
+        inner = _flatten(children)
+        line, column = (inner[0].line, inner[0].column) if inner else (0, 0)
+        return [Argument("(", line, column, plain=True), *inner, Argument(")", line, column, plain=True)]
+
+
+def _flatten(children: list[object]) -> list[Argument]:
+    result: list[Argument] = []
+    for child in children:
+        if isinstance(child, Token):
+            result.append(_argument(child))
+        elif isinstance(child, list):
+            result.extend(child)
+    return result
+
+
+def _argument(token: Token) -> Argument:
+    line, column = token.line or 0, token.column or 0
+    if token.type == "UNQUOTED":
+        plain = "$" not in token and "\\" not in token and ";" not in token
+        return Argument(str(token), line, column, plain=plain)
+    if token.type == "QUOTED":
+        return Argument(token[1:-1], line, column, quoted=True)
+    width = token.index("[", 1) + 1
+    body = token[width:-width]
+    return Argument(body.removeprefix("\n"), line, column, quoted=True, raw=True)
+
+
+@lru_cache(maxsize=1)
+def _parser() -> Lark:
+    return Lark(GRAMMAR, parser="lalr", lexer="contextual", transformer=_Build(), maybe_placeholders=False)
+
+
+_COMMAND_START = re.compile(r"^[ \t]*[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
+
+
+def parse(text: str, path: Path) -> tuple[list[Command], list[Diagnostic]]:
+    """The commands of `text`. After a syntax error, those before it, and one diagnostic."""
+    diagnostics: list[Diagnostic] = []
+    while True:
+        try:
+            commands: Any = _parser().parse(text)
+            return list(commands), diagnostics
+        except UnexpectedInput as error:
+            if not diagnostics:
+                diagnostics.append(_syntax_error(error, text, path))
+            end = _offset(error, text)
+            if 0 < end < len(text):
+                text = text[:end]
+                continue
+            starts = [match.start() for match in _COMMAND_START.finditer(text) if match.start() < end]
+            if not starts:
+                return [], diagnostics
+            text = text[: starts[-1]]
+
+
+def _offset(error: UnexpectedInput, text: str) -> int:
+    position = getattr(error, "pos_in_stream", None)
+    token = getattr(error, "token", None)
+    if (token is not None and token.type == "$END") or position is None:
+        return len(text)
+    return int(position)
+
+
+def _syntax_error(error: UnexpectedInput, text: str, path: Path) -> Diagnostic:
+    token = getattr(error, "token", None)
+    if token is not None and token.type == "$END":
+        line, column = text.count("\n") + 1, len(text) - (text.rfind("\n") + 1) + 1
+        return Diagnostic("cmake-syntax", path, line, column, "syntax error: unexpected end of file, is a `)` missing?")
+    offset = _offset(error, text)
+    found = str(token) if token is not None else text[offset : offset + 1]
+    return Diagnostic("cmake-syntax", path, error.line, error.column, f"syntax error: unexpected `{found}`")
+
+
+_OPENERS = {"foreach": "endforeach", "while": "endwhile", "function": "endfunction", "macro": "endmacro", "block": "endblock"}
+_CLOSERS = {*_OPENERS.values(), "endif", "else", "elseif"}
+
+
+def blocks(commands: list[Command], path: Path) -> tuple[tuple[Statement, ...], list[Diagnostic]]:
+    """Nest flat commands into blocks. Blocks that are not closed end with the file; stray closers are skipped."""
+    nesting = _Nesting(commands, path)
+    result: list[Statement] = []
+    while nesting.position < len(commands):
+        result.extend(nesting.body(frozenset()))
+        if nesting.position < len(commands):
+            nesting.complain(commands[nesting.position], "`{}` closes nothing")
+            nesting.position += 1
+    return tuple(result), nesting.diagnostics
+
+
+class _Nesting:
+    def __init__(self, commands: list[Command], path: Path) -> None:
+        self.commands = commands
+        self.path = path
+        self.position = 0
+        self.diagnostics: list[Diagnostic] = []
+
+    def complain(self, command: Command, message: str) -> None:
+        text = message.format(command.written)
+        self.diagnostics.append(Diagnostic("cmake-syntax", self.path, command.line, command.column, text))
+
+    def body(self, closers: frozenset[str]) -> tuple[Statement, ...]:
+        """Statements up to a closer, which is left for the caller."""
+        result: list[Statement] = []
+        while self.position < len(self.commands):
+            command = self.commands[self.position]
+            if command.name in closers or command.name in _CLOSERS:
+                break
+            self.position += 1
+            if command.name == "if":
+                result.append(self._if(command))
+            elif command.name in _OPENERS:
+                result.append(self._block(command))
+            else:
+                result.append(command)
+        return tuple(result)
+
+    def _block(self, opener: Command) -> Block:
+        closer = _OPENERS[opener.name]
+        body = self.body(frozenset({closer}))
+        self._close(opener, closer)
+        return Block(opener, body)
+
+    def _if(self, opener: Command) -> If:
+        branches: list[Branch] = []
+        condition: Command | None = opener
+        while True:
+            branches.append(Branch(condition, self.body(frozenset({"elseif", "else", "endif"}))))
+            if self.position < len(self.commands) and self.commands[self.position].name in ("elseif", "else"):
+                command = self.commands[self.position]
+                condition = command if command.name == "elseif" else None
+                self.position += 1
+                continue
+            self._close(opener, "endif")
+            return If(tuple(branches))
+
+    def _close(self, opener: Command, closer: str) -> None:
+        if self.position < len(self.commands) and self.commands[self.position].name == closer:
+            self.position += 1
+        else:
+            self.complain(opener, "`{}` is not closed by `" + closer + "`")

@@ -1,0 +1,208 @@
+"""The macros of catkin, ament, genmsg, rosidl, dynamic_reconfigure, gtest, Qt.
+
+Sources: https://docs.ros.org/en/kinetic/api/catkin/html/dev_guide/generated_cmake_api.html, ament_cmake user documentation,
+https://wiki.ros.org/dynamic_reconfigure, cmake-qt(7).
+"""
+
+from __future__ import annotations
+
+import os
+
+from .cmake_glob import glob
+from .cmake_state import Call
+from .commands_find import exported, find_one
+from .commands_targets import add_target, find_target
+from .commands_values import parse_keywords
+from .evaluator import Evaluator, command
+from .model import EXECUTABLE, SHARED, TEST
+
+
+@command("catkin_package")
+def _catkin_package(run: Evaluator, call: Call) -> None:
+    lists = ["INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"]
+    words, _rest = parse_keywords(call.args, ["SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION"], [], lists)
+    draft = run.draft
+    draft.include_dirs.extend(run.source_path(folder) for folder in words.get("INCLUDE_DIRS", []))
+    draft.libraries.extend(words.get("LIBRARIES", []))
+    draft.depends.extend(words.get("CATKIN_DEPENDS", []))
+    draft.depends.extend(name for name in words.get("DEPENDS", []) if run.world.find(name) is not None)
+    draft.cfg_extras.extend(words.get("CFG_EXTRAS", []))
+    project = run.get("PROJECT_NAME") or run.package
+    run.set(f"{project}_EXPORTED_TARGETS", f"{project}_EXPORTED_TARGETS")
+
+
+_INTERFACES = {
+    "add_message_files": ("msg", "message_files"),
+    "add_service_files": ("srv", "service_files"),
+    "add_action_files": ("action", "action_files"),
+}
+
+
+@command(*_INTERFACES)
+def _add_interface_files(run: Evaluator, call: Call) -> None:
+    extension, attribute = _INTERFACES[call.name]
+    words, unparsed = parse_keywords(call.args, ["NOINSTALL"], ["DIRECTORY", "BASE_DIR"], ["FILES"])
+    folder = run.source_path((words.get("DIRECTORY") or [extension])[0])
+    names = [*words.get("FILES", []), *unparsed]
+    paths = [os.path.join(folder, name) for name in names] if names else glob(f"{folder}/*.{extension}", False, False)
+    for path in paths:
+        if os.path.isfile(path):
+            getattr(run.draft, attribute).append(path)
+        else:
+            run.complain(call.command, "missing-interface", f"no file {os.path.basename(path)} in {os.path.relpath(folder, run.folder)}")
+
+
+@command("rosidl_generate_interfaces")
+def _rosidl_generate_interfaces(run: Evaluator, call: Call) -> None:
+    for word in call.args[1:]:
+        path = run.source_path(word)
+        for extension, attribute in _INTERFACES.values():
+            if path.endswith(f".{extension}") and os.path.isfile(path):
+                getattr(run.draft, attribute).append(path)
+
+
+@command("generate_dynamic_reconfigure_options")
+def _generate_dynamic_reconfigure_options(run: Evaluator, call: Call) -> None:
+    for name in call.args:
+        path = run.source_path(name)
+        if os.path.isfile(path):
+            run.draft.cfg_files.append(path)
+        else:
+            run.complain(call.command, "missing-interface", f"no file {name}")
+
+
+@command("catkin_add_gtest", "catkin_add_gmock", "catkin_add_executable_with_gtest", "catkin_add_executable_with_gmock",
+         "add_rostest_gtest", "add_rostest_gmock", "rosbuild_add_gtest", "ament_add_gtest", "ament_add_gmock",
+         "ament_add_gtest_executable", "ament_auto_add_gtest", "ament_add_ros_isolated_gtest", "cuda_add_test")  # fmt: skip
+def _add_gtest(run: Evaluator, call: Call) -> None:
+    options = ["EXCLUDE_FROM_ALL", "SKIP_TEST", "SKIP_LINKING_MAIN_LIBRARIES"]
+    words, sources = parse_keywords(
+        call.args[1:], options, ["TIMEOUT", "WORKING_DIRECTORY", "RUNNER", "RESULT_FILE"], ["ENV", "APPEND_ENV"]
+    )
+    if not call.args or ("WORKING_DIRECTORY" in words and not sources):
+        return
+    sources = [name for name in sources if not name.endswith((".test", ".launch"))]
+    add_target(run, call, call.args[0], TEST, sources)
+
+
+@command("qt4_wrap_cpp", "qt5_wrap_cpp", "qt6_wrap_cpp", "qt_wrap_cpp", "qt4_wrap_ui", "qt5_wrap_ui", "qt6_wrap_ui", "qt_wrap_ui",
+         "qt4_add_resources", "qt5_add_resources", "qt4_generate_moc", "qt5_generate_moc")  # fmt: skip
+def _qt_wrap(run: Evaluator, call: Call) -> None:
+    """The generated files have no source to read; only their names exist."""
+    if not call.args:
+        return
+    outputs: list[str] = []
+    for word in call.args[1:]:
+        if word in ("OPTIONS", "TARGET"):
+            break
+        stem = os.path.splitext(os.path.basename(word))[0]
+        outputs.append(run.binary_path(f"ui_{stem}.h" if call.name.endswith("ui") else f"moc_{stem}.cpp"))
+    run.generated.update(outputs)
+    run.set_list(call.args[0], [*run.elements(call.args[0]), *outputs])
+
+
+# -- ament --------------------------------------------------------------------------------------------------------------------
+
+
+@command("ament_target_dependencies")
+def _ament_target_dependencies(run: Evaluator, call: Call) -> None:
+    target = find_target(run, call)
+    if target is None:
+        return
+    names = [word for word in call.args[1:] if word not in ("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM")]
+    use_packages(run, call, names)
+    target.uses_packages.extend(names)
+
+
+def use_packages(run: Evaluator, call: Call, names: list[str]) -> None:
+    """Link a target with what packages export."""
+    target = run.targets[run.aliases.get(call.args[0], call.args[0])]
+    folders, libraries = exported(run, names)
+    target.extend("INCLUDE_DIRECTORIES", folders)
+    target.extend("LINK_LIBRARIES", libraries)
+
+
+@command("ament_export_include_directories")
+def _ament_export_include_directories(run: Evaluator, call: Call) -> None:
+    run.draft.include_dirs.extend(run.source_path(folder) for folder in call.args if not folder.startswith("include/"))
+    if os.path.isdir(f"{run.folder}/include") and f"{run.folder}/include" not in run.draft.include_dirs:
+        run.draft.include_dirs.append(f"{run.folder}/include")
+
+
+@command("ament_export_libraries")
+def _ament_export_libraries(run: Evaluator, call: Call) -> None:
+    run.draft.libraries.extend(call.args)
+
+
+@command("ament_export_dependencies")
+def _ament_export_dependencies(run: Evaluator, call: Call) -> None:
+    run.draft.depends.extend(call.args)
+
+
+@command("ament_auto_find_build_dependencies", "autoware_package")
+def _ament_auto_find(run: Evaluator, call: Call) -> None:
+    for name in run.manifest_depends:
+        find_one(run, name)
+    if call.name == "autoware_package" and os.path.isdir(f"{run.folder}/include"):
+        run.directory.include_dirs.append(f"{run.folder}/include")
+
+
+@command("ament_auto_add_executable", "ament_auto_add_library")
+def _ament_auto_add(run: Evaluator, call: Call) -> None:
+    words, rest = parse_keywords(call.args[1:], ["SHARED", "STATIC", "OBJECT", "NO_TARGET_LINK_LIBRARIES"], ["DIRECTORY"], [])
+    if not call.args:
+        return
+    sources = list(rest)
+    for folder in words.get("DIRECTORY", []):
+        for extension in ("c", "cc", "cpp", "cxx"):
+            sources.extend(glob(f"{run.source_path(folder)}/**.{extension}".replace("**", "*"), True, False))
+    kind = EXECUTABLE if call.name.endswith("executable") else SHARED
+    target = add_target(run, call, call.args[0], kind, sources)
+    include = f"{run.folder}/include"
+    if os.path.isdir(include):
+        target.extend("INCLUDE_DIRECTORIES", [include])
+        target.extend("INTERFACE_INCLUDE_DIRECTORIES", [include])
+        if kind == SHARED and include not in run.draft.include_dirs:
+            run.draft.include_dirs.append(include)
+    if kind == SHARED:
+        run.draft.libraries.append(call.args[0])
+    else:
+        target.extend("LINK_LIBRARIES", [name for name, other in run.targets.items() if other.kind == SHARED])
+    use_packages(run, call, run.manifest_depends)
+    target.uses_packages.extend(run.manifest_depends)
+
+
+@command("ament_auto_package")
+def _ament_auto_package(run: Evaluator, _call: Call) -> None:
+    run.draft.depends.extend(run.manifest_depends)
+
+
+@command("rclcpp_components_register_node", "rclcpp_components_register_nodes")
+def _register_components(run: Evaluator, call: Call) -> None:
+    words, rest = parse_keywords(call.args[1:], [], ["PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX"], [])
+    executable = (words.get("EXECUTABLE") or [""])[0]
+    for plugin in [*words.get("PLUGIN", []), *(rest if call.name.endswith("s") else [])]:
+        run.draft.component_nodes.append((call.args[0], plugin, executable, call.command.line))
+    if executable:
+        target = add_target(run, call, executable, EXECUTABLE, [])
+        target.extend("LINK_LIBRARIES", [call.args[0]])
+
+
+@command("pluginlib_export_plugin_description_file")
+def _export_plugins(run: Evaluator, call: Call) -> None:
+    if len(call.args) > 1:
+        run.draft.plugin_exports.append((call.args[0], run.source_path(call.args[1])))
+
+
+@command("find_dependency")
+def _find_dependency(run: Evaluator, call: Call) -> None:
+    if call.args:
+        find_one(run, call.args[0])
+
+
+@command("separate_arguments")
+def _separate_arguments(run: Evaluator, call: Call) -> None:
+    if len(call.args) == 1:
+        run.set_list(call.args[0], (run.get(call.args[0]) or "").split())
+    elif call.args:
+        run.set_list(call.args[0], " ".join(word for word in call.args[1:] if not word.endswith("_COMMAND")).split())

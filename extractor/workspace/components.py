@@ -1,0 +1,98 @@
+"""What a workspace can run: node executables, nodelets, rclcpp components, other plug-in classes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from .graph import closure, definitions, find_library, include_path
+from .model import EXECUTABLE, LIBRARY_KINDS, Component, Package, PluginClass, Target, Workspace
+from .plugins import Registration, registrations
+
+NODELET_BASE = "nodelet::Nodelet"
+COMPONENT_BASE = "rclcpp_components"
+
+
+def components(workspace: Workspace) -> tuple[Component, ...]:
+    """The components of the selected packages, by package, kind and name. Tests are none."""
+    result: list[Component] = []
+    for package in workspace.packages:
+        if package.name in workspace.selected:
+            result.extend(_nodes(workspace, package))
+            result.extend(_plugins(workspace, package))
+    return tuple(sorted(result, key=lambda c: (c.package, c.kind, c.name, c.plugin_name or "")))
+
+
+def _nodes(workspace: Workspace, package: Package) -> Iterable[Component]:
+    for target in package.targets:
+        if target.kind == EXECUTABLE:
+            yield _component(workspace, package, target.output_name, "node", target)
+
+
+def _component(workspace: Workspace, package: Package, name: str, kind: str, target: Target | None, **more: str | None) -> Component:
+    libraries = closure(workspace, target) if target else ()
+    own = set(target.sources) if target else set()
+    return Component(
+        name=name,
+        package=package.name,
+        kind=kind,
+        target=target,
+        libraries=libraries,
+        sources=target.sources if target else (),
+        library_sources=_sources(libraries, own),
+        definitions=definitions(workspace, target) if target else (),
+        include_dirs=include_path(workspace, target) if target else (),
+        **more,
+    )
+
+
+def _sources(libraries: Iterable[Target], own: set[Path]) -> tuple[Path, ...]:
+    found = dict.fromkeys(source for library in libraries for source in library.sources)
+    return tuple(source for source in found if source not in own)
+
+
+def _plugins(workspace: Workspace, package: Package) -> Iterable[Component]:
+    """Classes of the description files, completed by the registration macros; then registered classes no file describes."""
+    registered = _registrations(package)
+    described: set[str] = set()
+    for plugin in package.plugins:
+        if plugin.cxx_class in described:
+            continue
+        described.add(plugin.cxx_class)
+        target, found = registered.get(plugin.cxx_class, (None, None))
+        if target is None:
+            target = _library(workspace, plugin, package)
+        base = plugin.base or (found.base if found else "")
+        yield _plugin(workspace, package, plugin.cxx_class, base, plugin.name, target)
+    for name, (target, found) in registered.items():
+        if name not in described:
+            yield _plugin(workspace, package, name, found.base, found.name, target)
+
+
+def _plugin(workspace: Workspace, package: Package, cxx: str, base: str, name: str | None, target: Target | None) -> Component:
+    plain_base = base.removeprefix("::")
+    kind = {NODELET_BASE: "nodelet", "Nodelet": "nodelet", COMPONENT_BASE: "component"}.get(plain_base, "plugin")
+    short = cxx.rpartition("::")[2]
+    return _component(workspace, package, short, kind, target, entry_class=cxx, base_class=plain_base or None, plugin_name=name)
+
+
+def _registrations(package: Package) -> dict[str, tuple[Target, Registration]]:
+    """Registered class to the library that registers it."""
+    result: dict[str, tuple[Target, Registration]] = {}
+    for target in package.targets:
+        if target.kind in LIBRARY_KINDS:
+            for source in target.sources:
+                for found in registrations(source):
+                    result.setdefault(found.cxx_class, (target, found))
+    return result
+
+
+def _library(workspace: Workspace, plugin: PluginClass, package: Package) -> Target | None:
+    """The library at a description's path: `lib/libfoo` is the target or output name `foo` or `libfoo`."""
+    base = plugin.library.rpartition("/")[2]
+    for name in (base.removeprefix("lib"), base):
+        for candidate in (name, f"{name}.so"):
+            found = find_library(workspace, candidate, package.name) if name else None
+            if found is not None:
+                return found
+    return None

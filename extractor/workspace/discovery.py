@@ -1,0 +1,162 @@
+"""From a folder to a `Workspace`: manifests, the CMake files of the packages that are needed, plug-in descriptions."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Mapping
+from pathlib import Path
+
+from . import commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values
+from .cmake_state import PackageDraft
+from .drafts import finished_package
+from .evaluator import Evaluator
+from .manifests import Manifest, find_manifests, quick_name, read_manifest
+from .model import Diagnostic, Package, Workspace
+from .options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
+
+COMMAND_MODULES = (commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values)
+
+
+def discover(
+    root: Path,
+    packages: Collection[str] | None = None,
+    *,
+    defines: Mapping[str, str] | None = None,
+    ros_distro: str | None = None,
+    environment: Mapping[str, str] | None = None,
+) -> Workspace:
+    """The packages below `root`; with `packages`, only those and what they need, so that one package costs little.
+
+    `defines` are CMake cache variables and override what is assumed of `find_package`, e.g. `{"CUDA_FOUND": "0"}`.
+    `ros_distro` answers `$ENV{ROS_DISTRO}` and `rosversion -d`; the default is `kinetic`, for ament packages `humble`.
+    """
+    root = Path(os.path.abspath(root))
+    if not root.is_dir():
+        what = "not a folder" if root.exists() else "no such folder"
+        return Workspace(root, (), (Diagnostic("workspace", root, 1, 1, what),))
+    return _Discovery(root, Options(ros_distro, dict(defines or {}), dict(environment or {}))).run(packages)
+
+
+class _Discovery:
+    """The world of the evaluators: packages are evaluated when first asked for."""
+
+    def __init__(self, root: Path, options: Options) -> None:
+        self.root = root
+        self.options = options
+        self.diagnostics: list[Diagnostic] = []
+        self.paths: dict[str, str] = {}
+        self.manifests: dict[str, Manifest | None] = {}
+        self.evaluators: dict[str, Evaluator | None] = {}
+        self.drafts: dict[str, PackageDraft] = {}
+
+    def run(self, names: Collection[str] | None) -> Workspace:
+        """Evaluate what is asked for."""
+        self._locate()
+        if not self.paths and not self.diagnostics:
+            self._report("workspace", self.root, "no package.xml below this folder")
+        if set(names or ()) - set(self.paths):
+            self._locate_ignored(set(names or ()))
+        for name in sorted(set(names or ()) - set(self.paths)):
+            self._report("workspace", self.root, f"no package {name} below this folder{_hint(name, self.paths)}")
+        wanted = sorted(self.paths) if names is None else sorted(set(names) & set(self.paths))
+        queue, seen = list(wanted), set(wanted)
+        while queue:
+            name = queue.pop()
+            self.find(name)
+            manifest = self.manifest(name)
+            evaluator = self.evaluators.get(name)
+            more = [*(manifest.depends if manifest else ()), *(evaluator.draft.found_packages if evaluator else ())]
+            for other in more:
+                if other in self.paths and other not in seen:
+                    seen.add(other)
+                    queue.append(other)
+        return self._workspace(frozenset(wanted))
+
+    def _report(self, kind: str, path: Path, message: str) -> None:
+        self.diagnostics.append(Diagnostic(kind, path, 1, 1, message))
+
+    def _locate(self) -> None:
+        for path in find_manifests(self.root):
+            name = quick_name(path)
+            if name is None:
+                _manifest, problems = read_manifest(Path(path))
+                self.diagnostics.extend(problems or [Diagnostic("manifest", Path(path), 1, 1, "no <name>")])
+            elif name in self.paths:
+                other = os.path.relpath(self.paths[name], self.root)
+                self._report("duplicate-package", Path(path), f"package {name} is also in {other}, which counts")
+            else:
+                self.paths[name] = path
+
+    def _locate_ignored(self, names: set[str]) -> None:
+        """Packages asked for by name are read although a marker hides them from the build."""
+        for path in find_manifests(self.root, ignored=True):
+            name = quick_name(path)
+            if name in names and name not in self.paths:
+                self.paths[name] = path
+                self._report("ignored-package", Path(path), f"package {name} is hidden from the build by an ignore marker")
+
+    def manifest(self, name: str) -> Manifest | None:
+        """The manifest of a workspace package, parsed once."""
+        if name not in self.manifests and name in self.paths:
+            self.manifests[name], problems = read_manifest(Path(self.paths[name]), self._distro(self.paths[name]))
+            self.diagnostics.extend(problems)
+        return self.manifests.get(name)
+
+    def _distro(self, manifest: str) -> str:
+        """The distribution whose conditions a manifest is read with; one that names no ROS 1 tool is for ROS 2."""
+        if self.options.ros_distro:
+            return self.options.ros_distro
+        text = Path(manifest).read_text(errors="replace")
+        return DEFAULT_DISTRO if "catkin" in text or "ament" not in text else DEFAULT_AMENT_DISTRO
+
+    def path(self, name: str) -> str | None:
+        """The folder of a workspace package."""
+        return os.path.dirname(self.paths[name]) if name in self.paths else None
+
+    def find(self, name: str) -> PackageDraft | None:
+        """What the CMake files of a workspace package declare. A package that is asked for by itself gives what it has so far."""
+        if name not in self.paths:
+            return None
+        if name not in self.drafts:
+            self._evaluate(name)
+        return self.drafts.get(name)
+
+    def _evaluate(self, name: str) -> None:
+        manifest = self.manifest(name)
+        folder = os.path.dirname(self.paths[name])
+        if manifest is None:
+            return
+        options = self.options
+        if options.ros_distro is None:
+            distro = DEFAULT_AMENT_DISTRO if manifest.build_type.startswith("ament") else DEFAULT_DISTRO
+            options = Options(distro, options.defines, options.environment)
+        evaluator = Evaluator(name, folder, str(self.root), options, self)
+        evaluator.manifest_depends = list(manifest.build_depends)
+        self.drafts[name] = evaluator.draft
+        self.evaluators[name] = evaluator
+        if manifest.build_type == "ament_python":
+            return
+        if not os.path.isfile(evaluator.file):
+            if not manifest.is_metapackage:
+                self._report("missing-cmakelists", manifest.path, f"package {name} has no CMakeLists.txt")
+            return
+        evaluator.run_top()
+
+    def _workspace(self, selected: frozenset[str]) -> Workspace:
+        packages: list[Package] = []
+        for name in sorted(self.evaluators):
+            evaluator, manifest = self.evaluators[name], self.manifests.get(name)
+            if evaluator is not None and manifest is not None:
+                package, problems = finished_package(evaluator, manifest)
+                packages.append(package)
+                self.diagnostics.extend(evaluator.diagnostics)
+                self.diagnostics.extend(problems)
+        unique = sorted(set(self.diagnostics), key=lambda d: (str(d.path), d.line, d.column, d.kind, d.message))
+        return Workspace(self.root, tuple(packages), tuple(unique), selected)
+
+
+def _hint(name: str, known: Collection[str]) -> str:
+    from difflib import get_close_matches
+
+    close = get_close_matches(name, known, n=1)
+    return f", did you mean `{close[0]}`?" if close else ""

@@ -1,0 +1,155 @@
+"""Turn what the evaluator collected into frozen `Package` and `Target` values; check that sources exist."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from .cmake_expand import generator_expression, split_list
+from .cmake_state import TargetDraft
+from .evaluator import Evaluator
+from .manifests import Manifest
+from .model import EXECUTABLE, IMPORTED, TEST, Configured, Diagnostic, Exports, Package, PluginClass, Target
+from .plugins import read_plugins
+
+SOURCE_EXTENSIONS = frozenset({".c", ".C", ".c++", ".cc", ".cpp", ".cxx", ".cu", ".CPP", ".CC"})
+HEADER_EXTENSIONS = frozenset({".h", ".hh", ".h++", ".hpp", ".hxx", ".H", ".cuh", ".inl", ".ipp", ".tcc", ".txx", ".tpp", ".in"})
+_TRIED_EXTENSIONS = (".c", ".C", ".c++", ".cc", ".cpp", ".cxx", ".cu", ".h", ".hh", ".h++", ".hpp", ".hxx")
+
+
+def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[Diagnostic]]:
+    """The package, and diagnostics for sources and plug-in files that are missing."""
+    problems: list[Diagnostic] = []
+    targets = tuple(_target(run, draft, problems) for draft in run.targets.values())
+    draft = run.draft
+    exports = (*manifest.plugin_exports, *((base, Path(file)) for base, file in draft.plugin_exports))
+    plugins, plugin_problems = read_plugins(exports, manifest)
+    problems.extend(plugin_problems)
+    components = [
+        PluginClass(cxx.strip(), cxx.strip(), "rclcpp_components", library, Path(run.file), line)
+        for library, cxx, _executable, line in draft.component_nodes
+    ]
+    package = Package(
+        name=manifest.name,
+        path=manifest.path.parent,
+        manifest=manifest.path,
+        version=manifest.version,
+        build_type=manifest.build_type,
+        depends=manifest.depends,
+        build_depends=manifest.build_depends,
+        is_metapackage=manifest.is_metapackage,
+        targets=targets,
+        aliases=tuple(run.aliases.items()),
+        exports=Exports(_paths(run, draft.include_dirs), tuple(dict.fromkeys(draft.libraries)), tuple(dict.fromkeys(draft.depends))),
+        message_files=_files(draft.message_files),
+        service_files=_files(draft.service_files),
+        action_files=_files(draft.action_files),
+        cfg_files=_files(draft.cfg_files),
+        plugin_exports=exports,
+        plugins=(*plugins, *components),
+        configured=tuple(Configured(Path(template), Path(output)) for template, output in draft.configured),
+    )
+    return package, problems
+
+
+def _files(names: Iterable[str]) -> tuple[Path, ...]:
+    return tuple(Path(name) for name in dict.fromkeys(names))
+
+
+def _elements(values: Iterable[str]) -> list[str]:
+    """List elements once generator expressions are evaluated; these may span elements."""
+    joined = ";".join(values)
+    if "$<" in joined:
+        joined = generator_expression(joined)
+    return split_list(joined)
+
+
+def _paths(run: Evaluator, values: Iterable[str]) -> tuple[Path, ...]:
+    """Include folders, absolute, each once. The compiler's own folders and folders that do not exist in the workspace are left out."""
+    result: dict[str, None] = {}
+    for value in _elements(values):
+        path = os.path.normpath(value)
+        if not value or value.startswith("$<") or not os.path.isabs(path) or path in ("/usr/include", "/"):
+            continue
+        if not run.is_outside(path) and not os.path.isdir(path):
+            continue
+        result[path] = None
+    return tuple(Path(path) for path in result)
+
+
+def _target(run: Evaluator, draft: TargetDraft, problems: list[Diagnostic]) -> Target:
+    properties, directory = draft.properties, draft.directory
+    sources, headers, objects = _sources(run, draft, problems)
+    definitions = [*directory.definitions, *properties.get("COMPILE_DEFINITIONS", [])]
+    links = tuple(dict.fromkeys(_elements([*directory.links, *properties.get("LINK_LIBRARIES", [])])))
+    kind = draft.kind
+    if kind == EXECUTABLE and _is_test(draft, links):
+        kind = TEST
+    output = (
+        properties.get("OUTPUT_NAME") or properties.get("LIBRARY_OUTPUT_NAME") or properties.get("RUNTIME_OUTPUT_NAME") or [draft.name]
+    )[0]
+    return Target(
+        name=draft.name,
+        output_name=output,
+        kind=kind,
+        package=run.package,
+        cmake_file=Path(draft.cmake_file),
+        line=draft.line,
+        sources=sources,
+        headers=headers,
+        include_dirs=_paths(run, [*directory.include_dirs, *properties.get("INCLUDE_DIRECTORIES", [])]),
+        interface_include_dirs=_paths(run, properties.get("INTERFACE_INCLUDE_DIRECTORIES", [])),
+        definitions=_definitions(definitions),
+        interface_definitions=_definitions(properties.get("INTERFACE_COMPILE_DEFINITIONS", [])),
+        links=links,
+        objects=objects,
+        uses_packages=tuple(dict.fromkeys(draft.uses_packages)),
+    )
+
+
+def _is_test(draft: TargetDraft, links: Iterable[str]) -> bool:
+    """Executables outside the default build that are linked with a test framework."""
+    tested = any("gtest" in link.lower() or "gmock" in link.lower() for link in links)
+    return tested or ("EXCLUDE_FROM_ALL" in draft.properties and "test" in draft.name.lower())
+
+
+def _definitions(values: Iterable[str]) -> tuple[str, ...]:
+    """`NAME` or `NAME=value`, without `-D`."""
+    words = (value.removeprefix("-D") for value in _elements(values))
+    return tuple(dict.fromkeys(word for word in words if word and not word.startswith("$<")))
+
+
+def _sources(run: Evaluator, draft: TargetDraft, problems: list[Diagnostic]) -> tuple[tuple[Path, ...], tuple[Path, ...], tuple[str, ...]]:
+    sources: dict[str, None] = {}
+    headers: dict[str, None] = {}
+    objects: list[str] = []
+    folders = dict.fromkeys([draft.directory.binary, *draft.properties.get("SOURCE_BINARY_DIRS", [])])
+    if draft.kind == IMPORTED:
+        return (), (), ()
+    for name in _elements(draft.properties.get("SOURCES", [])):
+        if name.startswith("$<"):
+            if name.startswith("$<TARGET_OBJECTS:"):
+                objects.append(name[len("$<TARGET_OBJECTS:") : -1])
+            continue
+        path = os.path.normpath(name)
+        found = path if os.path.isfile(path) else next((path + e for e in _TRIED_EXTENSIONS if os.path.isfile(path + e)), None)
+        if found is None:
+            if not _is_generated(run, path, folders):
+                shown = os.path.relpath(path, draft.directory.source)
+                message = f"source of {draft.name} does not exist: {shown}"
+                problems.append(Diagnostic("missing-source", Path(draft.cmake_file), draft.line, draft.column, message))
+            continue
+        extension = os.path.splitext(found)[1]
+        if extension in SOURCE_EXTENSIONS:
+            sources[found] = None
+        elif extension in HEADER_EXTENSIONS:
+            headers[found] = None
+    return tuple(map(Path, sources)), tuple(map(Path, headers)), tuple(objects)
+
+
+def _is_generated(run: Evaluator, path: str, folders: Iterable[str]) -> bool:
+    if path in run.generated or path.startswith(run.build + "/") or run.is_outside(path):
+        return True
+    relative = os.path.relpath(path, run.directory.source)
+    return any(os.path.normpath(os.path.join(folder, relative)) in run.generated for folder in folders)

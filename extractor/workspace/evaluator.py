@@ -1,0 +1,329 @@
+"""Run CMake files without CMake: scopes, control flow, procedures, sub-directories.
+
+Source: cmake-language(7), cmake-commands(7). Nothing outside the evaluator's memory changes, no program is started, and what a
+command would learn from the machine is assumed (`options`). Commands are functions in `commands_*`, found through `COMMANDS`.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Protocol
+
+from . import cmake_loops
+from .cmake_conditions import ConditionError, Surroundings, Word
+from .cmake_conditions import evaluate as condition_holds
+from .cmake_expand import expand, join_list, split_list
+from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
+from .cmake_syntax import Argument, Block, Command, If, Statement, blocks, parse
+from .model import Diagnostic
+from .options import Options, initial_environment, initial_variables, versions
+
+MAX_STATEMENTS = 300_000
+MAX_DEPTH = 60
+
+Handler = Callable[["Evaluator", Call], None]
+COMMANDS: dict[str, Handler] = {}
+
+
+class World(Protocol):
+    """What the evaluator may ask about other packages of the workspace."""
+
+    def find(self, name: str) -> PackageDraft | None:
+        """What the workspace package `name` exports, its CMake files evaluated; None when it is not in the workspace."""
+
+    def path(self, name: str) -> str | None:
+        """The folder of the workspace package `name`."""
+
+
+def command(*names: str) -> Callable[[Handler], Handler]:
+    """Register a handler for CMake commands."""
+
+    def register(handler: Handler) -> Handler:
+        for name in names:
+            COMMANDS[name] = handler
+        return handler
+
+    return register
+
+
+class Evaluator:
+    """One package's CMake files, from its top-level `CMakeLists.txt` on."""
+
+    def __init__(self, package: str, folder: str, root: str, options: Options, world: World) -> None:
+        distro = options.ros_distro or "kinetic"
+        self.package = package
+        self.root = root
+        self.folder = folder
+        self.build = f"{folder}/.rosarch-build"
+        self.options = options
+        self.world = world
+        self.versions = versions(distro)
+        self.scope = Scope()
+        self.scope.variables.update(initial_variables(distro))
+        self.cache: dict[str, str] = dict(options.defines)
+        self.environment = initial_environment(distro) | dict(options.environment)
+        self.directory = Directory(folder, self.build)
+        self.targets: dict[str, TargetDraft] = {}
+        self.aliases: dict[str, str] = {}
+        self.procedures: dict[str, Procedure] = {}
+        self.generated: set[str] = set()
+        self.draft = PackageDraft()
+        self.diagnostics: list[Diagnostic] = []
+        self.file = f"{folder}/CMakeLists.txt"
+        self.testing = 0
+        self.excluded = 0
+        self.manifest_depends: list[str] = []
+        self.depth = 0
+        self.statements = 0
+        self.global_properties: dict[str, str] = {}
+        self.included: set[str] = set()
+        self.around = self._surroundings()
+
+    # -- values ---------------------------------------------------------------------------------------------------------------
+
+    def get(self, name: str) -> str | None:
+        """A variable's value: normal, then cache."""
+        value = self.scope.variables.get(name)
+        return self.cache.get(name) if value is None else value
+
+    def set(self, name: str, value: str) -> None:
+        """Set a normal variable."""
+        self.scope.variables[name] = value
+
+    def assume(self, name: str, value: str) -> None:
+        """Set what the machine would have answered, unless the user's `defines` say otherwise."""
+        self.scope.variables[name] = self.options.defines.get(name, value)
+
+    def elements(self, name: str) -> list[str]:
+        """A variable's elements."""
+        return split_list(self.get(name) or "")
+
+    def lookup(self, kind: str, name: str) -> str:
+        """The value of a reference."""
+        if kind == "ENV":
+            return self.environment.get(name, "")
+        if kind == "CACHE":
+            return self.cache.get(name, "")
+        if name.startswith("CMAKE_CURRENT_"):
+            here = self.location(name)
+            if here is not None:
+                return here
+        return self.get(name) or ""
+
+    def location(self, name: str) -> str | None:
+        """The variables that tell where evaluation is."""
+        if name == "CMAKE_CURRENT_SOURCE_DIR":
+            return self.directory.source
+        if name == "CMAKE_CURRENT_BINARY_DIR":
+            return self.directory.binary
+        if name == "CMAKE_CURRENT_LIST_FILE":
+            return self.file
+        if name == "CMAKE_CURRENT_LIST_DIR":
+            return os.path.dirname(self.file)
+        return None
+
+    def expand_all(self, arguments: Sequence[Argument]) -> list[str]:
+        """Arguments as a command sees them."""
+        result: list[str] = []
+        for argument in arguments:
+            if argument.plain or argument.raw:
+                result.append(argument.text)
+            elif argument.quoted:
+                result.append(expand(argument.text, self.lookup, True))
+            else:
+                result.extend(split_list(expand(argument.text, self.lookup, False)))
+        return result
+
+    def source_path(self, name: str) -> str:
+        """`name` relative to the current source directory."""
+        return os.path.normpath(os.path.join(self.directory.source, name))
+
+    def binary_path(self, name: str) -> str:
+        """`name` relative to the current binary directory."""
+        return os.path.normpath(os.path.join(self.directory.binary, name))
+
+    # -- reports --------------------------------------------------------------------------------------------------------------
+
+    def complain(self, command: Command, kind: str, message: str) -> None:
+        """Record a diagnostic at a command."""
+        self.diagnostics.append(Diagnostic(kind, Path(self.file), command.line, command.column, message))
+
+    # -- running --------------------------------------------------------------------------------------------------------------
+
+    def run_top(self) -> None:
+        """Evaluate the package from its top-level file."""
+        self.set("CMAKE_SOURCE_DIR", self.folder)
+        self.set("CMAKE_BINARY_DIR", self.build)
+        self.set("CMAKE_HOME_DIRECTORY", self.folder)
+        try:
+            self.run_file(self.file)
+        except StopAll:
+            pass
+        except RecursionError:
+            self.diagnostics.append(Diagnostic("cmake-limit", Path(self.file), 1, 1, "CMake code nests too deeply, evaluation stopped"))
+
+    def run_file(self, file: str) -> bool:
+        """Evaluate a file in the current scope. False when it cannot be read."""
+        statements = self.load(file)
+        if statements is None:
+            return False
+        previous, self.file = self.file, file
+        self.enter()
+        try:
+            self.run(statements)
+        except (StopFile, StopLoop):
+            pass
+        finally:
+            self.file = previous
+            self.depth -= 1
+        return True
+
+    def load(self, file: str) -> tuple[Statement, ...] | None:
+        """The statements of a file. Bytes that are not UTF-8 become replacement characters, with a diagnostic."""
+        try:
+            data = Path(file).read_bytes()
+        except OSError:
+            return None
+        try:
+            text = data.decode()
+        except UnicodeDecodeError as error:
+            line = data.count(b"\n", 0, error.start) + 1
+            column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
+            self.diagnostics.append(Diagnostic("encoding", Path(file), line, column, "not UTF-8"))
+            text = data.decode(errors="replace")
+        commands, syntax = parse(text, Path(file))
+        statements, structure = blocks(commands, Path(file))
+        self.diagnostics.extend(syntax or structure)
+        return statements
+
+    def enter(self) -> None:
+        """Go one level deeper into files and procedures."""
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            self.diagnostics.append(Diagnostic("cmake-limit", Path(self.file), 1, 1, "CMake code nests too deeply, evaluation stopped"))
+            raise StopAll
+
+    def run(self, statements: Sequence[Statement]) -> None:
+        """Evaluate statements in order."""
+        for statement in statements:
+            self.statements += 1
+            if self.statements > MAX_STATEMENTS:
+                raise StopAll
+            if isinstance(statement, Command):
+                self.run_command(statement)
+            elif isinstance(statement, If):
+                self.run_if(statement)
+            else:
+                self.run_block(statement)
+
+    def run_if(self, statement: If) -> None:
+        """The first branch whose condition holds. A test-only branch makes its targets tests."""
+        for branch in statement.branches:
+            if branch.condition is not None and not self.holds(branch.condition):
+                continue
+            testing = branch.condition is not None and _asks_for_tests(branch.condition)
+            self.testing += testing
+            try:
+                self.run(branch.body)
+            finally:
+                self.testing -= testing
+            return
+
+    def holds(self, command: Command) -> bool:
+        """Evaluate the condition of `if`, `elseif`, `while`. What cannot be understood is false."""
+        words: list[Word] = []
+        for argument in command.arguments:
+            if argument.quoted:
+                text = argument.text if argument.raw else expand(argument.text, self.lookup, True)
+                words.append(Word(text, True))
+            elif argument.plain:
+                words.append(Word(argument.text, False))
+            else:
+                words.extend(Word(text, False) for text in split_list(expand(argument.text, self.lookup, False)))
+        try:
+            return condition_holds(words, self.around)
+        except ConditionError as error:
+            self.complain(command, "cmake-condition", str(error))
+            return False
+
+    def run_block(self, block: Block) -> None:
+        """A loop, or the definition of a procedure."""
+        opener = block.opener
+        if opener.name in ("function", "macro"):
+            words = self.expand_all(opener.arguments)
+            if words:
+                procedure = Procedure(words[0], opener.name == "macro", tuple(words[1:]), block.body, self.file)
+                self.procedures[words[0].lower()] = procedure
+        elif opener.name == "foreach":
+            cmake_loops.run_foreach(self, block)
+        elif opener.name == "while":
+            cmake_loops.run_while(self, block)
+        else:
+            self.run(block.body)
+
+    def run_command(self, command: Command) -> None:
+        """One command: a procedure of the files, else a known command, else a diagnostic."""
+        procedure = self.procedures.get(command.name)
+        if procedure is not None:
+            cmake_loops.call_procedure(self, procedure, self.expand_all(command.arguments))
+            return
+        handler = COMMANDS.get(command.name)
+        if handler is None:
+            self.complain(command, "unknown-command", f"unknown command {command.written}")
+            return
+        try:
+            handler(self, Call(command, self.expand_all(command.arguments), self.file))
+        except (IndexError, ValueError, OSError) as error:
+            self.complain(command, "cmake-arguments", f"{command.written}: {error}")
+
+    # -- conditions -----------------------------------------------------------------------------------------------------------
+
+    def _surroundings(self) -> Surroundings:
+        return Surroundings(
+            value=self._condition_value,
+            defined=self._is_defined,
+            is_command=lambda name: name.lower() in self.procedures or name.lower() in COMMANDS,
+            is_target=lambda name: name in self.targets or name in self.aliases,
+            exists=self.exists,
+            is_directory=lambda path: self.exists(path) if self.is_outside(path) else os.path.isdir(path),
+            set_matches=self.set_matches,
+        )
+
+    def _condition_value(self, name: str) -> str | None:
+        return self.location(name) if name.startswith("CMAKE_CURRENT_") else self.get(name)
+
+    def _is_defined(self, name: str) -> bool:
+        if name.startswith("ENV{"):
+            return name[4:-1] in self.environment
+        if name.startswith("CACHE{"):
+            return name[6:-1] in self.cache
+        return self._condition_value(name) is not None
+
+    def is_outside(self, path: str) -> bool:
+        """Whether `path` is on the machine rather than in the workspace."""
+        return os.path.isabs(path) and not path.startswith(self.root + "/") and path != self.root
+
+    def exists(self, path: str) -> bool:
+        """Files of the workspace exist or not; what lies elsewhere on the machine is assumed to be installed."""
+        if not path or path.startswith(self.build):
+            return path in self.generated
+        if self.is_outside(path):
+            return path != "/"
+        return os.path.exists(path if os.path.isabs(path) else self.source_path(path))
+
+    def set_matches(self, groups: Sequence[str]) -> None:
+        """`CMAKE_MATCH_<n>` after a regular expression matched."""
+        for index, group in enumerate(groups):
+            self.set(f"CMAKE_MATCH_{index}", group)
+        self.set("CMAKE_MATCH_COUNT", str(len(groups) - 1))
+
+    def set_list(self, name: str, elements: Sequence[str]) -> None:
+        """Set a variable to a list."""
+        self.set(name, join_list(elements))
+
+
+def _asks_for_tests(condition: Command) -> bool:
+    words = [argument.text for argument in condition.arguments]
+    return "NOT" not in words and any("ENABLE_TESTING" in word or "BUILD_TEST" in word for word in words)

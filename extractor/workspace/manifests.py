@@ -1,0 +1,175 @@
+"""Find and read `package.xml` files.
+
+Sources: REP 127, REP 140, REP 149 (formats 1 to 3); the crawl follows catkin_pkg.packages and colcon: a folder with an ignore marker is
+skipped with everything below it, and nothing below a package is another package.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
+
+from .model import Diagnostic
+from .options import DEFAULT_DISTRO, initial_environment
+
+IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
+HEAVY_FOLDERS = frozenset({"node_modules", "__pycache__", "venv", "site-packages"})
+_GENERATED_MARKERS = frozenset({".catkin", ".built_by", "CMakeCache.txt"})
+
+
+def find_manifests(root: Path, *, ignored: bool = False) -> list[str]:
+    """Paths of all manifests below `root`, sorted; with `ignored`, also those that ignore markers hide.
+
+    Folders reached twice through links are visited once.
+    """
+    result: list[str] = []
+    visited: set[str] = set()
+    stack = [str(root)]
+    while stack:
+        folder = stack.pop()
+        try:
+            with os.scandir(folder) as scan:
+                entries = list(scan)
+        except OSError:
+            continue
+        names = {entry.name for entry in entries}
+        if (names & IGNORE_MARKERS and not ignored) or (names & _GENERATED_MARKERS and folder != str(root)):
+            continue
+        if "package.xml" in names:
+            result.append(f"{folder}/package.xml")
+            continue
+        for entry in entries:
+            if entry.name.startswith(".") or entry.name in HEAVY_FOLDERS or not entry.is_dir():
+                continue
+            if entry.is_symlink():
+                real = os.path.realpath(entry.path)
+                if real in visited or f"{folder}/".startswith(real + "/"):
+                    continue
+                visited.add(real)
+            stack.append(entry.path)
+    return sorted(result)
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """What a `package.xml` says."""
+
+    name: str
+    path: Path
+    version: str = ""
+    build_type: str = "catkin"
+    depends: tuple[str, ...] = ()
+    build_depends: tuple[str, ...] = ()
+    is_metapackage: bool = False
+    plugin_exports: tuple[tuple[str, Path], ...] = ()
+
+
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
+
+
+def quick_name(path: str) -> str | None:
+    """The package name without parsing: enough to know which manifests are needed."""
+    try:
+        text = Path(path).read_text(errors="replace")
+    except OSError:
+        return None
+    match = _NAME.search(_COMMENT.sub("", text))
+    return match.group(1) if match else None
+
+
+def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | None, list[Diagnostic]]:
+    """Parse a manifest. One that catkin_pkg refuses but that is XML is kept, with the refusal as a diagnostic."""
+    try:
+        data = path.read_bytes()
+        tree = ElementTree.fromstring(data)
+    except ElementTree.ParseError as error:
+        line, column = error.position
+        reason = str(error).partition(": line ")[0]
+        return None, [Diagnostic("manifest", path, line, column + 1, f"broken XML: {reason}")]
+    except (OSError, ValueError, LookupError) as error:
+        return None, [Diagnostic("manifest", path, 1, 1, f"cannot be read: {error}")]
+    name = (tree.findtext("name") or "").strip()
+    if tree.tag != "package" or not name:
+        message = "no <name>" if tree.tag == "package" else f"root element is <{tree.tag}>, not <package>"
+        return None, [Diagnostic("manifest", path, 1, 1, message)]
+    problems: list[Diagnostic] = []
+    try:
+        build, run = _strict_depends(data, path, distro)
+    except (InvalidPackage, ValueError) as error:
+        build, run = _texts(tree, _BUILD_TAGS), _texts(tree, _RUN_TAGS)
+        problems.append(Diagnostic("manifest", path, 1, 1, f"not a valid manifest, read leniently: {_reason(error)}"))
+    manifest = Manifest(
+        name=name,
+        path=path,
+        version=(tree.findtext("version") or "").strip(),
+        build_type=_build_type(tree),
+        depends=tuple(dict.fromkeys((*build, *run))),
+        build_depends=build,
+        is_metapackage=tree.find("export/metapackage") is not None,
+        plugin_exports=_plugin_exports(tree, path.parent),
+    )
+    return manifest, problems
+
+
+_BUILD_TAGS = ("depend", "build_depend", "build_export_depend", "buildtool_depend", "buildtool_export_depend", "run_depend")
+_RUN_TAGS = ("exec_depend",)
+
+
+def _strict_depends(data: bytes, path: Path, distro: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Build and run dependencies as catkin_pkg reads them, conditions (REP 149) evaluated."""
+    package = parse_package_string(data, str(path), warnings=[])
+    package.evaluate_conditions(initial_environment(distro))
+    build = (
+        *package.build_depends,
+        *package.build_export_depends,
+        *package.buildtool_depends,
+        *package.buildtool_export_depends,
+    )
+    return _names(build), _names(package.exec_depends)
+
+
+def _names(depends: Iterable[Dependency]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(depend.name for depend in depends if depend.evaluated_condition is not False))
+
+
+def _reason(error: Exception) -> str:
+    """catkin_pkg's messages name the file and span lines."""
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return "; ".join(line for line in lines if "package.xml" not in line) or lines[0]
+
+
+def _texts(tree: ElementTree.Element, tags: tuple[str, ...]) -> tuple[str, ...]:
+    found = ((element.text or "").strip() for tag in tags for element in tree.findall(tag))
+    return tuple(dict.fromkeys(text for text in found if text))
+
+
+def _build_type(tree: ElementTree.Element) -> str:
+    """`<export><build_type>`, the one without a condition for the other ROS version first; without any, catkin."""
+    types = tree.findall("export/build_type")
+    for element in types:
+        condition = element.get("condition") or ""
+        if "== 1" not in condition and element.text:
+            return element.text.strip()
+    if types and types[0].text:
+        return types[0].text.strip()
+    tools = _texts(tree, ("buildtool_depend",))
+    return "ament_cmake" if any(tool.startswith("ament_cmake") for tool in tools) and "catkin" not in tools else "catkin"
+
+
+def _plugin_exports(tree: ElementTree.Element, folder: Path) -> tuple[tuple[str, Path], ...]:
+    """`<export><base_package plugin="${prefix}/file.xml"/>`: base package and file (pluginlib documentation)."""
+    result: list[tuple[str, Path]] = []
+    for export in tree.findall("export"):
+        for element in export:
+            plugin = element.get("plugin")
+            if plugin and isinstance(element.tag, str):
+                name = plugin.replace("${prefix}", str(folder))
+                result.append((element.tag, Path(os.path.normpath(os.path.join(folder, name)))))
+    return tuple(result)

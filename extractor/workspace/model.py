@@ -1,0 +1,145 @@
+"""What a ROS workspace consists of, as plain data: packages, CMake targets, plug-in classes, components, diagnostics."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+EXECUTABLE = "executable"
+SHARED = "shared_library"
+STATIC = "static"
+MODULE = "module"
+OBJECT = "object"
+INTERFACE = "interface"
+IMPORTED = "imported"
+TEST = "test"
+LIBRARY_KINDS = frozenset({SHARED, STATIC, MODULE, OBJECT, INTERFACE})
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """Something that was not understood, with its place; `str()` is `path:line:col: message`."""
+
+    kind: str
+    path: Path
+    line: int
+    column: int
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.line}:{self.column}: {self.message}"
+
+
+@dataclass(frozen=True)
+class Target:
+    """One CMake target. `sources` exist on disk; `links` are library names after expansion of variables."""
+
+    name: str
+    output_name: str
+    kind: str
+    package: str
+    cmake_file: Path
+    line: int
+    sources: tuple[Path, ...] = ()
+    headers: tuple[Path, ...] = ()
+    include_dirs: tuple[Path, ...] = ()
+    interface_include_dirs: tuple[Path, ...] = ()
+    definitions: tuple[str, ...] = ()
+    interface_definitions: tuple[str, ...] = ()
+    links: tuple[str, ...] = ()
+    objects: tuple[str, ...] = ()
+    uses_packages: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Exports:
+    """What `catkin_package` or `ament_export_*` hands to dependent packages."""
+
+    include_dirs: tuple[Path, ...] = ()
+    libraries: tuple[str, ...] = ()
+    depends: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class PluginClass:
+    """A class registered with pluginlib, nodelet or rclcpp_components."""
+
+    name: str
+    cxx_class: str
+    base: str
+    library: str
+    declared_at: Path
+    line: int
+
+
+@dataclass(frozen=True)
+class Configured:
+    """One `configure_file` call: `template` becomes `output` (below the imaginary build folder or the source tree)."""
+
+    template: Path
+    output: Path
+
+
+@dataclass(frozen=True)
+class Package:
+    """One package with all that its manifest and CMake files say."""
+
+    name: str
+    path: Path
+    manifest: Path
+    version: str = ""
+    build_type: str = "catkin"
+    depends: tuple[str, ...] = ()
+    build_depends: tuple[str, ...] = ()
+    is_metapackage: bool = False
+    targets: tuple[Target, ...] = ()
+    aliases: tuple[tuple[str, str], ...] = ()
+    exports: Exports = Exports()
+    message_files: tuple[Path, ...] = ()
+    service_files: tuple[Path, ...] = ()
+    action_files: tuple[Path, ...] = ()
+    cfg_files: tuple[Path, ...] = ()
+    plugin_exports: tuple[tuple[str, Path], ...] = ()
+    plugins: tuple[PluginClass, ...] = ()
+    configured: tuple[Configured, ...] = ()
+
+    def target(self, name: str) -> Target | None:
+        """The target called `name`, aliases followed."""
+        name = dict(self.aliases).get(name, name)
+        return next((target for target in self.targets if target.name == name), None)
+
+
+@dataclass(frozen=True, eq=False)
+class Workspace:
+    """Packages below `root`. `selected` are the packages asked for; the others are there because those need them."""
+
+    root: Path
+    packages: tuple[Package, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+    selected: frozenset[str] = field(default_factory=frozenset)
+
+    def package(self, name: str) -> Package | None:
+        """The package called `name`."""
+        return next((package for package in self.packages if package.name == name), None)
+
+
+@dataclass(frozen=True)
+class Component:
+    """A unit of the running system: a node executable, a nodelet class, another plug-in class.
+
+    `kind` is `node`, `nodelet`, `component` (rclcpp_components) or `plugin`. `sources` are the component's own sources,
+    `library_sources` those of the workspace libraries it is linked with.
+    """
+
+    name: str
+    package: str
+    kind: str
+    target: Target | None
+    libraries: tuple[Target, ...]
+    sources: tuple[Path, ...]
+    library_sources: tuple[Path, ...]
+    entry_class: str | None = None
+    base_class: str | None = None
+    plugin_name: str | None = None
+    definitions: tuple[str, ...] = ()
+    include_dirs: tuple[Path, ...] = ()

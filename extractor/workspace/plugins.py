@@ -1,0 +1,117 @@
+"""Plug-in descriptions: nodelet and pluginlib XML files, and the macros in C++ sources that register classes.
+
+Sources: https://wiki.ros.org/pluginlib, https://wiki.ros.org/nodelet. Description files have one `<library>`, several of them below
+`<class_libraries>`, or (against the rules, but read by pluginlib's predecessor) several roots.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+from .manifests import Manifest
+from .model import Diagnostic, PluginClass
+
+
+def read_plugins(exports: Iterable[tuple[str, Path]], manifest: Manifest) -> tuple[list[PluginClass], list[Diagnostic]]:
+    """The classes that description files declare."""
+    classes: list[PluginClass] = []
+    problems: list[Diagnostic] = []
+    for base_package, path in dict.fromkeys(exports):
+        try:
+            text = path.read_text(errors="replace")
+        except OSError:
+            message = f"plug-in description {path.name} for {base_package} does not exist"
+            problems.append(Diagnostic("missing-plugin-file", manifest.path, 1, 1, message))
+            continue
+        found, problem = parse_plugins(text, path)
+        classes.extend(found)
+        problems.extend(problem)
+    return classes, problems
+
+
+_DECLARATION = re.compile(r"^\s*<\?xml.*?\?>", re.DOTALL)
+
+
+def parse_plugins(text: str, path: Path) -> tuple[list[PluginClass], list[Diagnostic]]:
+    """The classes of one description file."""
+    body = _DECLARATION.sub(lambda match: "\n" * match.group().count("\n"), text)
+    try:
+        root = ElementTree.fromstring(f"<several>{body}</several>")
+    except ElementTree.ParseError as error:
+        line, column = error.position
+        reason = str(error).partition(": line ")[0]
+        return [], [Diagnostic("plugin-xml", path, line, column + 1, f"broken XML: {reason}")]
+    result: list[PluginClass] = []
+    for library in root.iter("library"):
+        file = (library.get("path") or "").strip()
+        for element in library.iter("class"):
+            cxx = (element.get("type") or "").strip()
+            name = (element.get("name") or cxx).strip()
+            base = (element.get("base_class_type") or element.get("base_class") or "").strip()
+            if cxx or name:
+                result.append(PluginClass(name, cxx or name.replace("/", "::"), base, file, path, _line(text, cxx or name)))
+    return result, []
+
+
+def _line(text: str, word: str) -> int:
+    place = text.find(f'"{word}"')
+    return text.count("\n", 0, place) + 1 if place >= 0 else 1
+
+
+@dataclass(frozen=True, slots=True)
+class Registration:
+    """A registration macro in a source file."""
+
+    cxx_class: str
+    base: str
+    path: Path
+    line: int
+    name: str | None = None
+
+
+_CODE_COMMENT = re.compile(r'"(?:[^"\\\n]|\\.)*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_MACRO = re.compile(
+    r"^[ \t]*(PLUGINLIB_EXPORT_CLASS|PLUGINLIB_DECLARE_CLASS|PLUGINLIB_REGISTER_CLASS|CLASS_LOADER_REGISTER_CLASS|"
+    r"NODELET_DECLARE_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE)\s*\(([^;{]*?)\)",
+    re.MULTILINE,
+)
+
+
+def registrations(path: Path) -> list[Registration]:
+    """The plug-in classes a source file registers, comments ignored."""
+    try:
+        text = path.read_text(errors="replace")
+    except OSError:
+        return []
+    if "_CLASS" not in text and "RCLCPP_COMPONENTS" not in text:
+        return []
+    text = _CODE_COMMENT.sub(_blank, text)
+    return [found for match in _MACRO.finditer(text) if (found := _registration(match, text, path))]
+
+
+def _blank(match: re.Match[str]) -> str:
+    found = match.group()
+    return found if found.startswith('"') else "\n" * found.count("\n") or " "
+
+
+def _registration(match: re.Match[str], text: str, path: Path) -> Registration | None:
+    words = [word.strip() for word in match.group(2).split(",")]
+    line = text.count("\n", 0, match.start(1)) + 1
+    macro = match.group(1)
+    if macro == "RCLCPP_COMPONENTS_REGISTER_NODE":
+        return Registration(_plain(words[0]), "rclcpp_components", path, line)
+    if len(words) == 2:
+        return Registration(_plain(words[0]), _plain(words[1]), path, line)
+    if len(words) == 4:
+        return Registration(_plain(words[2]), _plain(words[3]), path, line, f"{words[0]}/{words[1]}")
+    if len(words) == 3:
+        return Registration(_plain(words[1]), _plain(words[2]), path, line, words[0])
+    return None
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"\s+", "", name).removeprefix("::")

@@ -1,0 +1,1 @@
+"""Component models, assembled from the relations that the rules derive."""

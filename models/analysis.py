@@ -1,0 +1,115 @@
+"""From sources to component models: extraction, then the rules, one component at a time, in worker processes."""
+
+from __future__ import annotations
+
+import gc
+import time
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rosarch.datalog import Program, load_program, read_facts
+from rosarch.extractor.facts import schema
+from rosarch.extractor.manifest import read_manifest, rules_folder
+from rosarch.extractor.pipeline import ComponentFacts, Progress, extract
+from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.workspace import Diagnostic
+from rosarch.models.component import ComponentModel, Relations, build_model
+
+COMPONENT_TIMEOUT = 300.0
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """The models of all components, sorted by package and name, and what was not understood on the way."""
+
+    models: tuple[ComponentModel, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    statistics: Mapping[str, float | int]
+
+
+@dataclass(frozen=True)
+class _StoredFacts:
+    """The facts of one component in a folder of `.facts` files."""
+
+    name: str
+    package: str
+    kind: str
+    sources: tuple[str, ...]
+    folder: Path
+
+    def rows(self) -> Mapping[str, Iterable[tuple[Any, ...]]]:
+        return read_facts(self.folder, schema())
+
+
+def component_program() -> Program:
+    """The rules that derive a component's model."""
+    return load_program(rules_folder() / "component.dl")
+
+
+def analyze(
+    root: Path,
+    packages: Collection[str] | None = None,
+    *,
+    engine: str = "embedded",
+    jobs: int | None = None,
+    timeout: float = 60.0,
+    defines: Mapping[str, str] | None = None,
+    cache: Path | None = None,
+    progress: Progress | None = None,
+) -> Analysis:
+    """Analyse the components of `packages` (all by default) below `root`. See `extract` for the options."""
+    start = time.perf_counter()
+    with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
+        extracted = time.perf_counter()
+        models, failures = _evaluate(root.resolve().name, extraction.components, root, engine, jobs, progress)
+        statistics = {
+            "components": len(models),
+            "extraction_seconds": extracted - start,
+            "evaluation_seconds": time.perf_counter() - extracted,
+        }
+        return Analysis(models, (*extraction.diagnostics, *failures), statistics)
+
+
+def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None) -> Analysis:
+    """Analyse a folder of facts that `rosarch extract` wrote.
+
+    Raises `ManifestError` when the folder is stale or damaged.
+    """
+    start = time.perf_counter()
+    manifest = read_manifest(folder)
+    stored = [_StoredFacts(e.component, e.package, e.kind, e.sources, folder / e.folder) for e in manifest.entries]
+    models, failures = _evaluate(Path(manifest.root).name, stored, folder, engine, jobs, progress)
+    return Analysis(
+        models, (*manifest.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}
+    )
+
+
+def _evaluate(
+    system: str,
+    components: Sequence[ComponentFacts | _StoredFacts],
+    where: Path,
+    engine: str,
+    jobs: int | None,
+    progress: Progress | None,
+) -> tuple[tuple[ComponentModel, ...], list[Diagnostic]]:
+    program = component_program()
+
+    def work(component: ComponentFacts | _StoredFacts) -> Relations:
+        gc.disable()  # rows hold no cycles, and a component's memory goes with its evaluation
+        result = program.evaluate(component.rows(), engine=engine)
+        return {name: result.rows(name) for name in result.names()}
+
+    models, failures = [], []
+    for done, (index, outcome) in enumerate(run_tasks(work, components, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT)):
+        component = components[index]
+        if isinstance(outcome, Failure):
+            detail = f"{component.package}/{component.name} not analysed: {outcome.reason} ({outcome.detail})"
+            failures.append(Diagnostic("component", where, 1, 1, detail))
+        else:
+            models.append(build_model(system, component.name, component.package, component.kind, component.sources, outcome))
+        if progress:
+            progress("components", done + 1, len(components))
+    models.sort(key=lambda model: (model.package, model.component))
+    return tuple(models), sorted(failures, key=str)

@@ -1,0 +1,186 @@
+"""The component model: what one node or nodelet sends, receives and reads, from the relations that the rules derive."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+Row = tuple[Any, ...]
+Relations = Mapping[str, Iterable[Row]]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where in the source something is written; `path` is relative to the workspace."""
+
+    path: str
+    line: int
+    column: int
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.line}"
+
+
+@dataclass(frozen=True)
+class Port:
+    """A place where a component meets others; the fields are those of `FORMAT.md`. `unknown` tells why a name is not known."""
+
+    id: str
+    kind: str
+    name: str
+    from_param: str | None
+    type: str | None
+    queue: int | None
+    latched: bool
+    callback: str | None
+    via: str
+    at: Place
+    implicit: bool = False
+    unknown: str | None = None
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """An access to a ROS parameter."""
+
+    name: str
+    op: str
+    type: str | None
+    default: str | None
+    at: Place
+
+
+@dataclass(frozen=True)
+class ComponentModel:
+    """One component."""
+
+    system: str
+    component: str
+    package: str
+    kind: str
+    node_name: str | None
+    sources: tuple[str, ...]
+    ports: tuple[Port, ...]
+    params: tuple[Parameter, ...]
+
+
+def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
+    """Assemble the model from the rows of the rules' output relations."""
+    places = {row[0]: Place(*row[1:]) for row in relations["node_location"]}
+    names = sorted(name for (name,) in relations["node_name"])
+    return ComponentModel(
+        system, component, package, kind, names[0] if names else None, sources, _ports(relations, places), _parameters(relations, places)
+    )
+
+
+def _first(rows: Iterable[Row]) -> dict[Any, Any]:
+    """The least value of each key: a choice that does not depend on the order of rows."""
+    return {row[0]: row[1] for row in sorted(rows, key=lambda row: (repr(row[0]), str(row[1])), reverse=True)}
+
+
+def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[Port, ...]:
+    types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
+    queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
+    latched = {port for (port,) in relations["port_latched"]}
+    functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
+    callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
+    found = []
+    for (port,) in relations["port"]:
+        site, kind, name = port
+        if site not in places:
+            continue
+        found.append(
+            Port(
+                "",
+                kind,
+                name,
+                parameters.get(port),
+                types.get(port),
+                int(queues[port]) if port in queues else None,
+                port in latched,
+                callbacks.get(port),
+                via.get(port, "plain"),
+                places[site],
+                False,
+                unknown.get(port),
+            )
+        )
+    for (site, kind, name), type_ in relations["implicit_port"]:
+        if site in places:
+            found.append(Port("", kind, name, None, type_, None, False, None, "plain", places[site], True))
+    found.sort(key=lambda port: (port.implicit, port.at.path, port.at.line, port.at.column, port.kind, port.name, port.type or ""))
+    return tuple(Port(f"p{number}", *list(vars(port).values())[1:]) for number, port in enumerate(found, 1))
+
+
+def _short_name(owner: str, name: str) -> str:
+    """`Class::method`, or a free function's name, both without namespaces."""
+    parts = name.split("::")
+    return "::".join(parts[-2:]) if owner else parts[-1]
+
+
+_PARAMETER_TYPES = {
+    "std::string": "string", "std::basic_string<char>": "string", "float": "double", "boolean": "bool", "integer": "int", "char": "string",
+    "XmlRpc::XmlRpcValue": "XmlRpcValue",
+}  # fmt: skip
+
+
+def _parameters(relations: Relations, places: Mapping[str, Place]) -> tuple[Parameter, ...]:
+    types, defaults = _first(relations["parameter_access_type"]), _first(relations["parameter_access_default"])
+    found: dict[tuple[str, str, Place], Parameter] = {}
+    for call, op, name in relations["parameter_access"]:
+        type_ = types.get(call)
+        at = places.get(call)
+        if at is None:
+            continue
+        found[name, op, at] = Parameter(name, op, _PARAMETER_TYPES.get(type_, type_) if type_ else None, defaults.get(call), at)
+    return tuple(sorted(found.values(), key=lambda parameter: (parameter.at.path, parameter.at.line, parameter.at.column, parameter.name)))
+
+
+def to_json(model: ComponentModel) -> dict[str, Any]:
+    """The document of `FORMAT.md`; its keys are always all there."""
+    return {
+        "system": model.system,
+        "component": model.component,
+        "package": model.package,
+        "kind": model.kind,
+        "node_name": model.node_name,
+        "sources": list(model.sources),
+        "ports": [_port_json(port) for port in model.ports],
+        "params": [
+            {"name": p.name, "op": p.op, "type": p.type, "default": _literal(p.default, p.type), "at": str(p.at)} for p in model.params
+        ],
+        "periodic": [],
+        "reactive": [],
+        "state_variables": [],
+        "configuration": [],
+        "transitions": [],
+    }
+
+
+def _port_json(port: Port) -> dict[str, Any]:
+    data: dict[str, Any] = {
+        "id": port.id, "kind": port.kind, "name": port.name, "from_param": port.from_param, "type": port.type, "queue": port.queue,
+        "latched": port.latched, "callback": port.callback, "via": port.via, "at": str(port.at), "conditional": None,
+    }  # fmt: skip
+    if port.implicit:
+        data["implicit"] = True
+    if port.unknown:
+        data["unknown"] = port.unknown
+    return data
+
+
+_NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?", re.ASCII)
+
+
+def _literal(text: str | None, type_: str | None) -> str | float | int | bool | None:
+    """A parameter's default as the value that it is; a string stays the text it is."""
+    if text is None or type_ == "string":
+        return text
+    if text in ("true", "false"):
+        return text == "true"
+    number = _NUMBER.fullmatch(text)
+    if number is None:
+        return text
+    return float(text) if number.group(2) or number.group(3) else int(text)

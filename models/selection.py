@@ -1,0 +1,98 @@
+"""The components that a question is about: their facts, from sources or from a folder of facts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from rosarch.datalog import read_facts
+from rosarch.extractor.facts import schema
+from rosarch.extractor.manifest import read_manifest
+from rosarch.extractor.pipeline import Progress, extract
+from rosarch.extractor.workspace import Diagnostic
+
+Facts = Mapping[str, Iterable[tuple[Any, ...]]]
+
+
+class SelectionError(Exception):
+    """There is no component of the given name."""
+
+
+@dataclass(frozen=True)
+class SelectedComponent:
+    """A component; `root` is the folder that paths of its sources start from."""
+
+    name: str
+    package: str
+    root: Path
+    load: Callable[[], Facts]
+
+    @property
+    def title(self) -> str:
+        """`package/component`."""
+        return f"{self.package}/{self.name}" if self.package else self.name
+
+
+@dataclass(frozen=True)
+class Selection:
+    """The selected components, sorted by package and name, and what was not understood on the way."""
+
+    components: tuple[SelectedComponent, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def is_component_facts(folder: Path) -> bool:
+    """Whether a folder holds the facts of one component."""
+    return next(folder.glob("*.facts"), None) is not None
+
+
+@contextmanager
+def select(
+    folder: Path,
+    packages: Collection[str] | None = None,
+    component: str | None = None,
+    *,
+    jobs: int | None = None,
+    timeout: float = 60.0,
+    defines: Mapping[str, str] | None = None,
+    cache: Path | None = None,
+    progress: Progress | None = None,
+) -> Iterator[Selection]:
+    """The components of `packages` (all by default) below a folder of sources or of facts, or one of them.
+
+    `component` is NAME or PACKAGE/NAME. Facts are read when they are asked for, before the context ends.
+    """
+    if is_component_facts(folder):
+        own = SelectedComponent(folder.resolve().name, folder.resolve().parent.name, folder, lambda: read_facts(folder, schema()))
+        yield Selection((own,))
+    elif next(folder.glob("*/*/*.facts"), None) is not None:
+        manifest = read_manifest(folder)
+        root = Path(manifest.root)
+        stored = [SelectedComponent(e.component, e.package, root, _reader(folder / e.folder)) for e in manifest.entries]
+        for package in sorted(set(packages or ()) - {c.package for c in stored}):
+            raise SelectionError(f"no package {package} among these facts{_hint(package, {c.package for c in stored})}")
+        yield Selection(_named([c for c in stored if not packages or c.package in packages], component))
+    else:
+        with extract(folder, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
+            found = [SelectedComponent(c.name, c.package, extraction.root, c.rows) for c in extraction.components]
+            yield Selection(_named(found, component), tuple(extraction.diagnostics))
+
+
+def _reader(folder: Path) -> Callable[[], Facts]:
+    return lambda: read_facts(folder, schema())
+
+
+def _named(components: Collection[SelectedComponent], name: str | None) -> tuple[SelectedComponent, ...]:
+    found = tuple(c for c in components if name is None or name in (c.name, c.title))
+    if name is not None and components and not found:
+        raise SelectionError(f"no component {name}{_hint(name, {n for c in components for n in (c.name, c.title)})}")
+    return tuple(sorted(found, key=lambda c: (c.package, c.name)))
+
+
+def _hint(name: str, known: Collection[str]) -> str:
+    close = get_close_matches(name, sorted(known), n=1)
+    return f", did you mean `{close[0]}`?" if close else ""

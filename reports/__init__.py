@@ -1,0 +1,1 @@
+"""Component models in the formats that people and programs read: one small writer each."""

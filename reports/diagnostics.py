@@ -1,0 +1,40 @@
+"""What was not understood, summarised by kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import zip_longest
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rosarch.reports.labels import counted
+
+if TYPE_CHECKING:
+    from rosarch.extractor.workspace import Diagnostic
+
+SHOWN = 20
+
+
+def diagnostics_text(diagnostics: Iterable[Diagnostic], base: Path, *, complete: bool = False) -> str:
+    """One line per diagnostic below a line per kind; at most `SHOWN`, every kind represented, unless `complete`."""
+    groups: dict[str, list[str]] = {}
+    for diagnostic in diagnostics:
+        groups.setdefault(diagnostic.kind, []).append(diagnostic_line(diagnostic, base))
+    total = sum(map(len, groups.values()))
+    if not total:
+        return ""
+    turns = zip_longest(*([(kind, number) for number in range(len(found))] for kind, found in sorted(groups.items())))
+    fair = [entry for turn in turns for entry in turn if entry]
+    shown = set(fair if complete else fair[:SHOWN])
+    lines = []
+    for kind, found in sorted(groups.items()):
+        lines.append(f"{kind}: {len(found)}")
+        lines += [f"  {text}" for number, text in enumerate(found) if (kind, number) in shown]
+    tail = "" if len(shown) == total else f"; {len(shown)} shown, -v shows all"
+    lines.append(f"{counted(total, 'diagnostic')}{tail}")
+    return "\n".join(lines) + "\n"
+
+
+def diagnostic_line(diagnostic: Diagnostic, base: Path) -> str:
+    """The first line of a diagnostic, with a path relative to `base` when it lies there."""
+    return str(diagnostic).partition("\n")[0].removeprefix(f"{base}/")

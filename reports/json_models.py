@@ -1,0 +1,38 @@
+"""Component models as JSON documents, in the fields and the order of the component model format."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+
+from rosarch.models.component import ComponentModel, to_json
+
+_IDENTITY = ("system", "component", "package", "kind", "node_name", "ports")
+
+
+def model_text(model: ComponentModel) -> str:
+    """One component's document."""
+    return _dump(to_json(model))
+
+
+def models_text(models: Iterable[ComponentModel]) -> str:
+    """All documents in one array."""
+    return _dump([to_json(model) for model in models])
+
+
+def ports_text(models: Iterable[ComponentModel]) -> str:
+    """An array of the components with nothing but their identity and ports."""
+    return _dump([{key: value for key, value in to_json(model).items() if key in _IDENTITY} for model in models])
+
+
+def write_models(models: Iterable[ComponentModel], out: Path) -> None:
+    """Write one document per component to `out`/<package>/<component>.json."""
+    for model in models:
+        path = out / model.package / f"{model.component}.json"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(model_text(model), encoding="utf-8")
+
+
+def _dump(data: object) -> str:
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,38 @@
+"""Ports as Markdown tables, for documentation and pull requests."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rosarch.models.component import ComponentModel, Port
+from rosarch.reports.labels import answer_label, flow_label, kind_label, sorted_ports
+
+_HEADER = "| kind | name | type | queue | callback | source |\n|---|---|---|---|---|---|"
+
+
+def ports_text(models: Iterable[ComponentModel]) -> str:
+    """One heading and one table per component."""
+    return "\n".join(_component(model) for model in models)
+
+
+def _component(model: ComponentModel) -> str:
+    name = f", node name `{model.node_name}`" if model.node_name and model.node_name != model.component else ""
+    head = f"## {model.package}/{model.component} ({model.kind}{name})\n"
+    ports = sorted_ports(model)
+    if not ports:
+        return f"{head}\nNo ports.\n"
+    return "\n".join([head, _HEADER, *map(_row, ports)]) + "\n"
+
+
+def _row(port: Port) -> str:
+    origin = f" from `{port.from_param}`" if port.from_param else ""
+    reason = f" ({port.unknown})" if port.unknown else ""
+    cells = (
+        kind_label(port.kind) + (" (implicit)" if port.implicit else ""),
+        f"`{port.name}`{origin}{reason}",
+        port.type or "?",
+        flow_label(port),
+        answer_label(port),
+        str(port.at),
+    )
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"

@@ -1,0 +1,20 @@
+"""The last line of a report: how much was found."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from rosarch.models.component import ComponentModel
+from rosarch.reports.labels import KINDS, counted
+
+
+def summary_line(models: Sequence[ComponentModel], seconds: float) -> str:
+    """Components, ports by kind, unknown names, time; ports inside libraries are not counted."""
+    ports = [port for model in models for port in model.ports if not port.implicit]
+    kinds = Counter(port.kind for port in ports)
+    parts = [counted(kinds[kind], label) for kind, label in KINDS.items() if kinds[kind]]
+    unknown = sum("?" in port.name for port in ports)
+    head = f"{counted(len(models), 'component')}, {counted(len(ports), 'port')}"
+    listing = f" ({', '.join(parts)})" if parts else ""
+    return f"{head}{listing}, {unknown} with unknown name, {seconds:.1f} s"

@@ -1,0 +1,169 @@
+"""What the command says about wrong usage and bad input: one line, exit code 2, no traceback."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize("command", [("analyze", "none"), ("extract", "none", "-o", "facts"), ("show", "ports", "none")])
+def test_missing_folder(rosarch: Callable, command: tuple[str, ...]) -> None:
+    outcome = rosarch(*command)
+    assert (outcome.code, outcome.out, outcome.err) == (2, "", "rosarch: error: none: no such folder\n")
+
+
+def test_file_instead_of_folder(rosarch: Callable, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    assert rosarch("analyze", "file").err == "rosarch: error: file: not a folder\n"
+
+
+@pytest.mark.parametrize("command", [("analyze", "empty"), ("extract", "empty", "-o", "facts"), ("show", "ports", "empty")])
+def test_folder_without_packages(rosarch: Callable, tmp_path: Path, command: tuple[str, ...]) -> None:
+    (tmp_path / "empty").mkdir()
+    outcome = rosarch(*command)
+    assert (outcome.code, outcome.out, outcome.err) == (2, "", "rosarch: error: empty: no package.xml below this folder\n")
+
+
+def test_unknown_package(rosarch: Callable, workspace: Path) -> None:
+    outcome = rosarch("analyze", "ws", "--package", "taker")
+    assert (outcome.code, outcome.err) == (2, "rosarch: error: ws: no package taker below this folder, did you mean `talker`?\n")
+
+
+def test_broken_manifest_alone(rosarch: Callable, tmp_path: Path) -> None:
+    (tmp_path / "ws" / "broken").mkdir(parents=True)
+    (tmp_path / "ws" / "broken" / "package.xml").write_text("<package")
+    outcome = rosarch("analyze", "ws")
+    assert (outcome.code, outcome.err) == (2, "rosarch: error: ws/broken/package.xml:1:1: broken XML: unclosed token\n")
+
+
+def test_broken_manifest_costs_only_its_package(rosarch: Callable, workspace: Path) -> None:
+    (workspace / "broken").mkdir()
+    (workspace / "broken" / "package.xml").write_text("<package")
+    outcome = rosarch("analyze", "ws", "--format", "json")
+    assert outcome.code == 0
+    assert [model["component"] for model in json.loads(outcome.out)] == ["talker"]
+    assert outcome.err == "manifest: 1\n  ws/broken/package.xml:1:1: broken XML: unclosed token\n1 diagnostic\n"
+
+
+@pytest.mark.parametrize("command", [("analyze", "ws"), ("extract", "ws")])
+def test_output_is_a_file(rosarch: Callable, workspace: Path, tmp_path: Path, command: tuple[str, ...]) -> None:
+    (tmp_path / "out").touch()
+    outcome = rosarch(*command, "-o", "out")
+    assert (outcome.code, outcome.out, outcome.err) == (2, "", "rosarch: error: out: not a folder\n")
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write everywhere")
+def test_output_without_permission(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    (tmp_path / "out").mkdir(mode=0o500)
+    assert rosarch("analyze", "ws", "-o", "out").err == "rosarch: error: out: cannot write to this folder\n"
+    assert rosarch("analyze", "ws", "-o", "out/deep").err == "rosarch: error: out/deep: cannot write (permission denied)\n"
+
+
+def test_output_below_a_file(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    (tmp_path / "out" / "talker").mkdir(parents=True)
+    (tmp_path / "out" / "talker" / "talker.json").mkdir()
+    outcome = rosarch("analyze", "ws", "-o", "out")
+    assert (outcome.code, outcome.err) == (2, "rosarch: error: out/talker/talker.json: cannot write (is a directory)\n")
+
+
+def test_sources_changed_since_extraction(rosarch: Callable, workspace: Path) -> None:
+    assert rosarch("extract", "ws", "-o", "facts").code == 0
+    source = workspace / "talker" / "talker.cpp"
+    source.write_text(source.read_text() + "// changed\n")
+    outcome = rosarch("analyze", "facts")
+    assert (outcome.code, outcome.err) == (
+        2,
+        f"rosarch: error: {source}: changed since the facts were extracted; extract them again\n",
+    )
+
+
+def test_truncated_facts(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    assert rosarch("extract", "ws", "-o", "facts").code == 0
+    file = tmp_path / "facts" / "talker" / "talker" / "call.facts"
+    file.write_bytes(file.read_bytes()[:-5])
+    outcome = rosarch("analyze", "facts")
+    text = "rosarch: error: facts/talker/talker: the facts are incomplete or were changed; extract them again\n"
+    assert (outcome.code, outcome.err) == (2, text)
+
+
+def test_facts_without_manifest(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    assert rosarch("extract", "ws", "-o", "facts").code == 0
+    (tmp_path / "facts" / "manifest.json").unlink()
+    outcome = rosarch("analyze", "facts")
+    assert (outcome.code, outcome.err) == (2, "rosarch: error: facts/manifest.json: no such file; is this a folder of facts?\n")
+
+
+def test_unknown_package_of_facts(rosarch: Callable, workspace: Path) -> None:
+    assert rosarch("extract", "ws", "-o", "facts").code == 0
+    outcome = rosarch("analyze", "facts", "--package", "taker")
+    assert outcome.err == "rosarch: error: facts: no package taker among these facts, did you mean `talker`?\n"
+
+
+def test_unknown_node(rosarch: Callable, workspace: Path) -> None:
+    outcome = rosarch("show", "ports", "ws", "tolker")
+    assert (outcome.code, outcome.out, outcome.err) == (2, "", "rosarch: error: no node or nodelet tolker, did you mean `talker`?\n")
+
+
+def test_souffle_is_not_installed(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    outcome = rosarch("analyze", "ws", "--engine", "souffle")
+    text = "rosarch: error: --engine souffle: there is no `souffle` on PATH; the embedded engine needs no installation\n"
+    assert (outcome.code, outcome.err) == (2, text)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (("analyze", ".", "--define", "CUDA"), "--define CUDA: not of the form NAME=VALUE"),
+        (("analyze",), "Missing argument 'DIR'. (see rosarch analyze --help)"),
+        (("extract", "."), "Missing option '--out' / '-o'. (see rosarch extract --help)"),
+    ],
+)
+def test_wrong_usage(rosarch: Callable, arguments: tuple[str, ...], text: str) -> None:
+    outcome = rosarch(*arguments)
+    assert (outcome.code, outcome.out, outcome.err) == (2, "", f"rosarch: error: {text}\n")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [("analyse",), ("analyze", ".", "--jobs", "0"), ("analyze", ".", "--engine", "z3"), ("analyze", ".", "--no-such"), ("show",)],
+)
+def test_wrong_usage_is_one_line(rosarch: Callable, arguments: tuple[str, ...]) -> None:
+    outcome = rosarch(*arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert outcome.err.startswith("rosarch: error: ")
+    assert outcome.err.count("\n") == 1
+
+
+def test_defect_is_one_line(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosarch.models.analysis.analyze", lambda *_arguments, **_options: {}["models"])
+    outcome = rosarch("analyze", "ws")
+    text = "rosarch: error: unexpected KeyError: 'models' (this is a defect of rosarch; --traceback shows where)\n"
+    assert (outcome.code, outcome.out, outcome.err) == (2, "", text)
+    with pytest.raises(KeyError):
+        rosarch("analyze", "ws", "--traceback")
+
+
+def test_interrupt(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_arguments: object, **_options: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("rosarch.models.analysis.analyze", interrupted)
+    assert rosarch("analyze", "ws").code == 130
+
+
+def test_closed_pipe(workspace: Path) -> None:
+    command = f"{sys.executable} -m rosarch.cli.main show ports ws | true"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert done.stderr == ""

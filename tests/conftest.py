@@ -1,0 +1,74 @@
+"""What all tests share: a cache of their own, and the command line in this process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a command ended with and wrote."""
+
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture(scope="session", autouse=True)
+def cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """Compiled rules are kept for the session, apart from the user's own."""
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ROSARCH_CACHE_DIR", str(folder))
+        yield folder
+
+
+@pytest.fixture(scope="session")
+def examples() -> Path:
+    """The folder of the example workspaces."""
+    return ROOT / "examples"
+
+
+@pytest.fixture
+def rosarch(capfd: pytest.CaptureFixture[str]) -> Callable[..., Outcome]:
+    """Run the command line with the given arguments."""
+    from rosarch.cli.main import main
+
+    def run(*arguments: object) -> Outcome:
+        capfd.readouterr()
+        code = main([str(argument) for argument in arguments])
+        captured = capfd.readouterr()
+        return Outcome(code, captured.out, captured.err)
+
+    return run
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """A workspace with one package, `talker`, and one node of the same name."""
+    package = tmp_path / "ws" / "talker"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text(
+        '<package format="2"><name>talker</name><version>1.0.0</version><description>d</description>'
+        '<maintainer email="m@example.com">m</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>\n'
+    )
+    (package / "CMakeLists.txt").write_text("project(talker)\nfind_package(catkin)\ncatkin_package()\nadd_executable(talker talker.cpp)\n")
+    (package / "talker.cpp").write_text(
+        "#include <ros/ros.h>\n"
+        "#include <std_msgs/String.h>\n"
+        "\n"
+        "int main(int argc, char** argv)\n"
+        "{\n"
+        '  ros::init(argc, argv, "talker");\n'
+        "  ros::NodeHandle nh;\n"
+        '  ros::Publisher pub = nh.advertise<std_msgs::String>("chatter", 10);\n'
+        "  ros::spin();\n"
+        "}\n"
+    )
+    return tmp_path / "ws"

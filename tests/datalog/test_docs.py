@@ -1,0 +1,64 @@
+"""What `docs/` shows is what happens."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import rosarch.datalog
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+
+
+def blocks(name: str, language: str) -> list[str]:
+    text = (DOCS / name).read_text(encoding="utf-8")
+    return [body for found, body in re.findall(r"^```(\w*)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL) if found == language]
+
+
+def test_the_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    script, session = blocks("datalog.md", "python")
+    names: dict[str, Any] = {}
+    exec(script, names)
+    assert capsys.readouterr().out == "a b\na c\nb c\n"
+    command, expected = session.split("\n", 1)
+    exec(command.removeprefix(">>> "), names)
+    assert capsys.readouterr().out.rstrip("\n") == expected.rstrip("\n")
+    text = (DOCS / "datalog.md").read_text(encoding="utf-8")
+    for name in re.findall(r"`([a-z_]+)\(", text):
+        assert (
+            name in rosarch.datalog.__all__ or name == "leaves" or name in ("location", "source_file", "autoinc", "recursive_iteration_cnt")
+        ), name
+
+
+def test_every_public_name_is_there() -> None:
+    for name in rosarch.datalog.__all__:
+        assert getattr(rosarch.datalog, name) is not None
+    with pytest.raises(AttributeError):
+        rosarch.datalog.no_such_name  # noqa: B018
+
+
+def test_from_an_empty_file_to_an_explained_row(
+    rosarch: Callable[..., Any], examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "pairs.dl").write_text(blocks("rules.md", "prolog")[0])
+    ran = 0
+    for block in blocks("rules.md", ""):
+        command, _, expected = block.partition("\n")
+        if not command.startswith("$ rosarch") or "mobile_base" not in command or "error:" in block:
+            continue
+        arguments = [
+            a or b for a, b in re.findall(r"'([^']*)'|(\S+)", command.removeprefix("$ rosarch ").replace("examples/", f"{examples}/"))
+        ]
+        done = rosarch(*arguments)
+        assert done.code == 0, done.err
+        actual = done.out.removeprefix("== base_odometry/odometry_node\n").splitlines()
+        wanted = [re.sub(r"#\w{4}|\.dl:\d+", "", line) for line in expected.splitlines() if line != "  ..."]
+        assert set(wanted) <= {re.sub(r"#\w{4}|\.dl:\d+", "", line) for line in actual}, command
+        ran += 1
+    assert ran == 4

@@ -1,0 +1,127 @@
+"""Random small programs, evaluated by the engine and by a naive interpreter."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rosarch.datalog import load_program
+
+DOMAIN = range(4)
+ARITY = {"e": 2, "f": 1, "g": 3, "p": 2, "q": 1, "s": 2}
+INPUTS = ("e", "f", "g")
+STRATUM = {"e": 0, "f": 0, "g": 0, "p": 1, "q": 1, "s": 2}
+VARIABLES = ("x", "y", "z", "w")
+
+
+@dataclass(frozen=True)
+class Literal:
+    """`name(args)`; comparisons have an operator as name."""
+
+    name: str
+    args: tuple[str, ...]
+    negated: bool = False
+
+    def __str__(self) -> str:
+        if self.name in ("<", "!=", "="):
+            return f"{self.args[0]} {self.name} {self.args[1]}"
+        return f"{'!' * self.negated}{self.name}({', '.join(self.args)})"
+
+
+@dataclass(frozen=True)
+class Rule:
+    head: Literal
+    body: tuple[Literal, ...]
+
+    def __str__(self) -> str:
+        return f"{self.head} :- {', '.join(map(str, self.body))}."
+
+
+@st.composite
+def rules(draw: st.DrawFn) -> Rule:
+    head_name = draw(st.sampled_from(("p", "q", "s")))
+    readable = [n for n in ARITY if STRATUM[n] <= STRATUM[head_name]]
+    lower = [n for n in ARITY if STRATUM[n] < STRATUM[head_name]]
+    terms = st.sampled_from((*VARIABLES, *VARIABLES, "_", "1"))
+    body: list[Literal] = []
+    for name in draw(st.lists(st.sampled_from(readable), min_size=1, max_size=3)):
+        body.append(Literal(name, tuple(draw(terms) for _ in range(ARITY[name]))))
+    bound = sorted({a for literal in body for a in literal.args if a in VARIABLES}) or ["2"]
+    values = st.sampled_from((*bound, "0", "2"))
+    if draw(st.booleans()):
+        name = draw(st.sampled_from(lower))
+        args = tuple(draw(st.sampled_from((*bound, "_", "3"))) for _ in range(ARITY[name]))
+        body.append(Literal(name, args, negated=True))
+    if draw(st.booleans()):
+        body.append(Literal(draw(st.sampled_from(("<", "!=", "="))), (draw(st.sampled_from(bound)), draw(values))))
+    return Rule(Literal(head_name, tuple(draw(values) for _ in range(ARITY[head_name]))), tuple(draw(st.permutations(body))))
+
+
+def row_sets(name: str) -> st.SearchStrategy[set[tuple[int, ...]]]:
+    return st.sets(st.tuples(*[st.sampled_from(DOMAIN)] * ARITY[name]), max_size=8)
+
+
+FACTS = st.fixed_dictionaries({name: row_sets(name) for name in INPUTS})
+
+
+def matches(literal: Literal, row: tuple[int, ...], binding: dict[str, int]) -> dict[str, int] | None:
+    """The binding extended so that the literal's arguments equal the row."""
+    extended = dict(binding)
+    for arg, value in zip(literal.args, row, strict=True):
+        if arg == "_":
+            continue
+        if arg.isdigit():
+            if int(arg) != value:
+                return None
+        elif extended.setdefault(arg, value) != value:
+            return None
+    return extended
+
+
+def holds(literal: Literal, binding: dict[str, int], rows: dict[str, set[tuple[int, ...]]]) -> bool:
+    if literal.negated:
+        return all(matches(literal, row, binding) is None for row in rows[literal.name])
+    left, right = (int(a) if a.isdigit() else binding[a] for a in literal.args)
+    return {"<": left < right, "!=": left != right, "=": left == right}[literal.name]
+
+
+def derive(rule: Rule, rows: dict[str, set[tuple[int, ...]]]) -> Iterator[tuple[int, ...]]:
+    atoms = [b for b in rule.body if b.name in ARITY and not b.negated]
+    tests = [b for b in rule.body if b not in atoms]
+    for chosen in itertools.product(*(rows[a.name] for a in atoms)):
+        binding: dict[str, int] | None = {}
+        for atom, row in zip(atoms, chosen, strict=True):
+            binding = None if binding is None else matches(atom, row, binding)
+        if binding is not None and all(holds(t, binding, rows) for t in tests):
+            yield tuple(int(a) if a.isdigit() else binding[a] for a in rule.head.args)
+
+
+def naive(program: list[Rule], facts: dict[str, set[tuple[int, ...]]]) -> dict[str, set[tuple[int, ...]]]:
+    """Apply the rules of each stratum until nothing changes."""
+    rows = {name: set(facts.get(name, ())) for name in ARITY}
+    for stratum in (1, 2):
+        changed = True
+        while changed:
+            changed = False
+            for rule in program:
+                if STRATUM[rule.head.name] == stratum:
+                    new = set(derive(rule, rows)) - rows[rule.head.name]
+                    rows[rule.head.name] |= new
+                    changed |= bool(new)
+    return rows
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(program=st.lists(rules(), min_size=1, max_size=6), facts=FACTS)
+def test_engine_agrees_with_naive_evaluation(tmp_path: Path, program: list[Rule], facts: dict[str, set[tuple[int, ...]]]) -> None:
+    lines = [f".decl {n}({', '.join(f'c{i}: number' for i in range(a))})" for n, a in ARITY.items()]
+    lines += [f".input {name}" for name in INPUTS]
+    (tmp_path / "random.dl").write_text("\n".join([*lines, *map(str, program)]) + "\n")
+    result = load_program(tmp_path / "random.dl").evaluate(facts, keep="all")
+    expected = naive(program, facts)
+    assert {name: set(result.rows(name)) for name in ARITY} == expected

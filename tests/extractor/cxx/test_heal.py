@@ -1,0 +1,195 @@
+"""Absent headers: what clang would drop for a name that nothing declares is in the facts all the same."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosarch.extractor.cxx import libclang, translation_unit
+from rosarch.extractor.cxx.heal import healed, keeps_calls, without_unknown
+from rosarch.extractor.cxx.includes import SHIPPED_DIRS
+from rosarch.extractor.cxx.translation_unit import BASE_ARGUMENTS
+from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
+
+
+@pytest.fixture
+def extract(extract, monkeypatch: pytest.MonkeyPatch):
+    """The common fixture, with healing."""
+    monkeypatch.setitem(translation_unit.extract_unit.__kwdefaults__, "heal", True)
+    return extract
+
+
+OUT = "struct Out { void send(int x); void text(const char* s); };\n"
+
+
+def bound(facts) -> list[str]:
+    """The callees of calls that clang bound, in source order."""
+    unresolved = {call for call, _ in facts["call_unresolved"]}
+    return [name for call, name in facts.calls().items() if call not in unresolved]
+
+
+@pytest.mark.parametrize(
+    ("case", "source"),
+    [
+        ("base class of an unknown namespace", "struct N : public far::Base { Out out; void go() { out.send(rate()); } };"),
+        ("unknown base class", "struct N : public Base { Out out; void go() { if (ready_) out.send(1 + level_); } };"),
+        ("member of an unknown base", "struct N : public far::Base { Out out; }; void f(N n) { n.out.send(n.level_); }"),
+        ("field of an unknown type", "struct N { far::Thing thing_; Out out; void go() { out.send(thing_.size()); } };"),
+        ("pointer to an unknown type", "struct N { far::Thing* thing_; Out out; void go() { out.send(thing_->size()); } };"),
+        ("unknown class template", "struct N { far::Box<int> box_; Out out; void go() { out.send(box_.get()); } };"),
+        ("template with a number", "struct N { far::Box<int, 3> box_; Out out; void go() { out.send(box_.get()); } };"),
+        ("unknown function", "void f(Out out) { out.send(measure(3)); }"),
+        ("unknown function of a namespace", "void f(Out out) { out.send(far::measure(3)); }"),
+        ("static function of an unknown class", "void f(Out out) { out.send(far::Clock::now()); }"),
+        ("unknown variable", "void f(Out out) { out.send(limit); }"),
+        ("unknown constant in a condition", "void f(Out out, int x) { if (x == LIMIT) { out.send(1); } }"),
+        ("unknown type after using namespace", "using namespace far; void f(Out out, far::A a) { Thing t; out.send(t.size()); }"),
+        ("unknown type by using", "using far::Thing; void f(Out out) { Thing t; out.send(t.size()); }"),
+        ("unknown macro before a declaration", "EXPORT_ALL struct N { Out out; void go(int x) { out.send(x); } };"),
+        ("unknown attribute macro", "__host__ __device__ void f(Out out) { out.send(unheard(1)); }"),
+        ("unknown macro called as a statement", "void f(Out out, int x) { CHECK_POSITIVE(x); out.send(unheard(x)); }"),
+        ("unknown loop macro", "void f(Out out, int x) { FOREVER(x) { out.send(unheard(x)); } }"),
+        ("range of unknown type", "void f(Out out, far::List list) { for (auto& x : list) { out.send(x.id); } }"),
+        ("switch over an unknown value", "void f(Out out, far::Event e) { switch (e.kind) { case far::Start: out.send(1); } }"),
+        ("catch of an unknown type", "void f(Out out) { try { out.send(1); } catch (far::Error& e) { out.text(e.what()); } }"),
+        ("stream of an unknown value", "#include <iostream>\nvoid f(Out out, far::A a) { std::cout << a.x << 3; out.send(a.x); }"),
+        ("arithmetic", "void f(Out out, far::A a) { double d = 3 * a.x + 2.0 - a.y[1]; d += a.z; out.send(int(d) + a.x); }"),
+        ("class that is only declared", "namespace ui { class Window; } void f(Out out, ui::Window* w) { out.send(w->size()); }"),
+    ],
+)
+def test_a_call_survives(extract, case: str, source: str) -> None:
+    facts = extract(OUT + source)
+    assert "Out::send" in bound(facts), case
+    assert [row for row in facts["call_unresolved"] if row[1] == "recovered"] == []
+
+
+def test_the_called_names_are_those_of_the_source(extract) -> None:
+    facts = extract(OUT + "void f(Out out) { out.send(far::measure(3)); out.send(near(4)); out.send(far::Clock::now()); }")
+    assert bound(facts) == ["Out::send", "far::measure", "Out::send", "near", "Out::send", "far::Clock::now"]
+
+
+def test_fields_of_a_message_of_which_only_the_name_is_known(extract) -> None:
+    source = "#include <my_msgs/Level.h>\nvoid f(Out out, const my_msgs::Level::ConstPtr& msg) { if (msg->value > 3) out.send(msg->header.stamp.toSec()); }"
+    facts = extract(OUT + source)
+    assert "Out::send" in bound(facts)
+    assert ("my_msgs::Level_", "message", "my_msgs/Level") in facts["message_class"]
+    assert ("my_msgs::Level_::value", "value") in facts["variable_name"]
+
+
+def test_constants_of_a_message_select_a_case_and_have_no_value(extract) -> None:
+    facts = extract(
+        OUT + "#include <my_msgs/Level.h>\nvoid f(Out out, my_msgs::Level m) {"
+        " switch (m.kind) { case my_msgs::Level::LOW: out.send(1); break; case my_msgs::Level::HIGH: out.send(2); } }"
+    )
+    assert bound(facts).count("Out::send") == 2
+    assert len(facts["block_case"]) == 2
+    assert facts["expr_constant"] == []
+    assert sorted(value for _, _, value in facts["literal"]) == ["1", "2"]
+
+
+def test_request_and_response_of_an_unknown_service(extract) -> None:
+    facts = extract(OUT + "#include <my_srvs/Set.h>\nvoid f(Out out, my_srvs::Set::Request& q) { out.send(q.level); }")
+    assert "Out::send" in bound(facts)
+
+
+def test_an_unknown_value_has_no_type(extract) -> None:
+    facts = extract(OUT + "void f(Out out) { out.send(measure(3)); }")
+    assert [row for row in facts["expr_type"] if "rosarch_healed" in str(row[1])] == []
+
+
+def test_what_the_source_declares_itself_is_not_declared_again(extract) -> None:
+    facts = extract(OUT + "void f(Out out) { out.send(later(3)); out.send(unheard(4)); }\nstruct later { int x; };\nlater g();")
+    assert "Out::send" in bound(facts)
+    assert ("later", "struct") in facts["class"]
+
+
+@pytest.mark.parametrize("header", ["", "#include <trouble.h>\n"])
+def test_a_source_without_errors_of_its_own_is_parsed_once(extract, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, header: str) -> None:
+    outside = tmp_path / "elsewhere"
+    outside.mkdir()
+    (outside / "trouble.h").write_text("far::Thing thing;")
+    monkeypatch.setattr(Wanted, "write", lambda _self: pytest.fail("healed"))
+    assert bound(extract(f"{header}{OUT}void f(Out out) {{ out.send(1); }}", include_dirs=(outside,))) == ["Out::send"]
+
+
+def test_the_first_parse_is_kept_when_healing_would_lose_a_call(extract, monkeypatch: pytest.MonkeyPatch) -> None:
+    source = f'{OUT}void f(Out out) {{ out.send(unheard(2)); if (LIMIT) {{\n#ifndef LIMIT\nout.text("x");\n#endif\n}} }}'
+    assert bound(extract(source)) == ["Out::send", "unheard", "Out::text"]
+    monkeypatch.setattr(Wanted, "write", _losing)
+    kept: list[bool] = []
+    monkeypatch.setattr(translation_unit, "keeps_calls", lambda *rows: kept.append(keeps_calls(*rows)) or kept[-1])
+    facts = extract(source)
+    assert kept == [False]
+    assert "Out::text" in bound(facts)
+    assert "unheard" not in bound(facts)
+
+
+def _losing(wanted: Wanted) -> Path:
+    """A header that declares what is missing, but by a macro that the source tests."""
+    folder = wanted.scratch / "losing"
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "healed.h").write_text("template <typename... A> int unheard(A&&...);\n#define LIMIT 1\n")
+    return folder
+
+
+def test_a_call_is_kept_by_its_place() -> None:
+    first = {"call": {("n.cpp:1:2:call", "a"), ("n.cpp:3:2:call", "b")}, "call_unresolved": set()}
+    moved = {"call": {("n.cpp:1:2:op", "operator()"), ("n.cpp:3:2:call", "b")}, "call_unresolved": set()}
+    lost = {"call": {("n.cpp:1:2:call", "a")}, "call_unresolved": set()}
+    text = {"call": first["call"], "call_unresolved": {("n.cpp:3:2:call", "recovered")}}
+    assert keeps_calls(first, moved)
+    assert not keeps_calls(first, lost)
+    assert not keeps_calls(first, text)
+    assert keeps_calls(text, lost)
+
+
+def test_types_of_unknown_values_are_taken_back() -> None:
+    rows = {"expr_type": {("a", "int"), ("b", f"{UNKNOWN} &")}}
+    without_unknown(rows)
+    assert rows["expr_type"] == {("a", "int")}
+
+
+def test_the_header_is_the_same_for_the_same_names(tmp_path: Path) -> None:
+    texts = set()
+    for order in (1, -1):
+        wanted = Wanted(tmp_path)
+        for path in [["far", "Thing"], ["far", "near", "Box"], ["Plain"]][::order]:
+            wanted.name(path, "class")
+        for name in ["stamp", "id"][::order]:
+            wanted.member(UNKNOWN, name, "value")
+        folder = wanted.write()
+        texts.add((folder, (folder / "healed.h").read_text()))
+    ((folder, text),) = texts
+    assert folder.parent == tmp_path / "healed"
+    assert "namespace far {" in text
+    assert "static unknown id; static unknown stamp;" in text
+
+
+@pytest.mark.parametrize(
+    ("kinds", "kind"), [(["value", "class"], "class"), (["template", "class"], "template"), (["class", "namespace"], "class")]
+)
+def test_the_more_telling_use_of_a_name_decides(tmp_path: Path, kinds: list[str], kind: str) -> None:
+    wanted = Wanted(tmp_path)
+    for each in kinds:
+        wanted.name(["Thing"], each)
+    node = wanted.find(["Thing"])
+    assert node is not None and node.kind == kind
+
+
+def test_keywords_and_operators_are_no_names(tmp_path: Path) -> None:
+    wanted = Wanted(tmp_path)
+    for name in ("void", "operator", "a b", "~X"):
+        wanted.name([name], "class")
+    assert wanted.top == {} and not wanted.changed
+
+
+def test_fewer_errors_or_nothing(tmp_path: Path) -> None:
+    source = tmp_path / "n.cpp"
+    source.write_text("void f() { int x = ; }")
+    arguments = [*BASE_ARGUMENTS, *(word for folder in SHIPPED_DIRS for word in ("-isystem", str(folder)))]
+    with libclang.Unit(source, arguments) as first, healed(source, arguments, first, tmp_path) as better:
+        assert better is None
+    source.write_text("void f() { far::go(); }")
+    with libclang.Unit(source, arguments) as first, healed(source, arguments, first, tmp_path) as better:
+        assert better is not None and not [severity for severity, *_ in better.diagnostics() if severity >= 3]

@@ -1,0 +1,159 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from workspace_builder import messages, package, target
+
+from rosarch.extractor.workspace import closure, components, discover, include_path
+from rosarch.extractor.workspace.plugins import registrations
+
+NODELET_XML = """<library path="lib/libdemo_nodelets">
+  <class name="demo/Filter" type="demo::Filter" base_class_type="nodelet::Nodelet"><description>x</description></class>
+</library>
+"""
+EXPORT = '<nodelet plugin="${prefix}/plugins.xml"/>'
+
+
+def two_packages(root: Path) -> None:
+    package(
+        root,
+        "base",
+        "catkin_package(INCLUDE_DIRS include LIBRARIES base_core)\nadd_library(base_core core.cpp)\n"
+        "set_target_properties(base_core PROPERTIES OUTPUT_NAME core)\ntarget_link_libraries(base_core helper)\nadd_library(helper STATIC helper.cpp)",
+        {"core.cpp": "", "helper.cpp": "", "include/base/core.h": ""},
+    )
+    package(
+        root,
+        "app",
+        "find_package(catkin REQUIRED COMPONENTS roscpp base)\ninclude_directories(src ${catkin_INCLUDE_DIRS})\n"
+        "add_executable(app_node main.cpp)\ntarget_link_libraries(app_node ${catkin_LIBRARIES})",
+        {"main.cpp": "", "src/x.h": ""},
+        depends=("base",),
+    )
+
+
+def test_closure_and_include_path_through_catkin_variables(tmp_path: Path) -> None:
+    two_packages(tmp_path)
+    workspace = discover(tmp_path)
+    app = workspace.package("app")
+    assert app is not None
+    node = target(app, "app_node")
+    assert [library.name for library in closure(workspace, node)] == ["base_core", "helper"]
+    assert include_path(workspace, node) == (tmp_path / "app/src", tmp_path / "base/include")
+
+
+def test_node_component(tmp_path: Path) -> None:
+    two_packages(tmp_path)
+    (found,) = components(discover(tmp_path, ["app"]))
+    assert (found.name, found.package, found.kind) == ("app_node", "app", "node")
+    assert found.sources == (tmp_path / "app/main.cpp",)
+    assert found.library_sources == (tmp_path / "base/core.cpp", tmp_path / "base/helper.cpp")
+    assert found.include_dirs == (tmp_path / "app/src", tmp_path / "base/include")
+
+
+@pytest.mark.parametrize("link", ["core", "base_core", "libcore.so", "-lcore", "/x/devel/lib/libcore.so"])
+def test_library_names(tmp_path: Path, link: str) -> None:
+    two_packages(tmp_path)
+    package(tmp_path, "other", f"add_executable(x x.cpp)\ntarget_link_libraries(x {link})", {"x.cpp": ""})
+    workspace = discover(tmp_path)
+    other = workspace.package("other")
+    assert other is not None
+    assert [library.name for library in closure(workspace, target(other, "x"))][:1] == ["base_core"]
+
+
+def test_library_cycle_ends(tmp_path: Path) -> None:
+    cmake = (
+        "add_library(a STATIC a.cpp)\nadd_library(b STATIC b.cpp)\ntarget_link_libraries(a b)\ntarget_link_libraries(b a)\n"
+        "add_executable(x x.cpp $<TARGET_OBJECTS:o>)\nadd_library(o OBJECT o.cpp)\ntarget_link_libraries(x a)"
+    )
+    package(tmp_path, "demo", cmake, {"a.cpp": "", "b.cpp": "", "x.cpp": "", "o.cpp": ""})
+    (found,) = components(discover(tmp_path))
+    assert [path.name for path in found.library_sources] == ["o.cpp", "a.cpp", "b.cpp"]
+
+
+def test_the_nearest_library_of_a_name_counts(tmp_path: Path) -> None:
+    package(tmp_path, "a_far", "add_library(util far.cpp)", {"far.cpp": ""})
+    package(tmp_path, "near", "add_library(util near.cpp)", {"near.cpp": ""})
+    package(tmp_path, "app", "add_executable(x x.cpp)\ntarget_link_libraries(x util)", {"x.cpp": ""}, depends=("near",))
+    found = next(one for one in components(discover(tmp_path)) if one.name == "x")
+    assert [path.name for path in found.library_sources] == ["near.cpp"]
+
+
+@pytest.mark.parametrize(
+    "xml",
+    [
+        NODELET_XML,
+        f"<class_libraries>{NODELET_XML}</class_libraries>",
+        '<?xml version="1.0"?>\n<library path="lib/libother"/>' + NODELET_XML,
+        NODELET_XML.replace("lib/libdemo_nodelets", "demo_nodelets"),
+    ],
+)
+def test_nodelet_from_description(tmp_path: Path, xml: str) -> None:
+    files = {"plugins.xml": xml, "n.cpp": "", "h.cpp": ""}
+    cmake = "add_library(demo_nodelets n.cpp)\nadd_library(helper h.cpp)\ntarget_link_libraries(demo_nodelets helper)"
+    package(tmp_path, "demo", cmake, files, export=EXPORT)
+    (found,) = components(discover(tmp_path))
+    assert (found.name, found.kind, found.entry_class, found.plugin_name) == ("Filter", "nodelet", "demo::Filter", "demo/Filter")
+    assert [path.name for path in (*found.sources, *found.library_sources)] == ["n.cpp", "h.cpp"]
+
+
+def test_plugin_from_macro_and_description(tmp_path: Path) -> None:
+    code = (
+        "// PLUGINLIB_EXPORT_CLASS(no::One, x)\n#include <pluginlib/class_list_macros.h>\n"
+        "PLUGINLIB_EXPORT_CLASS(demo::Layer,\n  costmap_2d::Layer)\nPLUGINLIB_DECLARE_CLASS(demo, Old, demo::Old, nodelet::Nodelet);\n"
+    )
+    xml = '<library path="lib/libother"><class type="demo::Layer" base_class_type="costmap_2d::Layer"/></library>'
+    files = {"plugins.xml": xml, "n.cpp": code}
+    package(tmp_path, "demo", "add_library(demo_nodelets n.cpp)", files, export='<costmap_2d plugin="${prefix}/plugins.xml"/>')
+    found = components(discover(tmp_path))
+    assert [(one.name, one.kind, one.base_class, len(one.sources)) for one in found] == [
+        ("Old", "nodelet", "nodelet::Nodelet", 1),
+        ("Layer", "plugin", "costmap_2d::Layer", 1),
+    ]
+
+
+def test_registration_lines(tmp_path: Path) -> None:
+    path = tmp_path / "n.cpp"
+    path.write_text("/* a\n b */\nPLUGINLIB_EXPORT_CLASS( ::a::B , nodelet::Nodelet )\n")
+    assert [(one.cxx_class, one.base, one.line) for one in registrations(path)] == [("a::B", "nodelet::Nodelet", 3)]
+
+
+@pytest.mark.parametrize(
+    ("files", "message"),
+    [
+        ({}, "demo/package.xml:1:1: plug-in description plugins.xml for nodelet does not exist"),
+        ({"plugins.xml": "<library>\n<class></library>"}, "demo/plugins.xml:2:10: broken XML: mismatched tag"),
+    ],
+)
+def test_plugin_description_trouble(tmp_path: Path, files: dict[str, str], message: str) -> None:
+    package(tmp_path, "demo", "", files, export=EXPORT)
+    assert messages(discover(tmp_path), tmp_path) == [message]
+
+
+def test_executables_of_tests_are_no_components(tmp_path: Path) -> None:
+    package(tmp_path, "demo", "catkin_add_gtest(t t.cpp)\nadd_executable(x x.cpp)", {"t.cpp": "", "x.cpp": ""})
+    assert [one.name for one in components(discover(tmp_path))] == ["x"]
+
+
+def test_config_extras_run_in_the_packages_that_find_them(tmp_path: Path) -> None:
+    extra = {"cmake/flags.cmake": "macro(node name)\nadd_executable(${name} ${ARGN})\nendmacro()\n"}
+    package(tmp_path, "flags", "catkin_package(CFG_EXTRAS flags.cmake)", extra)
+    package(tmp_path, "app", "find_package(flags REQUIRED)\nnode(x x.cpp)", {"x.cpp": ""})
+    assert [one.name for one in components(discover(tmp_path))] == ["x"]
+
+
+def test_ament(tmp_path: Path) -> None:
+    cmake = (
+        "find_package(ament_cmake_auto REQUIRED)\nament_auto_find_build_dependencies()\n"
+        "ament_auto_add_library(demo_lib SHARED DIRECTORY src)\n"
+        'rclcpp_components_register_node(demo_lib PLUGIN "demo::Talker" EXECUTABLE talker_node)\nament_auto_package()'
+    )
+    package(tmp_path, "demo", cmake, {"src/talker.cpp": "", "include/demo/talker.hpp": ""}, export="<build_type>ament_cmake</build_type>")
+    found = components(discover(tmp_path))
+    assert [(one.name, one.kind, one.entry_class) for one in found] == [
+        ("Talker", "component", "demo::Talker"),
+        ("talker_node", "node", None),
+    ]
+    assert [path.name for path in found[1].library_sources] == ["talker.cpp"]
+    assert found[0].include_dirs == (tmp_path / "demo/include",)

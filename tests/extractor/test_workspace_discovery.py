@@ -1,0 +1,142 @@
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from workspace_builder import manifest, messages, package, write
+
+from rosarch.extractor.workspace import discover
+
+
+def test_missing_folder(tmp_path: Path) -> None:
+    workspace = discover(tmp_path / "none")
+    assert workspace.packages == ()
+    assert messages(workspace, tmp_path) == ["none:1:1: no such folder"]
+
+
+def test_file_instead_of_folder(tmp_path: Path) -> None:
+    write(tmp_path, {"f": ""})
+    assert messages(discover(tmp_path / "f"), tmp_path) == ["f:1:1: not a folder"]
+
+
+def test_folder_without_package(tmp_path: Path) -> None:
+    assert messages(discover(tmp_path), tmp_path) == [".:1:1: no package.xml below this folder"]
+
+
+def test_root_is_a_package(tmp_path: Path) -> None:
+    package(tmp_path, "one", "")
+    assert [one.name for one in discover(tmp_path / "one").packages] == ["one"]
+
+
+def test_manifest(tmp_path: Path) -> None:
+    package(tmp_path, "one", "", depends=("roscpp", "two"))
+    found = discover(tmp_path).packages[0]
+    assert (found.version, found.build_type, found.path) == ("1.2.3", "catkin", tmp_path / "one")
+    assert found.depends == ("roscpp", "two", "catkin")
+
+
+@pytest.mark.parametrize(
+    ("xml", "message"),
+    [
+        ("<package>\n  <name>bad</name>\n", "bad/package.xml:3:1: broken XML: no element found"),
+        ("<package>\n<name>bad</nam></package>", "bad/package.xml:2:12: broken XML: mismatched tag"),
+        ("", "bad/package.xml:1:1: broken XML: no element found"),
+        ("<package></package>", "bad/package.xml:1:1: no <name>"),
+        ("<other><name>bad</name></other>", "bad/package.xml:1:1: root element is <other>, not <package>"),
+    ],
+)
+def test_broken_manifest_costs_one_package(tmp_path: Path, xml: str, message: str) -> None:
+    package(tmp_path, "good", "")
+    write(tmp_path, {"bad/package.xml": xml, "bad/CMakeLists.txt": ""})
+    workspace = discover(tmp_path)
+    assert [one.name for one in workspace.packages] == ["good"]
+    assert messages(workspace, tmp_path) == [message]
+
+
+def test_sloppy_manifest_is_kept(tmp_path: Path) -> None:
+    xml = '<package format="2"><name>sloppy</name><depend>roscpp</depend></package>'
+    write(tmp_path, {"sloppy/package.xml": xml, "sloppy/CMakeLists.txt": "add_executable(x x.cpp)\n", "sloppy/x.cpp": ""})
+    workspace = discover(tmp_path)
+    assert [(one.name, one.depends, len(one.targets)) for one in workspace.packages] == [("sloppy", ("roscpp",), 1)]
+    assert messages(workspace, tmp_path)[0].startswith("sloppy/package.xml:1:1: not a valid manifest, read leniently: ")
+
+
+@pytest.mark.parametrize("marker", ["CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"])
+def test_ignore_markers(tmp_path: Path, marker: str) -> None:
+    package(tmp_path, "seen", "")
+    package(tmp_path / "deep", "hidden", "")
+    write(tmp_path, {f"deep/{marker}": ""})
+    assert [one.name for one in discover(tmp_path).packages] == ["seen"]
+    workspace = discover(tmp_path, ["hidden"])
+    assert [one.name for one in workspace.packages] == ["hidden"]
+    assert messages(workspace, tmp_path) == ["deep/hidden/package.xml:1:1: package hidden is hidden from the build by an ignore marker"]
+
+
+def test_no_package_below_a_package_nor_in_hidden_folders(tmp_path: Path) -> None:
+    package(tmp_path, "outer", "")
+    package(tmp_path / "outer", "inner", "")
+    package(tmp_path / ".hidden", "secret", "")
+    assert [one.name for one in discover(tmp_path).packages] == ["outer"]
+
+
+def test_symlink_loop(tmp_path: Path) -> None:
+    package(tmp_path, "one", "file(GLOB_RECURSE S *.cpp)\nadd_executable(x ${S})", {"src/a.cpp": ""})
+    os.symlink(tmp_path, tmp_path / "again")
+    os.symlink(tmp_path / "one", tmp_path / "one" / "src" / "self")
+    workspace = discover(tmp_path)
+    assert [one.name for one in workspace.packages] == ["one"]
+    assert [len(one.sources) for one in workspace.packages[0].targets] == [1]
+    assert messages(workspace, tmp_path) == []
+
+
+def test_duplicate_package(tmp_path: Path) -> None:
+    package(tmp_path / "a", "one", "")
+    package(tmp_path / "b", "one", "")
+    workspace = discover(tmp_path)
+    assert [one.path for one in workspace.packages] == [tmp_path / "a" / "one"]
+    assert messages(workspace, tmp_path) == ["b/one/package.xml:1:1: package one is also in a/one/package.xml, which counts"]
+
+
+def test_only_what_is_needed_is_evaluated(tmp_path: Path) -> None:
+    package(tmp_path, "app", "find_package(found_only)\nadd_executable(x x.cpp)", {"x.cpp": ""}, depends=("base",))
+    package(tmp_path, "base", "", depends=("deeper",))
+    package(tmp_path, "deeper", "")
+    package(tmp_path, "found_only", "")
+    package(tmp_path, "unrelated", "foo()")
+    workspace = discover(tmp_path, ["app"])
+    assert [one.name for one in workspace.packages] == ["app", "base", "deeper", "found_only"]
+    assert workspace.selected == {"app"}
+    assert workspace.diagnostics == ()
+
+
+def test_unknown_package_gets_a_hint(tmp_path: Path) -> None:
+    package(tmp_path, "driver", "")
+    assert messages(discover(tmp_path, ["drver"]), tmp_path) == [".:1:1: no package drver below this folder, did you mean `driver`?"]
+
+
+def test_dependency_cycle_ends(tmp_path: Path) -> None:
+    package(tmp_path, "a", "find_package(b)\ncatkin_package(CATKIN_DEPENDS b)", depends=("b",))
+    package(tmp_path, "b", "find_package(a)\ncatkin_package(CATKIN_DEPENDS a)", depends=("a",))
+    assert len(discover(tmp_path).packages) == 2
+
+
+def test_missing_cmakelists(tmp_path: Path) -> None:
+    write(tmp_path, {"one/package.xml": manifest("one"), "meta/package.xml": manifest("meta", export="<metapackage/>")})
+    assert messages(discover(tmp_path), tmp_path) == ["one/package.xml:1:1: package one has no CMakeLists.txt"]
+
+
+def test_conditional_dependencies_follow_the_distribution(tmp_path: Path) -> None:
+    both = '<depend condition="$ROS_VERSION == 1">roscpp</depend><depend condition="$ROS_VERSION == 2">rclcpp</depend>'
+    xml = manifest("one").replace('format="2"', 'format="3"').replace("  <export>", f"  {both}<export>")
+    write(tmp_path, {"one/package.xml": xml, "one/CMakeLists.txt": ""})
+    assert discover(tmp_path).packages[0].depends == ("roscpp", "catkin")
+    assert discover(tmp_path, ros_distro="humble").packages[0].depends == ("rclcpp", "catkin")
+
+
+def test_order_does_not_depend_on_the_file_system(tmp_path: Path) -> None:
+    for name in ("c", "a", "b"):
+        package(tmp_path, name, "add_executable(z x.cpp)\nadd_executable(y x.cpp)", {"x.cpp": ""})
+    workspace = discover(tmp_path)
+    assert [one.name for one in workspace.packages] == ["a", "b", "c"]
+    assert [one.name for one in workspace.packages[0].targets] == ["z", "y"]

@@ -1,0 +1,226 @@
+"""The component model, made from hand-written relations."""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Iterable
+from typing import Any
+
+import pytest
+
+from rosarch.models.component import ComponentModel, build_model, to_json
+
+NAMES = (
+    "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_via", "implicit_port", "node_location",
+    "function_display", "parameter_access", "parameter_access_default", "parameter_access_type", "node_name",
+)  # fmt: skip
+FIELDS = [
+    "system",
+    "component",
+    "package",
+    "kind",
+    "node_name",
+    "sources",
+    "ports",
+    "params",
+    "periodic",
+    "reactive",
+    "state_variables",
+    "configuration",
+    "transitions",
+]
+PORT_FIELDS = ["id", "kind", "name", "from_param", "type", "queue", "latched", "callback", "via", "at", "conditional"]
+
+OUT = ("c1", "publisher", "out")
+IN = ("c2", "subscriber", "in")
+RELATIONS: dict[str, list[tuple[Any, ...]]] = {
+    "port": [(IN,), (OUT,)],
+    "port_type": [(OUT, "std_msgs/Bool"), (IN, "std_msgs/Empty")],
+    "port_parameter": [(OUT, "~topic")],
+    "port_callback": [(IN, "N::on_in@n.cpp:3")],
+    "port_queue": [(OUT, "10")],
+    "port_latched": [(OUT,)],
+    "port_via": [(OUT, "plain"), (IN, "plain")],
+    "node_location": [("c1", "pkg/n.cpp", 7, 3), ("c2", "pkg/n.cpp", 8, 3), ("c3", "pkg/n.cpp", 9, 3)],
+    "function_display": [("N::on_in@n.cpp:3", "ns::N", "ns::N::on_in")],
+    "parameter_access": [("c3", "read", "~topic")],
+    "parameter_access_default": [("c3", "out")],
+    "parameter_access_type": [("c3", "std::basic_string<char>")],
+    "node_name": [("driver",)],
+}
+
+
+def model(**relations: Iterable[tuple[Any, ...]]) -> ComponentModel:
+    return build_model("sys", "n", "pkg", "node", ("pkg/n.cpp",), {name: relations.get(name, ()) for name in NAMES})
+
+
+def place(*sites: str) -> list[tuple[Any, ...]]:
+    return [(site, "pkg/n.cpp", 10 + index, 1) for index, site in enumerate(sites)]
+
+
+def test_the_whole_document() -> None:
+    assert to_json(model(**RELATIONS)) == {
+        "system": "sys", "component": "n", "package": "pkg", "kind": "node", "node_name": "driver", "sources": ["pkg/n.cpp"],
+        "ports": [
+            {"id": "p1", "kind": "publisher", "name": "out", "from_param": "~topic", "type": "std_msgs/Bool", "queue": 10, "latched": True, "callback": None, "via": "plain", "at": "pkg/n.cpp:7", "conditional": None},
+            {"id": "p2", "kind": "subscriber", "name": "in", "from_param": None, "type": "std_msgs/Empty", "queue": None, "latched": False, "callback": "N::on_in", "via": "plain", "at": "pkg/n.cpp:8", "conditional": None},
+        ],
+        "params": [{"name": "~topic", "op": "read", "type": "string", "default": "out", "at": "pkg/n.cpp:9"}],
+        "periodic": [], "reactive": [], "state_variables": [], "configuration": [], "transitions": [],
+    }  # fmt: skip
+
+
+def test_the_order_of_fields() -> None:
+    document = to_json(model(**RELATIONS))
+    assert list(document) == FIELDS
+    assert [list(port) for port in document["ports"]] == [PORT_FIELDS, PORT_FIELDS]
+    assert list(document["params"][0]) == ["name", "op", "type", "default", "at"]
+
+
+def test_an_empty_component_has_all_fields() -> None:
+    document = to_json(model())
+    assert list(document) == FIELDS
+    assert (document["ports"], document["params"], document["node_name"]) == ([], [], None)
+    assert json.loads(json.dumps(document)) == document
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_order_of_rows_changes_nothing(seed: int) -> None:
+    relations = {
+        **RELATIONS, "port_type": [*RELATIONS["port_type"], (OUT, "a/Other"), (OUT, "z/Last")], "node_name": [("driver",), ("another",)],
+        "parameter_access_default": [("c3", "out"), ("c3", "5"), ("c3", "image")],
+    }  # fmt: skip
+    shuffled = {name: random.Random(seed).sample(rows, len(rows)) for name, rows in relations.items()}
+    assert to_json(model(**shuffled)) == to_json(model(**relations))
+
+
+def test_ids_follow_the_source() -> None:
+    sites = place("c3", "c1", "c2")
+    found = model(port=[((site, "publisher", site),) for site in ("c1", "c2", "c3")], node_location=sites)
+    assert [(port.id, port.name) for port in found.ports] == [("p1", "c3"), ("p2", "c1"), ("p3", "c2")]
+
+
+def test_ids_count_on_over_names_of_one_call_and_implicit_ports() -> None:
+    ports = [(("c1", "publisher", name),) for name in ("b", "a")]
+    implicit = [(("c1", "publisher", "a/status"), "x/Status"), (("c1", "subscriber", "a/goal"), "x/Goal")]
+    found = model(port=ports, implicit_port=implicit, node_location=place("c1"))
+    assert [(port.id, port.name, port.implicit) for port in found.ports] == [
+        ("p1", "a", False),
+        ("p2", "b", False),
+        ("p3", "a/status", True),
+        ("p4", "a/goal", True),
+    ]
+
+
+def test_implicit_and_unknown_ports_are_marked() -> None:
+    hole = ("c1", "publisher", "?")
+    document = to_json(
+        model(
+            port=[(hole,)],
+            port_unknown=[(hole, "named by parameter ~topic")],
+            implicit_port=[(("c1", "publisher", "x/status"), "x/Status")],
+            node_location=place("c1"),
+        )
+    )
+    unknown, implicit = document["ports"]
+    assert (unknown["name"], unknown["unknown"]) == ("?", "named by parameter ~topic")
+    assert "implicit" not in unknown
+    assert (implicit["implicit"], implicit["type"]) == (True, "x/Status")
+    assert "unknown" not in implicit
+
+
+@pytest.mark.parametrize(
+    ("via", "function", "display", "callback", "shown"),
+    [
+        ("plain", "free@n.cpp:1", ("", "ns::free"), "free", "plain"),
+        ("plain", "N::m@n.cpp:1", ("a::b::N", "a::b::N::m"), "N::m", "plain"),
+        ("lambda", "lambda@n.cpp:1:2", ("", "lambda"), "lambda", "lambda"),
+        ("lambda", "lambda@n.cpp:1:2", ("", "N::m"), "m", "lambda"),
+        ("message_filters", "lambda@n.cpp:1:2", ("", "lambda"), "lambda", "message_filters"),
+    ],
+)
+def test_callbacks(via: str, function: str, display: tuple[str, str], callback: str, shown: str) -> None:
+    (port,) = model(
+        port=[(IN,)],
+        port_callback=[(IN, function)],
+        function_display=[(function, *display)],
+        port_via=[(IN, via)],
+        node_location=place("c2"),
+    ).ports
+    assert (port.callback, port.via) == (callback, shown)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("true", True), ("false", False), ("5", 5), ("-5", -5), ("2.5", 2.5), ("1e3", 1000.0), ("image", "image"), ("", ""), ("5m", "5m")],
+)
+def test_defaults_are_typed(text: str, value: object) -> None:
+    (parameter,) = to_json(
+        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", text)], node_location=place("c1"))
+    )["params"]
+    assert parameter["default"] == value
+    assert type(parameter["default"]) is type(value)
+
+
+@pytest.mark.parametrize("text", ["nan", "inf", "-inf", "infinity"])
+def test_a_default_is_valid_json(text: str) -> None:
+    (parameter,) = to_json(
+        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", text)], node_location=place("c1"))
+    )["params"]
+    assert json.loads(json.dumps(parameter, allow_nan=False))["default"] == text
+
+
+@pytest.mark.parametrize("text", ["1_000", "٣", " 5 "])
+def test_a_text_that_only_python_takes_for_a_number_stays_text(text: str) -> None:
+    (parameter,) = to_json(
+        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", text)], node_location=place("c1"))
+    )["params"]
+    assert parameter["default"] == text
+
+
+@pytest.mark.parametrize("text", ["007", "1.50", "true"])
+def test_a_string_parameter_keeps_its_text(text: str) -> None:
+    """A default of a string parameter that looks like a number is still a string."""
+    access = {
+        "parameter_access": [("c1", "read", "p")],
+        "parameter_access_default": [("c1", text)],
+        "parameter_access_type": [("c1", "std::basic_string<char>")],
+    }
+    (parameter,) = to_json(model(**access, node_location=place("c1")))["params"]
+    assert (parameter["type"], parameter["default"]) == ("string", text)
+
+
+@pytest.mark.parametrize(
+    ("cxx", "shown"),
+    [
+        ("std::basic_string<char>", "string"),
+        ("float", "double"),
+        ("double", "double"),
+        ("int", "int"),
+        ("boolean", "bool"),
+        ("std::vector<int>", "std::vector<int>"),
+    ],
+)
+def test_parameter_types(cxx: str, shown: str) -> None:
+    (parameter,) = model(parameter_access=[("c1", "read", "p")], parameter_access_type=[("c1", cxx)], node_location=place("c1")).params
+    assert parameter.type == shown
+
+
+def test_parameters_are_sorted_and_distinct() -> None:
+    access = [("c2", "read", "b"), ("c2", "read", "a"), ("c1", "write", "z"), ("c2", "read", "a")]
+    found = model(parameter_access=access, node_location=place("c1", "c2"))
+    assert [(p.name, p.op, str(p.at)) for p in found.params] == [
+        ("z", "write", "pkg/n.cpp:10"),
+        ("a", "read", "pkg/n.cpp:11"),
+        ("b", "read", "pkg/n.cpp:11"),
+    ]
+
+
+def test_a_site_without_place_is_left_out() -> None:
+    found = model(port=[(OUT,), (IN,)], implicit_port=[(("c9", "publisher", "x"), "t")], node_location=place("c2"))
+    assert [port.name for port in found.ports] == ["in"]
+
+
+def test_a_parameter_access_without_place_is_left_out() -> None:
+    assert model(parameter_access=[("c9", "read", "p")], node_location=place("c2")).params == ()

@@ -1,0 +1,61 @@
+"""The README's commands run, and print what it says."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+CONSOLE = re.findall(r"```console\n\$ (rosarch [^\n]*)\n(.*?)```", README, re.DOTALL)
+SCRIPTS = re.findall(r"```sh\n(.*?)```", README, re.DOTALL)
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+
+
+def timeless(text: str) -> str:
+    return re.sub(r"\d+\.\d s$", "N s", text, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize(("command", "output"), CONSOLE, ids=[command for command, _ in CONSOLE])
+def test_shown_output(command: str, output: str, rosarch: Callable) -> None:
+    outcome = rosarch(*shlex.split(command)[1:])
+    assert (outcome.code, timeless(outcome.out), outcome.err) == (0, timeless(output), "")
+
+
+def test_commands_run(rosarch: Callable) -> None:
+    commands = [line for script in SCRIPTS for line in script.splitlines() if line.startswith("rosarch ")]
+    assert len(commands) > 5
+    for command in commands:
+        outcome = rosarch(*shlex.split(command, comments=True)[1:])
+        assert (outcome.code, outcome.err) == (0, ""), command
+
+
+def test_make_targets_exist() -> None:
+    makefile = (ROOT / "Makefile").read_text()
+    named = re.findall(r"^make (\w+)", "\n".join(SCRIPTS), re.MULTILINE)
+    assert {"demo", "test"} <= set(named)
+    for target in named:
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
+
+
+def test_demo_is_what_the_readme_shows() -> None:
+    assert f"$ {re.search(r'^demo:.*?/(rosarch .*?)$', (ROOT / 'Makefile').read_text(), re.MULTILINE | re.DOTALL)[1]}\n" in README
+
+
+def test_examples_are_described() -> None:
+    for path in (ROOT / "examples").glob("*/expected"):
+        assert f"### {path.parent.name}" in README
+
+
+def test_links_exist() -> None:
+    for target in re.findall(r"\]\((?!https?:)([^)#]+)\)", README):
+        assert (ROOT / target).exists(), target
