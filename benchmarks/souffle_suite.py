@@ -2,8 +2,8 @@
 
     benchmarks/souffle_suite.py SOUFFLE_SOURCE_DIR [--only evaluation|example] [--test NAME]... [--list]
 
-A case is a folder of `tests/evaluation` or `tests/example` with a program and expected outputs: `.csv` files, and a `.out` file where the program
-prints. It passes when each of them has the same set of rows. Prints a table, and the cases that do not pass with the reason.
+A case is a folder of `tests/evaluation` or `tests/example` with a program and expected outputs: `.csv` files, and a `.out` file where the
+program prints. It passes when each of them has the same set of rows. Prints a table, and the cases that do not pass with the reason.
 The exit code is 1 when one does not pass.
 """
 

@@ -1,7 +1,7 @@
 """The C preprocessor that existing rule bases rely on: `#include`, `#define`, `#ifdef`, and macros from the command line.
 
-Soufflé passes every program through one; rosarch's own rules do without. The expanded text holds `#line` marks, which the parser follows, so that
-messages name the file and line as written; `origin_column` finds the column where a macro has moved it.
+Soufflé passes every program through one; rosarch's own rules do without. The expanded text holds `#line` marks, which the parser follows,
+so that messages name the file and line as written; `origin_column` finds the column where a macro has moved it.
 """
 
 from __future__ import annotations
@@ -97,12 +97,16 @@ class Origins:
 
 def origin_column(original: str, expanded: str, column: int) -> int:
     """The column of `original` for one of `expanded`: the same before the first macro, counted from the end after the last one."""
-    before = len(os.path.commonprefix([original, expanded]))
+    before = _common_prefix(original, expanded)
     if column <= before + 1 or original == expanded:
         return min(column, before + 1) if column > len(original) + 1 else column
-    after = len(os.path.commonprefix([original[before:][::-1], expanded[before:][::-1]]))
+    after = _common_prefix(original[before:][::-1], expanded[before:][::-1])
     if column > len(expanded) - after:
         return column + len(original) - len(expanded)
     while before and (original[before - 1].isalnum() or original[before - 1] == "_"):
         before -= 1
     return before + 1
+
+
+def _common_prefix(one: str, other: str) -> int:
+    return next((i for i, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
