@@ -2,7 +2,7 @@
 
     benchmarks/speed.py SYSTEM_DIR [--package NAME]... [--runs N]
 
-Prints a Markdown table. A cold run starts with empty caches, a new system finds the rules compiled, a warm run is the same one again.
+Prints a Markdown table. A cold run starts with empty caches, a new system finds only the rules compiled, a warm run is the cold one again.
 Memory is the largest resident set of any one process of the run.
 """
 
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import statistics
 import subprocess
 import sys
@@ -30,9 +31,9 @@ class Run:
     mebibytes: float
 
 
-def measure(command: Sequence[str], rules_cache: Path, log: Path) -> Run:
+def measure(command: Sequence[str], cache: Path, log: Path) -> Run:
     """Run `command`; stop the benchmark when it fails."""
-    environment = {**os.environ, "ROSARCH_CACHE_DIR": str(rules_cache)}
+    environment = {**os.environ, "ROSARCH_CACHE_DIR": str(cache)}
     with log.open("w", encoding="utf-8") as output:
         start = time.perf_counter()
         process = subprocess.Popen(command, env=environment, stdout=output, stderr=output)
@@ -51,13 +52,14 @@ def measure_all(system: Path, options: Sequence[str], runs: int) -> dict[str, li
         with tempfile.TemporaryDirectory(prefix="rosarch-speed-") as name:
             folder = Path(name)
 
-            def run(sources: str, folder: Path = folder) -> Run:
+            def run(folder: Path = folder) -> Run:
                 command = [sys.executable, "-m", "rosarch.cli.main", "analyze", str(system), "-o", str(folder / "models"), *options]
-                return measure([*command, "--cache", str(folder / sources)], folder / "rules", folder / "log")
+                return measure(command, folder / "cache", folder / "log")
 
-            results["cold"].append(run("first"))
-            results["new system"].append(run("second"))
-            results["warm"].append(run("second"))
+            results["cold"].append(run())
+            results["warm"].append(run())
+            shutil.rmtree(folder / "cache" / "units")
+            results["new system"].append(run())
     return results
 
 

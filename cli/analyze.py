@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.inputs import check_output, load_analysis, unwritable
-from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose, parse_defines
 from rosarch.cli.terminal import emit, show_diagnostics
 
 Out = Annotated[
@@ -30,7 +30,7 @@ def analyze(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
+    cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
     """Say what each node and nodelet below DIR is connected to: its ports, with types and source lines, and its parameters."""
@@ -38,7 +38,7 @@ def analyze(
     variables = parse_defines(defines)
     if out:
         check_output(out)
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cache=cache)
+    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cached=cached)
     if out:
         from rosarch.reports.json_models import write_models
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_diagnostics, check_folder, check_output
+from rosarch.cli.inputs import check_diagnostics, check_folder, extraction_cache
 from rosarch.cli.options import Engine, parse_defines
 from rosarch.cli.terminal import progress, show_diagnostics
 
@@ -70,7 +70,7 @@ def selected(
     jobs: int | None,
     timeout: float,
     defines: Sequence[str] | None,
-    cache: Path | None,
+    cached: bool,
     verbose: bool,
 ) -> Iterator[Sequence[SelectedComponent]]:
     """The components below DIR that the options leave; none is an error."""
@@ -79,12 +79,18 @@ def selected(
 
     variables = parse_defines(list(defines or ()))
     check_folder(folder)
-    store = check_output(cache) if cache else None
     try:
         with (
             progress() as report,
             select(
-                folder, packages or None, component, jobs=jobs, timeout=timeout, defines=variables, cache=store, progress=report
+                folder,
+                packages or None,
+                component,
+                jobs=jobs,
+                timeout=timeout,
+                defines=variables,
+                cache=extraction_cache(cached),
+                progress=report,
             ) as found,
         ):
             check_diagnostics(folder, len(found.components), found.diagnostics)

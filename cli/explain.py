@@ -8,7 +8,7 @@ import typer
 
 from rosarch.cli.derivations import Component, RuleFiles, datalog_errors, evaluate, heading, load_rules, selected, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
 from rosarch.cli.terminal import emit
 
 Goal = Annotated[
@@ -36,7 +36,7 @@ def explain(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
+    cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
     """Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about."""
@@ -48,7 +48,9 @@ def explain(
         program = load_rules(rules)
         check_goal(program, goal)
         texts = []
-        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+        with selected(
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+        ) as components:
             title = heading(components)
             for each in components:
                 store = RowStore(*evaluate(program, each, engine))
@@ -72,7 +74,7 @@ def why_not(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
+    cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
     """Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there."""
@@ -83,7 +85,9 @@ def why_not(
     with datalog_errors():
         program = load_rules(rules)
         check_goal(program, goal)
-        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+        with selected(
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+        ) as components:
             if len(components) > 1:
                 names = ", ".join(c.title for c in components)
                 raise InputError(f"{folder}: {len(components)} components; choose one with --component: {names}")

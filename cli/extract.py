@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.inputs import check_diagnostics, check_folder, check_output, unwritable
-from rosarch.cli.options import Cache, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.inputs import check_diagnostics, check_folder, check_output, extraction_cache, unwritable
+from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 Out = Annotated[Path, typer.Option("--out", "-o", metavar="FACTS", help="The folder to write the facts to.", show_default=False)]
@@ -21,7 +21,7 @@ def extract(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
+    cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
     """Read the packages below DIR and write their facts, one folder of Soufflé .facts files per node or nodelet."""
@@ -37,7 +37,7 @@ def extract(
             jobs=jobs,
             timeout=timeout,
             defines=variables,
-            cache=check_output(cache) if cache else None,
+            cache=extraction_cache(cached),
             progress=report,
         )
     with extraction:

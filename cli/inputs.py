@@ -14,6 +14,7 @@ from rosarch.cli.options import Engine
 from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
+    from rosarch.extractor.cache import Cache
     from rosarch.extractor.workspace import Diagnostic
     from rosarch.models.analysis import Analysis
 
@@ -47,6 +48,16 @@ def unwritable(out: Path, error: OSError) -> InputError:
     return InputError(f"{error.filename or out}: cannot write ({(error.strerror or str(error)).lower()})")
 
 
+def extraction_cache(wanted: bool) -> Cache | None:
+    """Where what was read from sources is kept: below `ROSARCH_CACHE_DIR` or the user's cache folder."""
+    if not wanted:
+        return None
+    from rosarch.datalog.cache import cache_folder
+    from rosarch.extractor.cache import Cache
+
+    return Cache(cache_folder() / "units")
+
+
 def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic]) -> None:
     """Refuse input that gave nothing to work on: no package, an unknown package, only broken packages."""
     diagnostics = list(diagnostics)
@@ -75,7 +86,7 @@ def load_analysis(
     jobs: int | None,
     timeout: float,
     defines: Mapping[str, str],
-    cache: Path | None,
+    cached: bool,
 ) -> Analysis:
     """Analyse a folder of packages or of facts."""
     check_folder(folder)
@@ -92,7 +103,7 @@ def load_analysis(
             jobs=jobs,
             timeout=timeout,
             defines=defines,
-            cache=check_output(cache) if cache else None,
+            cache=extraction_cache(cached),
             progress=report,
         )
     check_diagnostics(folder, len(analysis.models), analysis.diagnostics)

@@ -47,10 +47,7 @@ Defines = Annotated[
     typer.Option("--define", "-D", metavar="K=V", help="A CMake cache variable, e.g. CUDA_FOUND=0; may be repeated.", show_default=False),
 ]
 Timeout = Annotated[float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="The time limit of one source file.")]
-Cache = Annotated[
-    Path | None,
-    typer.Option("--cache", metavar="DIR", help="Keep what was read from the sources in DIR, for the next run.", show_default=False),
-]
+Cached = Annotated[bool, typer.Option("--cache/--no-cache", help="Keep what is read from the sources, and read only what has changed.")]
 EngineChoice = Annotated[Engine, typer.Option("--engine", help="What evaluates the rules; souffle must be on PATH.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Show every diagnostic.")]
 

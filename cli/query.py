@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.derivations import Component, Profiled, RuleFiles, datalog_errors, evaluate, heading, load_rules, selected
-from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose
+from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose
 from rosarch.cli.terminal import emit
 
 Query = Annotated[str, typer.Argument(metavar="QUERY", help="A rule body: 'port(P), !port_type(P, _)'.", show_default=False)]
@@ -27,7 +27,7 @@ def query(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
+    cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
     """List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR."""
@@ -38,7 +38,9 @@ def query(
     with datalog_errors():
         program = load_rules(rules)
         check_query(program, text)
-        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+        with selected(
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+        ) as components:
             answers = []
             for each in components:
                 table = ask(program, evaluate(program, each, engine, profiled=profile)[0], text)

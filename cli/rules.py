@@ -11,7 +11,7 @@ import typer
 from rosarch.cli.derivations import Component, Profiled, datalog_errors, evaluate, heading, load_rules, selected, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder, hint, unwritable
-from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
 from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def run(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
+    cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
     """Run rules of your own on each node and nodelet below DIR and print the relations they put out."""
@@ -70,7 +70,9 @@ def run(
         program = load_rules(files)
         names = _wanted(program, files, relations or [])
         texts = []
-        with selected(folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cache=cache, verbose=verbose) as components:
+        with selected(
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+        ) as components:
             title = heading(components)
             for each in components:
                 result, _ = evaluate(program, each, engine, profiled=profile)

@@ -11,7 +11,7 @@ import typer
 
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import hint, load_analysis
-from rosarch.cli.options import Cache, Defines, Engine, EngineChoice, Format, Input, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Format, Input, Jobs, Packages, Timeout, Verbose, parse_defines
 from rosarch.cli.terminal import emit, show_diagnostics
 
 if TYPE_CHECKING:
@@ -32,12 +32,12 @@ def ports(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
+    cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
     """List the topics, services, actions and transforms of each node and nodelet below DIR."""
     start = time.perf_counter()
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cache=cache)
+    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
     models = analysis.models if node is None else _named(analysis.models, node)
     show_diagnostics(analysis.diagnostics, verbose)
     if output_format is Format.json:

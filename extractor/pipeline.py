@@ -6,7 +6,6 @@ component are the union of those of its units.
 
 from __future__ import annotations
 
-import hashlib
 import marshal
 import os
 import re
@@ -17,12 +16,13 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.extractor.cache import Cache, extractor_version
 from rosarch.extractor.cxx.includes import HeaderFinder
-from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit
+from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit, unit_key
 from rosarch.extractor.cxx.unit import file_key, merge
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.manifest import write_manifest
-from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
+from rosarch.extractor.messages import MessageClass, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path
 
@@ -81,22 +81,24 @@ def extract(
     jobs: int | None = None,
     timeout: float = 60.0,
     defines: Mapping[str, str] | None = None,
-    cache: Path | None = None,
+    cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> Extraction:
     """Extract the facts of the components of `packages` (all by default) below `root`.
 
-    `timeout` is the limit in seconds for one source. `defines` are CMake cache variables. Sources that fail and
-    whatever else was not understood is in `diagnostics`; nothing raises for bad input below `root`.
+    `timeout` is the limit in seconds for one source. `defines` are CMake cache variables. With a `cache`, only what has
+    changed since an earlier extraction is read again. Sources that fail and whatever else was not understood is in
+    `diagnostics`; nothing raises for bad input below `root`.
     """
     workspace = discover(root, packages, defines=defines)
     store = load_messages(workspace.packages)
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
-    scratch = cache or Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
+    scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
     found = components(workspace)
     units_of = {component: _compile_units(workspace, component) for component in found}
     units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
-    paths = _extract_units(units, workspace.root, store, scratch, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
+    reader = _UnitReader(workspace.root, HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name)), scratch, cache)
+    paths = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
     classes = {
         (name, row.role or row.kind, _message_type(row))
         for row in message_classes(store)
@@ -122,11 +124,48 @@ def _compile_units(workspace: Workspace, component: Component) -> list[CompileUn
     return list(dict.fromkeys([*own, *linked]))
 
 
+@dataclass(frozen=True)
+class _UnitReader:
+    """Extracts units into files below `scratch`, or takes them from the cache."""
+
+    root: Path
+    finder: HeaderFinder
+    scratch: Path
+    cache: Cache | None
+
+    def prepare(self) -> None:
+        """What all units share: the precompiled declarations."""
+        data = self.cache.load(extractor_version()) if self.cache else None
+        if data is not None:
+            self._prelude.write_bytes(data)
+            return
+        build_prelude(self._prelude)
+        if self.cache:
+            self.cache.store(extractor_version(), self._prelude.read_bytes())
+
+    @property
+    def _prelude(self) -> Path:
+        return self.scratch / "prelude.pch"
+
+    def read(self, unit: CompileUnit) -> tuple[Path, bool]:
+        """The file with the rows of a unit, and whether it was in the cache."""
+        sys.setrecursionlimit(20_000)
+        includes = self.finder.closure(unit.source, unit.include_dirs)
+        key = unit_key(unit, self.root, includes, self.finder)
+        cache = self.cache if includes.predictable else None
+        data = known = cache.load(key) if cache else None
+        if data is None:
+            data = marshal.dumps(dict(extract_unit(unit, self.root, self.finder, self._prelude, includes=includes, heal=True)))
+            if cache:
+                cache.store(key, data)
+        path = self.scratch / f"{key}.unit"
+        path.write_bytes(data)
+        return path, known is not None
+
+
 def _extract_units(
     units: Sequence[CompileUnit],
-    root: Path,
-    store: MessageStore,
-    scratch: Path,
+    reader: _UnitReader,
     jobs: int,
     timeout: float,
     progress: Progress | None,
@@ -135,29 +174,22 @@ def _extract_units(
     """Extract every unit into a file; return the files, leaving out the units that failed."""
     if not units:
         return {}
-    scratch.mkdir(parents=True, exist_ok=True)
-    prelude = scratch / "prelude.pch"
-    build_prelude(prelude)
-    finder = HeaderFinder(root, scratch, lambda name: header_text(store, name))
-
-    def work(unit: CompileUnit) -> Path:
-        sys.setrecursionlimit(20_000)
-        rows = extract_unit(unit, root, finder, prelude, heal=True)
-        path = scratch / f"{hashlib.sha1(repr(unit).encode(), usedforsecurity=False).hexdigest()}.unit"
-        path.write_bytes(marshal.dumps(dict(rows)))
-        return path
-
+    reader.prepare()
+    known = True
     paths = {}
     largest = sorted(range(len(units)), key=lambda index: -_size(units[index].source))  # long ones first: even ends
     ordered = [units[index] for index in largest]
     diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in _odd_source(source)]
-    for done, (index, outcome) in enumerate(run_tasks(work, ordered, jobs=jobs, timeout=timeout)):
+    for done, (index, outcome) in enumerate(run_tasks(reader.read, ordered, jobs=jobs, timeout=timeout)):
         if isinstance(outcome, Failure):
             diagnostics.append(Diagnostic("source", ordered[index].source, 1, 1, f"not analysed: {outcome.reason} ({outcome.detail})"))
         else:
-            paths[ordered[index]] = outcome
+            paths[ordered[index]], was_known = outcome
+            known &= was_known
         if progress:
             progress("sources", done + 1, len(units))
+    if reader.cache and not known:
+        reader.cache.trim()
     diagnostics.sort(key=str)
     return paths
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.datalog import Program, load_program, read_facts
+from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import read_manifest, rules_folder
 from rosarch.extractor.pipeline import ComponentFacts, Progress, extract
@@ -56,7 +57,7 @@ def analyze(
     jobs: int | None = None,
     timeout: float = 60.0,
     defines: Mapping[str, str] | None = None,
-    cache: Path | None = None,
+    cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root`. See `extract` for the options."""

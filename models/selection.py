@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.datalog import read_facts
+from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import read_manifest
 from rosarch.extractor.pipeline import Progress, extract
@@ -59,7 +60,7 @@ def select(
     jobs: int | None = None,
     timeout: float = 60.0,
     defines: Mapping[str, str] | None = None,
-    cache: Path | None = None,
+    cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> Iterator[Selection]:
     """The components of `packages` (all by default) below a folder of sources or of facts, or one of them.

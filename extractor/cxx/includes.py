@@ -9,11 +9,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.extractor.cache import hash_of
+
 SHIPPED = Path(__file__).parent / "headers"
 SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
 PRELUDE = SHIPPED / "prelude.h"
 
 _INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|\"([^\"\n]+)\")", re.MULTILINE)
+_UNPREDICTABLE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]+[A-Za-z_]|__has_include|__DATE__|__TIME", re.MULTILINE)
 _MESSAGE_HEADER = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
 _HEADER_SUFFIXES = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".inl", ".tcc", ".cuh")
 
@@ -29,11 +32,15 @@ class Missing:
 
 @dataclass
 class Includes:
-    """What one source includes, directly and through others; `made` are the folders of generated and absent headers."""
+    """What one source includes, directly and through others; `made` are the folders of generated and absent headers.
+
+    A source is not `predictable` when macros decide what it includes: what it depends on is then not known in full.
+    """
 
     made: list[Path] = field(default_factory=list)
     files: list[Path] = field(default_factory=list)
     missing: list[Missing] = field(default_factory=list)
+    predictable: bool = True
 
 
 class HeaderFinder:
@@ -48,6 +55,8 @@ class HeaderFinder:
         self.message_header = message_header
         self._by_name: dict[str, list[Path]] | None = None
         self._included: dict[Path, list[tuple[int, str, bool]]] = {}
+        self._digests: dict[Path, bytes] = {}
+        self._unpredictable: set[Path] = set()
         self._exists: dict[str, bool] = {}
         self._made: dict[str, Path | None] = {}
 
@@ -68,7 +77,24 @@ class HeaderFinder:
                     queue.append(found)
         result.files = sorted(seen)
         result.made = sorted(extra)
+        result.predictable = self._unpredictable.isdisjoint(seen)
         return result
+
+    def fingerprint(self, includes: Includes) -> str:
+        """A hash of what `closure` found: which files, with what content, and what is missing; the same wherever the workspace lies."""
+        parts: list[str | bytes] = []
+        for path in includes.files:
+            parts += [self._name(path), self._digests.get(path, b"")]
+        parts += [f"{self._name(missing.file)}:{missing.line} {missing.header}" for missing in includes.missing]
+        parts += [self._name(folder) for folder in includes.made]
+        return hash_of(parts)
+
+    def _name(self, path: Path) -> str:
+        """A path relative to the workspace, to what is made for it, or to what rosarch brings."""
+        for mark, folder in (("", self.root), ("made:", self.scratch), ("shipped:", SHIPPED)):
+            if path.is_relative_to(folder):
+                return mark + path.relative_to(folder).as_posix()
+        return str(path)
 
     def _includes_of(self, file: Path) -> list[tuple[int, str, bool]]:
         if file not in self._included:
@@ -76,6 +102,9 @@ class HeaderFinder:
                 data = file.read_bytes()
             except OSError:
                 data = b""
+            self._digests[file] = hashlib.sha256(data).digest()
+            if _UNPREDICTABLE.search(data) and not file.is_relative_to(SHIPPED):
+                self._unpredictable.add(file)
             self._included[file] = [
                 (
                     data.count(b"\n", 0, match.start()) + 1,
@@ -133,7 +162,7 @@ class HeaderFinder:
 
     def _forward(self, name: str, target: Path) -> Path:
         """A folder in which `name` is a header that includes `target`."""
-        key = "forward/" + hashlib.sha1(f"{name}\0{target}".encode(), usedforsecurity=False).hexdigest()[:10]
+        key = "forward/" + hash_of([name, self._name(target)])[:10]
         if key not in self._made:
             self._made[key] = self._write(key, name, f'#include "{target}"\n')
         return self.scratch / key

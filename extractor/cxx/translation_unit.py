@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosarch.extractor.cache import extractor_version, hash_of
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.heal import OPTIONS, healed, keeps_calls, without_unknown, worth_healing
 from rosarch.extractor.cxx.includes import PRELUDE, SHIPPED_DIRS, HeaderFinder, Includes, assumed_message_class
@@ -44,12 +46,23 @@ def build_prelude(path: Path) -> None:
         unit.save(path)
 
 
-def extract_unit(unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path | None, *, heal: bool = False) -> Rows:
+def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFinder) -> str:
+    """A hash of all that the rows of a unit depend on."""
+    folders = [os.path.relpath(folder, root) for folder in unit.include_dirs]
+    return hash_of(
+        [extractor_version(), os.path.relpath(unit.source, root), *folders, "", *unit.definitions, "", finder.fingerprint(includes)]
+    )
+
+
+def extract_unit(
+    unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path | None, *, includes: Includes | None = None, heal: bool = False
+) -> Rows:
     """Return the rows of one translation unit; `heal` declares what absent headers would have declared.
 
+    `includes` is the closure of the unit's source, where it is known already.
     Raises `libclang.ParseError` when clang gives no translation unit at all.
     """
-    includes = finder.closure(unit.source, unit.include_dirs)
+    includes = includes or finder.closure(unit.source, unit.include_dirs)
     arguments = [*BASE_ARGUMENTS, *(f"-D{definition}" for definition in unit.definitions), *(f"-I{folder}" for folder in unit.include_dirs)]
     arguments += _system([*SHIPPED_DIRS, *includes.made])
     if prelude is not None:

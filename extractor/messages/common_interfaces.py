@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 import re
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from rosarch.datalog.cache import cache_folder
+from rosarch.extractor.cache import write_whole
 from rosarch.extractor.workspace.model import Diagnostic
 
 from .model import UNBOUNDED, Action, Constant, Field, Message, Service
@@ -44,16 +45,6 @@ def common_interfaces() -> tuple[dict[str, Message], dict[str, Service], dict[st
     return messages, services, actions
 
 
-def cache_folder() -> Path:
-    """`ROSARCH_CACHE_DIR`, else the user's cache folder."""
-    chosen = os.environ.get("ROSARCH_CACHE_DIR")
-    if chosen:
-        return Path(chosen)
-    from platformdirs import user_cache_dir
-
-    return Path(user_cache_dir("rosarch"))
-
-
 def stored_messages() -> dict[str, Message]:
     """The messages of the rosbags store. Importing that store takes longer than all else here, so a JSON copy is cached."""
     spec = find_spec("rosbags.typesys")
@@ -67,19 +58,8 @@ def stored_messages() -> dict[str, Message]:
         table = json.loads(path.read_bytes())
     except (OSError, ValueError):
         table = _store_table()
-        _write(path, json.dumps(table, separators=(",", ":")))
+        write_whole(path, json.dumps(table, separators=(",", ":")).encode())
     return {name: _message(name, row) for name, row in table.items()}
-
-
-def _write(path: Path, text: str) -> None:
-    """Write a cache file so that nobody reads half of it. A cache that cannot be written is none."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary = path.with_name(f"{path.name}.{os.getpid()}")
-        temporary.write_text(text)
-        temporary.replace(path)
-    except OSError:
-        return
 
 
 def _message(name: str, row: list[list[list[Any]]]) -> Message:

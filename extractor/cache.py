@@ -1,0 +1,108 @@
+"""What was extracted before, kept on disk: an entry per translation unit, found by a hash of all that its facts depend on.
+
+An entry is written whole or not at all and carries a checksum, so that runs at the same time, a kill at any moment or a damaged disk cost
+time and nothing else. A cache that cannot be written is none.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sys
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+LIMIT = 1 << 30
+"""Bytes beyond which the entries that were not used for longest are removed."""
+
+_DIGEST_SIZE = hashlib.sha256().digest_size
+
+
+@lru_cache(maxsize=1)
+def extractor_version() -> str:
+    """A hash of everything but the input that facts depend on: this package with its headers, the schema, libclang, Python.
+
+    Of files it is names, sizes and times: reading them all would take longer than reading a small workspace.
+    """
+    import clang.native
+
+    import rosarch.rules
+
+    folders = (Path(__file__).parent, *(Path(folder) / "schema" for folder in rosarch.rules.__path__), *map(Path, clang.native.__path__))
+    parts = [sys.version]
+    for folder in folders:
+        for path in sorted(folder.rglob("*")):
+            if "__pycache__" not in path.parts:
+                stat = path.stat()
+                parts.append(f"{path} {stat.st_size} {stat.st_mtime_ns if path.is_file() else 0}")
+    return hash_of(parts)
+
+
+def write_whole(path: Path, data: bytes) -> bool:
+    """Write a file so that no reader ever sees half of it; False when it cannot be written."""
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_bytes(data)
+        temporary.replace(path)
+    except OSError:
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+        return False
+    return True
+
+
+@dataclass(frozen=True)
+class Cache:
+    """Entries below a folder, each a file of bytes."""
+
+    folder: Path
+
+    def load(self, key: str) -> bytes | None:
+        """The entry, or None when there is none or it is damaged."""
+        path = self._path(key)
+        try:
+            stored = path.read_bytes()
+            digest, data = stored[:_DIGEST_SIZE], stored[_DIGEST_SIZE:]
+            if hashlib.sha256(data).digest() != digest:
+                return None
+            os.utime(path)  # the time of its last use
+        except OSError:
+            return None
+        return data
+
+    def store(self, key: str, data: bytes) -> None:
+        """Keep an entry."""
+        write_whole(self._path(key), hashlib.sha256(data).digest() + data)
+
+    def trim(self, limit: int = LIMIT) -> None:
+        """Remove what was not used for longest until three quarters of `limit` bytes remain, when there are more than `limit`."""
+        entries = []
+        for path in self.folder.glob("*/*"):
+            with suppress(OSError):  # another run may remove it first
+                stat = path.stat()
+                entries.append((stat.st_mtime, stat.st_size, path))
+        total = sum(size for _, size, _ in entries)
+        if total <= limit:
+            return
+        for _, size, path in sorted(entries):
+            with suppress(OSError):
+                path.unlink()
+            total -= size
+            if total <= limit * 3 // 4:
+                return
+
+    def _path(self, key: str) -> Path:
+        return self.folder / key[:2] / key[2:]
+
+
+def hash_of(parts: Iterable[str | bytes]) -> str:
+    """A hash of a sequence of texts, which tells apart where one ends and the next begins."""
+    found = hashlib.sha256()
+    for part in parts:
+        data = part if isinstance(part, bytes) else part.encode("utf-8", "surrogateescape")
+        found.update(len(data).to_bytes(8, "little") + data)
+    return found.hexdigest()
