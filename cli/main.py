@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from typing import Annotated
 
@@ -61,5 +62,11 @@ def main(arguments: list[str] | None = None) -> int:
         return INTERRUPTED
 
 
+def script() -> int:
+    """The entry of the installed command: as `main`, and when it is terminated, worker processes and temporary files go, too."""
+    signal.signal(signal.SIGTERM, lambda number, _frame: sys.exit(128 + number))
+    return main()
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(script())

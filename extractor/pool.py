@@ -106,6 +106,7 @@ def _expire(worker: _Worker[Any], timeout: float) -> Failure:
 
 def _work(function: Callable[[Any], Any], connection: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends its workers
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     while True:
         try:
             task = connection.recv()

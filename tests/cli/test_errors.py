@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -161,6 +163,23 @@ def test_interrupt(rosarch: Callable, workspace: Path, monkeypatch: pytest.Monke
 
     monkeypatch.setattr("rosarch.models.analysis.analyze", interrupted)
     assert rosarch("analyze", "ws").code == 130
+
+
+def test_termination_leaves_nothing_behind(workspace: Path, tmp_path: Path) -> None:
+    endless = "template <int N, long M> struct T { T<N - 1, 2 * M> a; T<N - 1, 2 * M + 1> b; };\ntemplate <long M> struct T<0, M> {};\nT<24, 0> t;\n"
+    (workspace / "talker" / "talker.cpp").write_text(endless)
+    (tmp_path / "temporary").mkdir()
+    environment = {**os.environ, "TMPDIR": str(tmp_path / "temporary")}
+    command = [sys.executable, "-m", "rosarch.cli.main", "analyze", "ws", "--no-cache"]
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    until = time.monotonic() + 60
+    while not list((tmp_path / "temporary").glob("*/prelude.pch")) and time.monotonic() < until:
+        time.sleep(0.05)
+    time.sleep(0.5)  # into the source
+    process.terminate()
+    out, err = process.communicate(timeout=30)  # ends when no worker holds the pipes any more
+    assert (process.returncode, out, err) == (128 + signal.SIGTERM, "", "")
+    assert list((tmp_path / "temporary").iterdir()) == []
 
 
 def test_closed_pipe(workspace: Path) -> None:
