@@ -79,6 +79,10 @@ def declare_function(unit: UnitFacts, cursor: Cursor) -> str:
     if kind == kinds.METHOD:
         for base in libclang.overridden(pattern):
             unit.add("function_overrides", identifier, declare_function(unit, base))
+    if file.key and libclang.has_attributes(pattern):
+        for child in libclang.children(pattern):
+            if child.kind == kinds.ANNOTATION:
+                unit.add("function_annotation", identifier, libclang.spelling(child))
     if kind in (kinds.FUNCTION, kinds.METHOD, kinds.CONVERSION):
         unit.add("function_return_type", identifier, declare_type(unit, libclang.result_type(pattern)))
     if file.key and pattern.kind != kinds.FUNCTION_TEMPLATE:
@@ -150,10 +154,23 @@ def declared_type(unit: UnitFacts, cursor: Cursor) -> str:
         span = unit.span(cursor)
         if span.file.key:
             file, offset = unit.locate(libclang.location(cursor))
-            written = file.text(span.begin, offset if offset > span.begin else span.end)
+            written = _specifiers(file.text(span.begin, offset if offset > span.begin else span.end))
             if _is_guessed(libclang.type_spelling(type_), written):
                 return declare_unknown_type(unit, written)
     return declare_type(unit, type_)
+
+
+def _specifiers(written: str) -> str:
+    """What stands before the first declarator of a declaration such as `int a = f(1, 2), *b`, given up to a later one."""
+    depth = 0
+    cut = len(written)
+    for position, character in enumerate(written):
+        if depth == 0 and character in "=({[":
+            cut = min(cut, position)
+        depth += (character in "<({[") - (character in ">)}]")
+        if depth == 0 and character == ",":
+            return re.sub(r"[&*\s]*\w+\s*$", "", written[: min(cut, position)])
+    return written
 
 
 def _is_guessed(spelling: str, written: str) -> bool:

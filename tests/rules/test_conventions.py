@@ -118,7 +118,7 @@ struct Base { virtual void run() {} };
 struct Node : Base {
   int count_ = 0; Box<int> box_; Node(int n = 3) : count_(n) {} void run() override { count_ += 1; box_.set(ON); } int one(int);
 };
-void fill(int, double) {}
+[[clang::annotate("marked")]] void fill(int, double) {}
 void (*global)(int, double) = &fill;
 int main(int argc, char** argv) {
   Node node; Base* base = &node; base->run(); base->missing(argc);

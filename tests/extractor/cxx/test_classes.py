@@ -100,3 +100,12 @@ def test_a_class_in_a_function(facts_of) -> None:
     owners = {facts.show(call): facts.one("function_name", facts.one("expr_function", call)) for call in facts.calls()}
     assert owners["g(1)"] == "f::L::m"
     assert owners["l.m()"] == "f"
+
+
+def test_slots_are_marked(facts_of) -> None:
+    facts = facts_of(
+        "#include <QObject>\nclass W : public QObject { Q_OBJECT public: void plain(); public slots: void a(); void b(int) {} private: void c();\n"
+        "signals: void fired(); private Q_SLOTS: void d(); };\nvoid W::a() { emit fired(); }"
+    )
+    names = dict(facts["function_name"])
+    assert {(names[function], mark) for function, mark in facts["function_annotation"]} == {(f"W::{name}", "qt_slot") for name in "abd"}

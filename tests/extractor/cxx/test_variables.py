@@ -141,3 +141,13 @@ def test_the_structure_of_types(facts_of) -> None:
 def test_typedefs_are_seen_through(facts_of) -> None:
     facts = facts_of("struct A {}; typedef A* Pointer; using Alias = Pointer; struct S { Alias f_; };")
     assert facts.one("variable_type", "S::f_") == "A *"
+
+
+@pytest.mark.parametrize(
+    "declaration",
+    ["int a, v;", "int a = f(1, 2), v = 3;", "unsigned int a[2], *b, v;", "const int a{1}, v = 2;", "long int a(3), &b = a, v;"],
+)
+def test_a_later_declarator_has_the_declared_type(facts_of, declaration: str) -> None:
+    facts = facts_of(f"int f(int, int); void g() {{ {declaration} }}")
+    (variable,) = [variable for variable, name in facts["variable_name"] if name == "v"]
+    assert "int" in str(facts.one("variable_type", variable)).split("?")[0]
