@@ -150,4 +150,4 @@ def test_typedefs_are_seen_through(facts_of) -> None:
 def test_a_later_declarator_has_the_declared_type(facts_of, declaration: str) -> None:
     facts = facts_of(f"int f(int, int); void g() {{ {declaration} }}")
     (variable,) = [variable for variable, name in facts["variable_name"] if name == "v"]
-    assert "int" in str(facts.one("variable_type", variable)).split("?")[0]
+    assert facts.one("variable_type", variable) in ("int", "const int", "unsigned int", "long")
