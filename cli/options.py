@@ -26,6 +26,17 @@ class Format(str, Enum):
     markdown = "markdown"
 
 
+class MachineFormat(str, Enum):
+    """The formats of a state machine on stdout."""
+
+    text = "text"
+    mermaid = "mermaid"
+    dot = "dot"
+    plantuml = "plantuml"
+    scxml = "scxml"
+    json = "json"
+
+
 class ModelFormat(str, Enum):
     """The formats of whole component models on stdout."""
 

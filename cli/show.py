@@ -11,11 +11,26 @@ import typer
 
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import hint, load_analysis
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Format, Input, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.options import (
+    Cached,
+    Defines,
+    Engine,
+    EngineChoice,
+    Format,
+    Input,
+    Jobs,
+    MachineFormat,
+    Packages,
+    Timeout,
+    Verbose,
+    parse_defines,
+)
 from rosarch.cli.terminal import emit, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.models.component import ComponentModel
+
+Node = Annotated[str | None, typer.Argument(metavar="NODE", help="Only this one: NAME, PACKAGE/NAME or its node name.", show_default=False)]
 
 app = typer.Typer(help="Show one aspect of a system.", no_args_is_help=False)
 
@@ -23,9 +38,7 @@ app = typer.Typer(help="Show one aspect of a system.", no_args_is_help=False)
 @app.command("ports")
 def ports(
     folder: Input,
-    node: Annotated[
-        str | None, typer.Argument(metavar="NODE", help="Only this one: NAME, PACKAGE/NAME or its node name.", show_default=False)
-    ] = None,
+    node: Node = None,
     packages: Packages = None,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
     engine: EngineChoice = Engine.embedded,
@@ -54,6 +67,76 @@ def ports(
 
         emit(models_text(models, parameters=False, terminal=sys.stdout.isatty()))
         emit(summary_line(models, time.perf_counter() - start) + "\n")
+
+
+@app.command("behavior")
+def behavior(
+    folder: Input,
+    node: Node = None,
+    packages: Packages = None,
+    output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cached: Cached = True,
+    verbose: Verbose = False,
+) -> None:
+    """List what each node and nodelet below DIR does: its reactions, timed loops, state variables and their transitions."""
+    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
+    models = analysis.models if node is None else _named(analysis.models, node)
+    show_diagnostics(analysis.diagnostics, verbose)
+    if output_format is Format.json:
+        from rosarch.reports.json_models import behaviors_text
+
+        emit(behaviors_text(models))
+        return
+    from rosarch.models.component import to_json
+
+    documents = [to_json(model) for model in models]
+    if output_format is Format.markdown:
+        from rosarch.reports.behavior_markdown import behaviors_text as markdown_text
+
+        emit(markdown_text(documents))
+    else:
+        from rosarch.reports.behavior_text import behaviors_text as table_text
+
+        emit(table_text(documents))
+
+
+@app.command("machine")
+def machine(
+    folder: Input,
+    node: Node = None,
+    packages: Packages = None,
+    output_format: Annotated[
+        MachineFormat, typer.Option("--format", help="The form of the report on stdout; for diagrams and SCXML name a NODE.")
+    ] = MachineFormat.text,
+    max_states: Annotated[
+        int,
+        typer.Option("--max-states", metavar="N", min=1, help="Show variables that depend on each other as one machine of up to N states."),
+    ] = 16,
+    joint: Annotated[bool, typer.Option("--joint", help="Do so even where every combination of their values can occur.")] = False,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cached: Cached = True,
+    verbose: Verbose = False,
+) -> None:
+    """Show the state machines of each node and nodelet below DIR: states are the values of its state variables."""
+    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
+    models = analysis.models if node is None else _named(analysis.models, node)
+    show_diagnostics(analysis.diagnostics, verbose)
+    if len(models) != 1 and output_format not in (MachineFormat.text, MachineFormat.json):
+        names = ", ".join(f"{model.package}/{model.component}" for model in models)
+        raise InputError(f"{folder}: {len(models)} components; choose one for {output_format.value}: {names}")
+    from rosarch.models.component import to_json
+    from rosarch.models.machine import build_machine
+    from rosarch.reports.machines import machines_text
+
+    machines = [build_machine(to_json(model), max_states=max_states, joint=joint) for model in models]
+    emit(machines_text(machines, output_format.value))
 
 
 def _named(models: Sequence[ComponentModel], node: str) -> tuple[ComponentModel, ...]:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
+from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 from rosarch.models.component import ComponentModel, to_json
 
@@ -24,6 +26,16 @@ def models_text(models: Iterable[ComponentModel]) -> str:
 def ports_text(models: Iterable[ComponentModel]) -> str:
     """An array of the components with nothing but their identity and ports."""
     return _dump([{key: value for key, value in to_json(model).items() if key in _IDENTITY} for model in models])
+
+
+def behaviors_text(models: Iterable[ComponentModel]) -> str:
+    """An array of the components with nothing but their identity, ports and behaviour."""
+    return _dump([{key: value for key, value in to_json(model).items() if key not in ("sources", "params")} for model in models])
+
+
+def component_schema() -> Any:
+    """The JSON Schema of one component's document."""
+    return json.loads(files("rosarch.reports").joinpath("schema/component.schema.json").read_text(encoding="utf-8"))
 
 
 def write_models(models: Iterable[ComponentModel], out: Path) -> None:

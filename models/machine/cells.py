@@ -1,0 +1,331 @@
+"""The finite part of a node's state: which variables, or fields of them, have values that can be told apart, and which values those are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from rosarch.models.machine.conditions import (
+    NULL,
+    Comparison,
+    Condition,
+    Conjunction,
+    Disjunction,
+    Negation,
+    Operand,
+    compact,
+    constant,
+    number,
+    parse_condition,
+    strip,
+)
+from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
+
+Document = Mapping[str, Any]
+EMPTY = ".empty()"
+_PATH = re.compile(r"\*?((?:::)?[A-Za-z_][\w:]*(?:\.\w+)*)((?:\.(?:empty|size|length)\(\))?)")
+_QUALIFIERS = re.compile(r"\b(const|volatile|static|mutable|std::)\s*|std::atomic<(.*)>|\batomic<(.*)>|\batomic_(?=bool)")
+_POINTER = re.compile(r"\*\s*$|Ptr\b|_ptr\b|::ConstPtr\b")
+_INTEGER = re.compile(r"(unsigned|signed|short|long|int|char|u?int\d+_t|size_t|std::size_t|float|double)( (int|char|long|double|short))*")
+_SIZES = (".size()", ".length()")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A state variable, or a field of one, with its finitely many values; `subject` stands for it in conditions.
+
+    `initial` are the values it may begin with, several when the source does not tell. `at` is the line of its first value.
+    """
+
+    subject: Subject
+    variable: str
+    suffix: str
+    type: str
+    initial: tuple[str, ...]
+    at: str
+
+    def value_of(self, text: str) -> str | None:
+        """The value that a constant in the source is here, `None` when the text is no constant."""
+        value = constant(text)
+        if value is None:
+            return None
+        if self.subject.values == BOOLEAN:
+            zero = number(value)
+            value = value if zero is None else ("false" if zero == 0 else "true")
+        return self.nearest(value)
+
+    def nearest(self, value: str) -> str | None:
+        """A value as one of this cell's: itself, or `OTHER`, or `None` when this cell has nothing like it."""
+        if value in self.subject.values:
+            return value
+        return OTHER if OTHER in self.subject.values else None
+
+
+@dataclass
+class _Draft:
+    """What is found about a cell, or an input, before its values are settled."""
+
+    constants: dict[str, None] = field(default_factory=dict)  # compared with, or assigned, in the order of the document
+    tested: bool = False
+    assigned: bool = False
+    open: bool = False  # may take values that no constant names
+    copies: set[tuple[str, str]] = field(default_factory=set)
+    inputs: set[str] = field(default_factory=set)  # that it takes values from or is compared with
+
+
+Place = tuple[str, str]  # the name of a variable, and `""`, `.field` or `.empty()`
+
+
+class Locator:
+    """Finds the variable that an operand in a condition names."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self._by_last: dict[str, list[str]] = {}
+        for name in names:
+            self._by_last.setdefault(name.rsplit("::", 1)[-1], []).append(name)
+
+    def is_unique(self, name: str) -> bool:
+        """Whether no other variable has the same last name."""
+        return len(self._by_last[name.rsplit("::", 1)[-1]]) == 1
+
+    def locate(self, text: str, owner: str) -> Place | None:
+        """The variable and the field of it, seen from a member of the class `owner`; nothing for what is no state variable."""
+        match = _PATH.fullmatch(compact(text).replace("->", "."))
+        if not match:
+            return None
+        parts = match.group(1).split(".")
+        call = match.group(2)
+        for index, part in enumerate(parts):
+            known = self._by_last.get(part.rsplit("::", 1)[-1], [])
+            found = [name for name in known if self._fits(name, part, parts[:index])]
+            if len(found) > 1:
+                found = [name for name in found if _owner(name) == owner]
+            if len(found) == 1:
+                suffix = "".join(f".{part}" for part in parts[index + 1 :])
+                return found[0], suffix + (EMPTY if call in (EMPTY, *_SIZES) else "")
+        return None
+
+    @staticmethod
+    def _fits(name: str, part: str, before: list[str]) -> bool:
+        """Whether an access could be to this variable: by its bare or qualified name, or in an object named after its class."""
+        if "::" in part and not f"::{name.lstrip(':')}".endswith(f"::{part.lstrip(':')}"):
+            return False
+        if not before:
+            return True
+        class_, holder = _letters(_owner(name)), _letters(before[-1])
+        return bool(class_ and holder) and (class_ in holder or holder in class_)
+
+
+def _owner(name: str) -> str:
+    return name.rpartition("::")[0].rsplit("::", 1)[-1]
+
+
+def _letters(text: str) -> str:
+    return re.sub(r"[^a-z]|^[mg]_", "", text.lower())
+
+
+def atoms(condition: Condition) -> Iterator[Operand | Comparison]:
+    """The tests and comparisons in a condition."""
+    if isinstance(condition, Negation):
+        yield from atoms(condition.inner)
+    elif isinstance(condition, Conjunction | Disjunction):
+        for part in condition.parts:
+            yield from atoms(part)
+    elif isinstance(condition, Operand | Comparison):
+        yield condition
+
+
+class Domains:
+    """The cells of a component, and the values of its inputs that conditions tell apart."""
+
+    def __init__(self, document: Document) -> None:
+        self._variables = {v["name"]: v for v in reversed(document.get("state_variables") or ())}
+        self._order = list(dict.fromkeys(v["name"] for v in document.get("state_variables") or ()))
+        self.locator = Locator(self._order)
+        self._drafts: dict[Place, _Draft] = {}
+        self._inputs: dict[str, _Draft] = {}
+        rows = [row for row in document.get("transitions") or () if row.get("variable")]
+        self._assignments = [(*variable_and_field(row, self._variables), row.get("value")) for row in rows]
+        for owner, text in _conditions(document):
+            self._read_condition(parse_condition(text), owner)
+        self._read_assignments()
+        self.cells = {cell.subject.key: cell for cell in self._settle()}
+        self._by_place = {(cell.variable, cell.suffix): cell for cell in self.cells.values()}
+
+    def cell(self, place: Place | None) -> Cell | None:
+        """The cell at a place, if its values are finitely many."""
+        return self._by_place.get(place) if place else None
+
+    def cells_of(self, variable: str) -> list[Cell]:
+        """The cells of a variable: itself or fields of it."""
+        return [cell for cell in self.cells.values() if cell.variable == variable]
+
+    def left_out(self) -> list[str]:
+        """The state variables without a cell."""
+        return [name for name in self._order if not self.cells_of(name)]
+
+    def input(self, text: str) -> Subject:
+        """An input as a subject."""
+        draft = self._inputs.get(compact(text), _Draft())
+        return Subject(compact(text), strip(text), _values(draft.constants, True) if draft.constants else BOOLEAN)
+
+    def _read_condition(self, condition: Condition, owner: str) -> None:
+        for atom in atoms(condition):
+            if isinstance(atom, Operand):
+                self._draft(atom.text, owner).tested = True
+            elif atom.op == "==":
+                self._read_equality(atom.left, atom.right, owner)
+            else:
+                for side in (atom.left, atom.right):
+                    place = self.locator.locate(side, owner)
+                    if place and place[1].endswith(EMPTY):
+                        self._drafts.setdefault(place, _Draft()).tested = True
+
+    def _read_equality(self, left: str, right: str, owner: str) -> None:
+        draft, value = self._draft(left, owner), constant(right)
+        if value is not None:
+            draft.constants[value] = None
+            return
+        here, there = self.locator.locate(left, owner), self.locator.locate(right, owner)
+        if here and there:  # the values of one are worth telling apart in the other
+            self._drafts.setdefault(here, _Draft()).copies.add(there)
+            self._drafts.setdefault(there, _Draft()).copies.add(here)
+        elif here or there:
+            self._draft(left if here else right, owner).inputs.add(compact(right if here else left))
+
+    def _draft(self, text: str, owner: str) -> _Draft:
+        place = self.locator.locate(text, owner)
+        return self._drafts.setdefault(place, _Draft()) if place else self._inputs.setdefault(compact(text), _Draft())
+
+    def _read_assignments(self) -> None:
+        for variable, suffix, _value in self._assignments:
+            if variable in self._variables:
+                self._drafts.setdefault((variable, suffix), _Draft())
+        for variable, suffix, value in self._assignments:
+            for place in [place for place in self._drafts if place[0] == variable]:
+                if place[1] == suffix:
+                    self._read_value(self._drafts[place], value, _owner(variable))
+                elif place[1].startswith(suffix) or suffix.startswith(place[1]):
+                    self._drafts[place].open = self._drafts[place].assigned = True
+                    if value and (part := part_text(value, place[1][len(suffix) :])):
+                        self._drafts[place].inputs.add(compact(part))
+
+    def _read_value(self, draft: _Draft, value: str | None, owner: str) -> None:
+        draft.assigned = True
+        if value is None:
+            draft.open = True
+        elif (known := constant(value)) is not None:
+            draft.constants[known] = None
+        elif place := self.locator.locate(value, owner):
+            draft.copies.add(place)
+        else:
+            draft.open = True
+            draft.inputs.add(compact(value))
+            self._read_condition(parse_condition(value), owner)
+
+    def _settle(self) -> Iterator[Cell]:
+        distinct = {place for place, draft in self._drafts.items() if draft.constants or draft.tested}
+        for place, draft in self._drafts.items():
+            first = self._initial(place)
+            draft.constants = dict.fromkeys([*([first] if first is not None else ()), *draft.constants])
+            draft.open |= first is None
+        changed = True
+        while changed:
+            changed = False
+            for here, draft in self._drafts.items():
+                for source in (self._drafts.get(place, _Draft(open=True)) for place in sorted(draft.copies)):
+                    before = len(draft.constants), draft.open
+                    draft.constants.update(source.constants)
+                    draft.open |= source.open
+                    distinct |= {place for place in [here] if distinct & draft.copies}
+                    changed |= before != (len(draft.constants), draft.open)
+        rank = {name: number for number, name in enumerate(self._order)}
+        for place in sorted(self._drafts, key=lambda place: (rank[place[0]], place[1])):
+            draft = self._drafts[place]
+            values = self._cell_values(place, draft)
+            if draft.assigned and len(values) > 1 and (values == BOOLEAN or place in distinct):
+                yield self._cell(place, values)
+                if values != BOOLEAN:
+                    for key in draft.inputs:  # an input is told apart as finely as the variable that takes its value
+                        self._inputs.setdefault(key, _Draft()).constants.update(dict.fromkeys(v for v in values if v != OTHER))
+
+    def _cell(self, place: Place, values: tuple[str, ...]) -> Cell:
+        name, suffix = place
+        row = self._variables[name]
+        last = name.rsplit("::", 1)[-1]
+        text = (last if self.locator.is_unique(name) else name.lstrip(":")) + suffix
+        cell = Cell(Subject(name + suffix, text, values, True), name, suffix, _plain_type(row), (), str(row.get("at") or ""))
+        first = self._initial(place)
+        value = cell.value_of(first) if first is not None else None
+        return Cell(cell.subject, name, suffix, cell.type, (value,) if value else values, cell.at)
+
+    def _initial(self, place: Place) -> str | None:
+        """The constant that a variable begins with; C++ fixes some that are not written."""
+        name, suffix = place
+        row = self._variables[name]
+        text, type_ = row.get("initial"), _plain_type(row)
+        if suffix.endswith(EMPTY):
+            return "true" if text in (None, "", '""') else None
+        if text is not None and constant(str(text)) is not None:
+            alone = suffix == "" or sum(place[0] == name for place in self._drafts) == 1
+            return constant(str(text)) if alone else None
+        if text is None and suffix == "":
+            if "Ptr" in type_ or "_ptr<" in type_:
+                return NULL
+            if name.startswith("::"):  # storage that is zero before the program starts
+                return "false" if type_ == "bool" else "0" if _INTEGER.fullmatch(type_) else NULL if type_.endswith("*") else None
+        return None
+
+    def _cell_values(self, place: Place, draft: _Draft) -> tuple[str, ...]:
+        type_ = _plain_type(self._variables[place[0]]) if place[1] == "" else ""
+        plain = set(draft.constants) <= set(BOOLEAN)
+        if type_ == "bool" or place[1].endswith(EMPTY) or (type_ == "" and plain and (draft.constants or draft.tested)):
+            return BOOLEAN
+        constants = dict(draft.constants)
+        if _POINTER.search(type_):
+            return (NULL, OTHER) if constants or draft.tested else ()
+        if draft.tested and (_INTEGER.fullmatch(type_) or constants):
+            constants["0"] = None
+        return _values(constants, draft.open) if constants else ()
+
+
+def _values(constants: Iterable[str], is_open: bool) -> tuple[str, ...]:
+    named = tuple(constants)
+    return named if not is_open or set(named) == set(BOOLEAN) else (*named, OTHER)
+
+
+def _plain_type(row: Mapping[str, Any]) -> str:
+    text = str(row.get("type") or "")
+    atomic = re.fullmatch(r".*\batomic<\s*(.*?)\s*>\s*", text)
+    return _QUALIFIERS.sub("", atomic.group(1) if atomic else text).strip()
+
+
+def variable_and_field(row: Mapping[str, Any], variables: Iterable[str]) -> Place:
+    """The variable that a transition assigns and the field of it: given apart, or after the variable's name."""
+    name, field_ = str(row["variable"]), row.get("field")
+    if name not in variables:
+        for cut in (match.start() for match in re.finditer(r"\.|->|\[", name)):
+            if name[:cut] in variables:
+                return name[:cut], "." + name[cut:].replace("->", ".").lstrip(".")
+    return name, f".{field_}" if field_ else ""
+
+
+def part_text(value: str, rest: str) -> str | None:
+    """The spelling of the field `rest` of an assigned value, where it has one."""
+    text = f"{value[1:].strip()}->{rest[1:]}" if value.startswith("*") else f"{strip(value)}{rest}"
+    return text if rest and re.fullmatch(r"[\w:.>\-]+(\(\))?", text) else None
+
+
+def _conditions(document: Document) -> Iterator[tuple[str, str]]:
+    """All conditions, each with the class in whose member it stands, where that is known."""
+    for row in document.get("transitions") or ():
+        if row.get("guard"):
+            yield _owner(str(row.get("variable") or "")), row["guard"]
+    for row in document.get("reactive") or ():
+        if row.get("when"):
+            yield "", row["when"]
+    for row in document.get("periodic") or ():
+        if row.get("conditional"):
+            yield "", row["conditional"]

@@ -1,0 +1,276 @@
+"""Conditions as the source has them, in C++ or Python, read as far as state machines need it.
+
+Only the logical skeleton is understood: `and`, `or`, `not`, brackets, comparisons, and which operands are constants. Everything else
+stays the text that it is, a condition of its own that may hold or not. So no condition is an error, and a condition in a notation
+that is not known costs precision, not the machine.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+
+@dataclass(frozen=True)
+class Truth:
+    """`true` or `false`."""
+
+    value: bool
+
+
+@dataclass(frozen=True)
+class Operand:
+    """An operand taken as a truth value, or a text that could not be read further."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """`left op right`, where `op` is `==`, `<`, `<=`, `>` or `>=`; a constant, if there is one, stands on the right."""
+
+    op: str
+    left: str
+    right: str
+
+
+@dataclass(frozen=True)
+class Negation:
+    """Not."""
+
+    inner: Condition
+
+
+@dataclass(frozen=True)
+class Conjunction:
+    """And, in the order of the source."""
+
+    parts: tuple[Condition, ...]
+
+
+@dataclass(frozen=True)
+class Disjunction:
+    """Or, in the order of the source."""
+
+    parts: tuple[Condition, ...]
+
+
+Condition: TypeAlias = Truth | Operand | Comparison | Negation | Conjunction | Disjunction
+
+NULL = "null"
+MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_LONGEST, _DEEPEST = 5000, 50  # tokens, brackets: beyond, a text is taken as a whole
+_TOKEN = re.compile(
+    r"""\s*(?:
+    (?P<text>(?:u8|[uULRrbf])?"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')
+    | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fFuUlL]*)
+    | (?P<name>(?:::)?[A-Za-z_]\w*(?:::~?[A-Za-z_]\w*)*)
+    | (?P<sign>&&|\|\||==|!=|<=|>=|->|<<|>>|\+\+|--|\+=|-=|\S)
+    )""",
+    re.VERBOSE,
+)
+_BRACKETS = {"(": ")", "[": "]", "{": "}"}
+_WORDS = {"and": "&&", "or": "||", "not": "!"}
+_RELATIONS = ("==", "!=", "<=", ">=", "<", ">", "is")
+_TOO_HARD = {"?", "=", ",", "lambda", "if", "else", "+=", "-="}
+_CAST = re.compile(r"(?:static|const|reinterpret|dynamic)_cast")
+
+
+@dataclass(frozen=True)
+class _Token:
+    kind: str
+    text: str
+    start: int
+    end: int
+    closing: int = -1  # the index of the bracket that ends what this one begins
+
+
+def parse_condition(text: str) -> Condition:
+    """Read a condition; what is not understood becomes an `Operand` of its text."""
+    tokens = _tokens(text)
+    if not tokens or len(tokens) > _LONGEST:
+        return Operand(spaced(text))
+    return _disjunction(tokens, 0, len(tokens), text)
+
+
+def spaced(text: str) -> str:
+    """A text on one line with single spaces."""
+    return " ".join(text.split())
+
+
+def compact(text: str) -> str:
+    """The same for texts that differ in white space, redundant brackets, casts that change no value, or `this->` alone."""
+    text = re.sub(r"(?<!\w)this\s*->\s*", "", strip(text))
+    return re.sub(r"\s+(?!\w)|(?<!\w)\s+", "", text)
+
+
+def strip(text: str) -> str:
+    """An operand without the brackets and named casts around it."""
+    tokens = _tokens(text)
+    start, end = 0, len(tokens or ())
+    while tokens and start < end:
+        first, last = tokens[start], tokens[end - 1]
+        if first.text == "(" and first.closing == end - 1:
+            start, end = start + 1, end - 1
+        elif _CAST.fullmatch(first.text) and last.text == ")" and (opening := _after_template(tokens, start + 1)) > 0:
+            if tokens[opening].closing != end - 1:
+                break
+            start, end = opening + 1, end - 1
+        else:
+            break
+    return spaced(text[tokens[start].start : tokens[end - 1].end]) if tokens and start < end else spaced(text)
+
+
+def constant(text: str) -> str | None:
+    """The constant that a text denotes, in one spelling: `true`, `false`, `null`, a number, a quoted text, or an enumerator's last name.
+
+    A plain name counts as a constant when it is written as one: `IDLE`, `kIdle`, `Idle`, or qualified, `Mode::idle`.
+    """
+    text = strip(text)
+    if text in ("true", "True", "false", "False"):
+        return text.lower()
+    if text in ("NULL", "nullptr", "None", "null"):
+        return NULL
+    if re.fullmatch(r"""[uULRrbf]?8?("(\\.|[^"\\])*"|'(\\.|[^'\\])*')""", text):
+        return text
+    if (value := number(text)) is not None:
+        return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
+    if re.fullmatch(r"(::)?\w+((::|\.)\w+)*", text) and re.fullmatch(r"[A-Z]\w*|k[A-Z]\w*", re.split(r"::|\.", text)[-1]):
+        return re.split(r"::|\.", text)[-1]
+    if re.fullmatch(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)+", text):
+        return text.rsplit("::", 1)[-1]
+    return None
+
+
+def number(text: str) -> float | None:
+    """The value of a literal number."""
+    match = re.fullmatch(r"([-+]?)\s*(0[xX][0-9a-fA-F]+|((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?))[fFuUlL]*", text.strip())
+    if not match:
+        return None
+    digits = match.group(2)
+    value = float(int(digits, 16)) if digits[:2] in ("0x", "0X") else float(digits)
+    return -value if match.group(1) == "-" else value
+
+
+def _tokens(text: str) -> list[_Token] | None:
+    """The tokens of a text with matched brackets, nothing when they do not match."""
+    found: list[_Token] = []
+    for match in _TOKEN.finditer(text):
+        kind = match.lastgroup or "sign"
+        found.append(_Token(kind, match.group(kind), match.start(kind), match.end(kind)))
+    opened: list[int] = []
+    for index, token in enumerate(found):
+        if token.text in _BRACKETS:
+            opened.append(index)
+            if len(opened) > _DEEPEST:
+                return None
+        elif token.text in _BRACKETS.values():
+            if not opened or _BRACKETS[found[opened[-1]].text] != token.text:
+                return None
+            start = opened.pop()
+            found[start] = _Token("sign", found[start].text, found[start].start, found[start].end, index)
+    return None if opened else found
+
+
+def _after_template(tokens: Sequence[_Token], index: int) -> int:
+    """Where the bracket after template arguments beginning at `index` is, 0 when there are none."""
+    if index >= len(tokens) or tokens[index].text != "<":
+        return 0
+    depth = 0
+    for position in range(index, len(tokens)):
+        token = tokens[position]
+        depth += {"<": 1, ">": -1, ">>": -2}.get(token.text, 0)
+        if depth <= 0:
+            return position + 1 if position + 1 < len(tokens) and tokens[position + 1].text == "(" else 0
+        if token.kind not in ("name", "number") and token.text not in ("<", ">", ",", "*", "&"):
+            return 0
+    return 0
+
+
+def _top_level(tokens: Sequence[_Token], start: int, end: int, wanted: Callable[[_Token], bool]) -> list[int]:
+    """The indices of the wanted tokens that lie in no bracket and in no template arguments."""
+    found, index = [], start
+    while index < end:
+        token = tokens[index]
+        if wanted(token):
+            found.append(index)
+        opening = _after_template(tokens, index + 1) if token.kind == "name" else 0
+        index = opening if 0 < opening < end else max(token.closing, index) + 1
+    return found
+
+
+def _split(tokens: Sequence[_Token], start: int, end: int, sign: str) -> list[tuple[int, int]]:
+    cuts = _top_level(tokens, start, end, lambda token: _WORDS.get(token.text, token.text) == sign)
+    return list(zip([start, *(cut + 1 for cut in cuts)], [*cuts, end], strict=True))
+
+
+def _disjunction(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition:
+    if start >= end or _top_level(tokens, start, end, lambda token: token.text in _TOO_HARD):
+        return Operand(_text(tokens, start, end, text))
+    parts = [_conjunction(tokens, first, last, text) for first, last in _split(tokens, start, end, "||")]
+    return parts[0] if len(parts) == 1 else Disjunction(tuple(parts))
+
+
+def _conjunction(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition:
+    parts: list[Condition] = []
+    for first, last in _split(tokens, start, end, "&&"):
+        part = _negation(tokens, first, last, text)
+        parts += part.parts if isinstance(part, Conjunction) else [part]
+    return parts[0] if len(parts) == 1 else Conjunction(tuple(parts))
+
+
+def _negation(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition:
+    first = start
+    while first < end and _WORDS.get(tokens[first].text, tokens[first].text) == "!":
+        first += 1
+    if start < first < end and not _relations(tokens, start, end):
+        inner = _negation(tokens, first, end, text)
+        return negated(inner) if (first - start) % 2 else inner
+    if start < end and tokens[start].text == "(" and tokens[start].closing == end - 1:
+        return _disjunction(tokens, start + 1, end - 1, text)
+    return _comparison(tokens, start, end, text)
+
+
+def negated(condition: Condition) -> Condition:
+    """The opposite, without double negation."""
+    if isinstance(condition, Negation):
+        return condition.inner
+    if isinstance(condition, Truth):
+        return Truth(not condition.value)
+    return Negation(condition)
+
+
+def _relations(tokens: Sequence[_Token], start: int, end: int) -> list[int]:
+    return _top_level(tokens, start, end, lambda token: token.text in _RELATIONS)
+
+
+def _comparison(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition:
+    found = _relations(tokens, start, end)
+    whole = _text(tokens, start, end, text)
+    if not found:
+        value = constant(whole)
+        return Truth(value == "true") if value in ("true", "false") else Operand(strip(whole))
+    if len(found) > 1 or found[0] in (start, end - 1):
+        return Operand(whole)
+    op, rest = tokens[found[0]].text, found[0] + 1
+    if op == "is":
+        op, rest = ("!=", rest + 1) if tokens[rest].text == "not" else ("==", rest)
+    return _normal(op, _text(tokens, start, found[0], text), _text(tokens, rest, end, text))
+
+
+def _normal(op: str, left: str, right: str) -> Condition:
+    left, right = strip(left), strip(right)
+    if op == "!=":
+        return negated(_normal("==", left, right))
+    if constant(left) is not None and constant(right) is None:
+        left, op, right = right, MIRRORED.get(op, op), left
+    if op == "==" and constant(right) in ("true", "false"):
+        inner = parse_condition(left)
+        return inner if constant(right) == "true" else negated(inner)
+    return Comparison(op, left, right)
+
+
+def _text(tokens: Sequence[_Token], start: int, end: int, text: str) -> str:
+    return spaced(text[tokens[start].start : tokens[end - 1].end]) if start < end else ""

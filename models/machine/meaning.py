@@ -1,0 +1,250 @@
+"""The meaning of conditions and assigned values: the source's text as formulas over the cells and inputs of a node."""
+
+from __future__ import annotations
+
+import operator
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from rosarch.models.machine.cells import EMPTY, Cell, Domains, part_text
+from rosarch.models.machine.conditions import (
+    MIRRORED,
+    NULL,
+    Comparison,
+    Condition,
+    Conjunction,
+    Negation,
+    Operand,
+    Truth,
+    compact,
+    constant,
+    number,
+    parse_condition,
+    strip,
+)
+from rosarch.models.machine.logic import (
+    BOOLEAN,
+    FALSE,
+    OTHER,
+    TRUE,
+    All,
+    Any,
+    Formula,
+    Is,
+    Subject,
+    conjunction,
+    negation,
+)
+
+_INCREMENT = re.compile(r"(?P<name>.+?)\s*(?P<sign>[-+])\s*(?P<step>\d+)")
+_FILLING = re.compile(r"\.(push|push_back|push_front|emplace|emplace_back|emplace_front|insert|append)\(")
+_OPPOSITE = {"==": "!=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
+_COMPARE = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+Table = tuple[tuple[Formula, str], ...]
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """A cell takes the first value whose condition holds; the conditions are exclusive and one of them holds."""
+
+    cell: Cell
+    table: Table
+
+
+class Meaning:
+    """Translates the texts of one component."""
+
+    def __init__(self, domains: Domains) -> None:
+        self._domains = domains
+        self._comparisons: dict[str, Subject] = {}
+
+    def conjuncts(self, text: str | None, owner: str) -> tuple[Formula, ...]:
+        """A condition as the parts that all have to hold, outermost first; `None` always holds."""
+        if not text:
+            return ()
+        condition = parse_condition(text)
+        parts = condition.parts if isinstance(condition, Conjunction) else (condition,)
+        return tuple(self.formula(part, owner) for part in parts)
+
+    def formula(self, condition: Condition, owner: str) -> Formula:
+        """A condition as a formula."""
+        if isinstance(condition, Truth):
+            return TRUE if condition.value else FALSE
+        if isinstance(condition, Negation):
+            return negation(self.formula(condition.inner, owner))
+        if isinstance(condition, Operand):
+            return self._test(condition.text, owner)
+        if isinstance(condition, Comparison):
+            return self._equality(condition, owner) if condition.op == "==" else self._order(condition, owner)
+        parts = tuple(self.formula(part, owner) for part in condition.parts)
+        return conjunction(parts) if isinstance(condition, Conjunction) else Any(parts)
+
+    def assignments(self, variable: str, suffix: str, value: str | None, owner: str) -> list[Assignment]:
+        """What assigning `value` to a variable or to its field does to each of the variable's cells."""
+        found = []
+        for cell in self._domains.cells_of(variable):
+            if cell.suffix == suffix:
+                found.append(Assignment(cell, self._table(cell, value, owner)))
+            elif suffix in ("", cell.suffix[: len(suffix)]):
+                rest = cell.suffix[len(suffix) :]
+                found.append(Assignment(cell, self._part(cell, value, rest, owner)))
+            elif suffix.startswith(cell.suffix):
+                found.append(Assignment(cell, self._unknown(cell)))
+        return found
+
+    def _test(self, operand: str, owner: str) -> Formula:
+        cell = self._domains.cell(self._domains.locator.locate(operand, owner))
+        subject = cell.subject if cell else self._domains.input(operand)
+        if subject.values == BOOLEAN:
+            if cell and operand.replace(" ", "").endswith((".size()", ".length()")):
+                return Is(subject, frozenset({"false"}))
+            return Is(subject, frozenset({"true"}))
+        zeros = {NULL, "0", "false"} & set(subject.values)
+        return Is(subject, frozenset(subject.values) - zeros) if zeros else self._opaque(operand)
+
+    def _equality(self, condition: Comparison, owner: str) -> Formula:
+        cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
+        if cell and cell.suffix.endswith(EMPTY) and not condition.left.rstrip().endswith(EMPTY[1:]):
+            return self._size(cell, lambda size: size == number(condition.right), condition)
+        value = constant(condition.right)
+        if value is None:
+            other = self._domains.cell(self._domains.locator.locate(condition.right, owner))
+            one = cell.subject if cell else self._domains.input(condition.left)
+            two = other.subject if other else self._domains.input(condition.right)
+            alike = (one.values == BOOLEAN) is (two.values == BOOLEAN)
+            return self._same(one, two, condition) if (cell or other) and alike else self._compared(condition)
+        subject = cell.subject if cell else self._domains.input(condition.left)
+        known = cell.value_of(condition.right) if cell else value
+        return Is(subject, frozenset({known})) if known in subject.values and known != OTHER else self._compared(condition)
+
+    def _same(self, one: Subject, two: Subject, condition: Comparison) -> Formula:
+        """Two operands are equal."""
+        shared = [value for value in one.values if value in two.values and value != OTHER]
+        parts: list[Formula] = [All((Is(one, frozenset({value})), Is(two, frozenset({value})))) for value in shared]
+        if OTHER in one.values and OTHER in two.values:
+            rest = frozenset({OTHER})
+            parts.append(All((Is(one, rest), Is(two, rest), self._compared(condition))))
+        return Any(tuple(parts))
+
+    def _order(self, condition: Comparison, owner: str) -> Formula:
+        """A comparison by size, decided for the values that are numbers."""
+        cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
+        limit = number(condition.right)
+        if cell is None or limit is None:
+            return self._compared(condition)
+
+        def holds(value: float) -> bool:
+            return bool(_COMPARE[condition.op](value, limit))
+
+        if cell.suffix.endswith(EMPTY):
+            return self._size(cell, holds, condition)
+        known = {v: holds(size) for v in cell.subject.values if (size := number(v)) is not None}
+        rest = frozenset(v for v in cell.subject.values if v not in known)
+        true = Is(cell.subject, frozenset(v for v, truth in known.items() if truth))
+        return Any((true, All((Is(cell.subject, rest), self._compared(condition))))) if rest else true
+
+    def _size(self, cell: Cell, holds: Callable[[float], bool], condition: Comparison) -> Formula:
+        """A comparison of a container's size, decided where 0 and more differ."""
+        answers = [holds(float(size)) for size in (0, 1, 10**9)]
+        if answers[1:] == [True, True] or answers[1:] == [False, False]:
+            return Is(cell.subject, frozenset(v for v, truth in (("true", answers[0]), ("false", answers[1])) if truth))
+        empty = frozenset({"true"})
+        rest = All((Is(cell.subject, frozenset({"false"})), self._compared(condition)))
+        return Any((Is(cell.subject, empty), rest)) if answers[0] else rest
+
+    def _compared(self, condition: Comparison) -> Formula:
+        """A comparison about which nothing is known; `a < b` and `b > a` are one, and `a >= b` their opposite."""
+        left, op, right = condition.left, condition.op, condition.right
+        spellings = [(left, op, right), (right, MIRRORED.get(op, op), left)]
+        for one, sign, two in spellings:
+            if subject := self._comparisons.get(compact(f"{one} {sign} {two}")):
+                return Is(subject, frozenset({"true"}))
+            if subject := self._comparisons.get(compact(f"{one} {_OPPOSITE[sign]} {two}")):
+                return Is(subject, frozenset({"false"}))
+        text = f"{left} {op} {right}"
+        subject = Subject(compact(text), text, negative=f"{left} {_OPPOSITE[op]} {right}")
+        self._comparisons[subject.key] = subject
+        return Is(subject, frozenset({"true"}))
+
+    @staticmethod
+    def _opaque(text: str) -> Formula:
+        return Is(Subject(compact(text), text), frozenset({"true"}))
+
+    def _table(self, cell: Cell, value: str | None, owner: str) -> Table:
+        if value is None:
+            return self._unknown(cell)
+        known = cell.value_of(value)
+        if known is not None:
+            return ((TRUE, known),)
+        if cell.suffix.endswith(EMPTY):
+            return self._filled(cell, value)
+        if cell.subject.values == BOOLEAN:
+            holds = self.formula(parse_condition(value), owner)
+            return ((holds, "true"), (negation(holds), "false"))
+        source = self._domains.cell(self._domains.locator.locate(value, owner))
+        if source:
+            return self._copied(cell, source.subject)
+        if _POINTER_VALUE.match(strip(value)):
+            return ((TRUE, OTHER),)
+        return self._stepped(cell, value, owner) or self._copied(cell, self._domains.input(value))
+
+    def _part(self, cell: Cell, value: str | None, rest: str, owner: str) -> Table:
+        """A cell inside something that is assigned as a whole."""
+        if value is None:
+            return self._unknown(cell)
+        if rest == EMPTY:
+            return self._filled(cell, value)
+        part = part_text(value, rest)
+        return self._table(cell, part, owner) if part else self._unknown(cell)
+
+    def _filled(self, cell: Cell, value: str) -> Table:
+        if re.search(r"\.clear\(\)|^\w*\(\)$|^\{\}$|^\"\"$", value):
+            return ((TRUE, "true"),)
+        return ((TRUE, "false"),) if _FILLING.search(value) else self._unknown(cell)
+
+    def _copied(self, cell: Cell, source: Subject) -> Table:
+        """The value of another variable or of an input; what this cell does not tell apart may be anything."""
+        rows: list[tuple[Formula, str]] = []
+        for value in source.values:
+            here = Is(source, frozenset({value}))
+            near = cell.nearest(value)
+            if value == OTHER or near is None:
+                others = [v for v in cell.subject.values if v not in source.values or v == OTHER]
+                rows += self._choice(cell, here, others or list(cell.subject.values))
+            else:
+                rows.append((here, near))
+        return tuple(rows)
+
+    def _stepped(self, cell: Cell, value: str, owner: str) -> Table | None:
+        """`x++`, `x + 1` and the like, from each of the values."""
+        text = re.sub(r"^(\+\+|--)(.*)$|^(.*)(\+\+|--)$", lambda m: f"{m[2] or m[3]} {(m[1] or m[4])[0]} 1", compact(value))
+        match = _INCREMENT.fullmatch(text)
+        if not match or self._domains.cell(self._domains.locator.locate(match["name"], owner)) != cell:
+            return None
+        step = float(match["step"]) * (1 if match["sign"] == "+" else -1)
+        numbers = {v: size for v in cell.subject.values if (size := number(v)) is not None}
+        rows: list[tuple[Formula, str]] = []
+        for current in cell.subject.values:
+            here = Is(cell.subject, frozenset({current}))
+            if current in numbers:
+                reached = constant(repr(numbers[current] + step)) or OTHER
+                rows.append((here, cell.nearest(reached) or current))
+            else:  # counting on from a value without a name passes the outermost named one at most
+                beyond = sorted(numbers, key=lambda v: numbers[v] * step)[1:]
+                rows += self._choice(cell, here, [*beyond, current])
+        return tuple(rows)
+
+    def _unknown(self, cell: Cell) -> Table:
+        return tuple(self._choice(cell, TRUE, list(cell.subject.values)))
+
+    @staticmethod
+    def _choice(cell: Cell, here: Formula, values: list[str]) -> list[tuple[Formula, str]]:
+        """Any of the values, when `here` holds: the source does not tell which."""
+        if len(values) == 1:
+            return [(here, values[0])]
+        hidden = Subject(f"next {cell.subject.key} of {'|'.join(values)}", f"next {cell.subject.text}", tuple(values), hidden=True)
+        return [(conjunction((here, Is(hidden, frozenset({value})))), value) for value in values]
+
+
+_POINTER_VALUE = re.compile(r"new\b|&|(\w+::)*(make_shared|make_unique|allocate_shared)\b")

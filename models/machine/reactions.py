@@ -1,0 +1,232 @@
+"""What happens in one go: the steps of a node's reaction to a trigger, run from a state for every course they may take.
+
+A reaction is atomic, as callbacks of a single-threaded spinner are. Its steps are taken in the order of their lines. A variable is
+tested once: later conditions of the same reaction see the value of its first test, as the cases of a `switch` do, so that a reaction
+takes one arc of a state machine and not two; a variable that is assigned before its first test shows what was assigned.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from rosarch.models.machine.cells import Document, Domains, variable_and_field
+from rosarch.models.machine.logic import (
+    TRUE,
+    Formula,
+    Subject,
+    conjunction,
+    evaluate,
+    first_unknown,
+    simplify,
+    subjects,
+)
+from rosarch.models.machine.meaning import Assignment, Meaning
+
+
+class TooManyCases(Exception):
+    """A reaction has more courses than anyone wants to see."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """The row of the component model that an element rests on: its list, its index there, and its source line."""
+
+    kind: str
+    index: int
+    at: str
+
+
+@dataclass(frozen=True)
+class Output:
+    """A port that is sent to, under a condition of its own; `sometimes` when the source's condition is not known."""
+
+    port: str
+    when: Formula = TRUE
+    sometimes: bool = False
+
+
+@dataclass(frozen=True)
+class Step:
+    """An assignment or a sending, under a guard."""
+
+    row: Row
+    guard: tuple[Formula, ...]
+    assignments: tuple[Assignment, ...] = ()
+    outputs: tuple[str, ...] = ()
+    sometimes: bool = False
+
+    def tested(self) -> set[Subject]:
+        """What its guard and its values are about."""
+        values = (formula for assignment in self.assignments for formula, _ in assignment.table)
+        return {subject for formula in (*self.guard, *values) for subject in subjects(formula)}
+
+
+@dataclass(frozen=True)
+class Course:
+    """One way a reaction may go: what was chosen, the values after it, the cells that were assigned, what was sent."""
+
+    choices: Mapping[Subject, str]
+    values: tuple[str, ...]
+    assigned: tuple[tuple[str, str], ...]
+    outputs: tuple[Output, ...]
+    rows: tuple[Row, ...]
+
+
+def component_steps(document: Document, domains: Domains) -> dict[str, list[Step]]:
+    """The steps of each trigger, in the order they are taken; triggers in the order of the document."""
+    meaning = Meaning(domains)
+    names = {row["name"] for row in document.get("state_variables") or ()}
+    found: dict[str, list[Step]] = {}
+    for index, row in enumerate(document.get("transitions") or ()):
+        if not row.get("variable"):
+            continue
+        variable, suffix = variable_and_field(row, names)
+        owner = variable.rpartition("::")[0].rsplit("::", 1)[-1]
+        assignments = meaning.assignments(variable, suffix, row.get("value"), owner)
+        step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(row.get("guard"), owner), tuple(assignments))
+        for trigger in _list(row.get("trigger")):
+            found.setdefault(trigger, []).append(step)
+    for index, row in enumerate(document.get("reactive") or ()):
+        guard = meaning.conjuncts(row.get("when"), "")
+        sometimes = not guard and row.get("must") is False
+        step = Step(Row("reactive", index, _place(row)), guard, (), (str(row["output"]),), sometimes)
+        for trigger in _list(row.get("input")):
+            found.setdefault(trigger, []).append(step)
+    for index, row in enumerate(document.get("periodic") or ()):
+        guard = meaning.conjuncts(row.get("conditional"), "")
+        if row.get("publishes"):
+            step = Step(Row("periodic", index, _place(row)), guard, (), tuple(row["publishes"]))
+            found.setdefault("periodic", []).append(step)
+    return {trigger: sorted(steps, key=_order) for trigger, steps in found.items()}
+
+
+def _list(value: object) -> list[str]:
+    if value is None:
+        return []
+    return [str(item) for item in value] if isinstance(value, list | tuple) else [str(value)]
+
+
+def _place(row: Mapping[str, object]) -> str:
+    return " ".join(_list(row.get("at")))
+
+
+def _order(step: Step) -> tuple[str, int, bool, int]:
+    """By line; the place of a timed loop is that of its pause, behind everything that a cycle does."""
+    first = step.row.at.split(" ")[0]
+    path, _, line = first.rpartition(":")
+    return path, int(line) if re.fullmatch(r"\d+", line) else 0, bool(step.outputs), step.row.index
+
+
+@dataclass
+class _Run:
+    """A reaction under way."""
+
+    step: int = 0
+    part: int = 0
+    values: dict[str, str] = field(default_factory=dict)
+    seen: dict[str, str] = field(default_factory=dict)
+    choices: dict[Subject, str] = field(default_factory=dict)
+    assigned: dict[str, str] = field(default_factory=dict)
+    outputs: list[Output] = field(default_factory=list)
+    rows: list[Row] = field(default_factory=list)
+
+    def fork(self, subject: Subject, value: str) -> _Run:
+        """The same with a choice more."""
+        copy = replace(
+            self, values=dict(self.values), seen=dict(self.seen), choices={**self.choices, subject: value}, assigned=dict(self.assigned)
+        )
+        copy.outputs, copy.rows = list(self.outputs), list(self.rows)
+        if subject.cell:
+            copy.values[subject.key] = value
+        return copy
+
+    def tested(self, subject: Subject) -> str | None:
+        """The value that a guard sees."""
+        return self.seen.get(subject.key, self.values.get(subject.key)) if subject.cell else self.choices.get(subject)
+
+    def current(self, subject: Subject) -> str | None:
+        """The value that an assignment reads."""
+        return self.values.get(subject.key) if subject.cell else self.choices.get(subject)
+
+
+def courses(steps: Sequence[Step], cells: Sequence[str], values: Sequence[str], limit: int) -> Iterator[Course]:
+    """All courses of a reaction from a state, given as the values of the cells of a region; cells elsewhere begin like inputs.
+
+    Raises `TooManyCases` beyond `limit` courses.
+    """
+    deciding = set().union(*(step.tested() for step in steps if step.assignments)) if steps else set()
+    waiting = [_Run(values=dict(zip(cells, values, strict=True)))]
+    done = 0
+    while waiting:
+        run = waiting.pop()
+        open_subject = _advance(run, steps, set(cells), deciding)
+        if open_subject is not None:
+            waiting += [run.fork(open_subject, value) for value in reversed(open_subject.values)]
+        else:
+            done += 1
+            yield Course(
+                run.choices,
+                tuple(run.values[cell] for cell in cells),
+                tuple((cell, run.assigned[cell]) for cell in cells if cell in run.assigned),
+                _once(run.outputs),
+                tuple(dict.fromkeys(run.rows)),
+            )
+        if done + len(waiting) > limit:
+            raise TooManyCases
+
+
+def _advance(run: _Run, steps: Sequence[Step], cells: set[str], deciding: set[Subject]) -> Subject | None:
+    """Run on to the end, or to a subject that something hangs on and of which nothing is known."""
+    while run.step < len(steps):
+        step = steps[run.step]
+        rest = _residue(step.guard, run)
+        truth = evaluate(rest, run.tested)
+        if truth is None and (step.assignments or not deciding.isdisjoint(subjects(rest))):
+            return first_unknown(rest, run.tested)
+        if truth is not False:
+            if (subject := _assign(run, step)) is not None:
+                return subject
+            run.outputs += [Output(port, rest, step.sometimes) for port in step.outputs]
+            if step.outputs or any(assignment.cell.subject.key in cells for assignment in step.assignments):
+                run.rows.append(step.row)
+        run.step, run.part = run.step + 1, 0
+    return None
+
+
+def _residue(guard: Iterable[Formula], run: _Run) -> Formula:
+    """What of a guard is open; the cells that it tests are seen from now on."""
+    parts = []
+    for conjunct in guard:
+        rest = simplify(conjunct, run.tested)
+        for subject in subjects(conjunct):
+            if subject.cell and subject.key in run.values:
+                run.seen.setdefault(subject.key, run.values[subject.key])
+        parts.append(rest)
+        if evaluate(rest, run.tested) is False:
+            break
+    return conjunction(parts)
+
+
+def _assign(run: _Run, step: Step) -> Subject | None:
+    """Make the assignments of a step that are left; stop at a subject that a value hangs on."""
+    while run.part < len(step.assignments):
+        assignment = step.assignments[run.part]
+        key = assignment.cell.subject.key
+        for condition, value in assignment.table:
+            truth = evaluate(condition, run.current)
+            if truth is None:
+                return first_unknown(condition, run.current)
+            if truth:
+                run.values[key] = run.assigned[key] = value
+                break
+        run.part += 1
+    return None
+
+
+def _once(outputs: Iterable[Output]) -> tuple[Output, ...]:
+    """Each port once for each condition, and only once when one of them is none."""
+    found = list(dict.fromkeys(outputs))
+    certain = {output.port for output in found if output.when == TRUE and not output.sometimes}
+    return tuple(output for output in found if output.port not in certain or (output.when == TRUE and not output.sometimes))
