@@ -7,6 +7,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from rosarch.datalog import RelationDecl, load_declarations, write_facts
+from rosarch.extractor.files import path_below
 from rosarch.extractor.manifest import FactsEntry, folder_digest, rules_folder
 
 Row = tuple[str | int, ...]
@@ -38,7 +39,7 @@ def validate(rows: Rows) -> None:
 def write_component(out: Path, package: str, component: str, kind: str, sources: tuple[str, ...], rows: Rows) -> FactsEntry:
     """Write the facts of one component to `out`/`package`/`component`; every relation of the schema gets a file."""
     validate(rows)
-    folder = out / package / component
+    folder = path_below(out, package, component)
     folder.mkdir(parents=True, exist_ok=True)
     complete = {relation: sorted(rows.get(relation, ())) for relation in schema()}
     write_facts(folder, complete, schema())

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import rosarch.rules
+from rosarch.extractor.files import file_name
 from rosarch.extractor.workspace.model import Diagnostic
 
 NAME = "manifest.json"
@@ -87,6 +88,17 @@ def write_manifest(out: Path, root: Path, entries: Sequence[FactsEntry], sources
     (out / NAME).write_text(json.dumps(data, indent=1, sort_keys=True) + "\n", encoding="utf-8")
 
 
+def _entry(data: dict[str, Any]) -> FactsEntry:
+    """An entry as it was written; its names become paths, so that others are refused."""
+    entry = FactsEntry(**{**data, "sources": tuple(data["sources"])})
+    for name in (entry.package, entry.component):
+        if name != file_name(name):
+            raise ValueError(f"{name!r} is no name of a package or component")
+    if entry.folder != f"{entry.package}/{entry.component}":
+        raise ValueError(f"{entry.folder!r} is not the folder of {entry.package}/{entry.component}")
+    return entry
+
+
 def read_manifest(folder: Path) -> Manifest:
     """Read and check `folder`/manifest.json.
 
@@ -96,13 +108,15 @@ def read_manifest(folder: Path) -> Manifest:
     path = folder / NAME
     try:
         data: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        entries = tuple(FactsEntry(**{**entry, "sources": tuple(entry["sources"])}) for entry in data["components"])
+        entries = tuple(_entry(entry) for entry in data["components"])
         diagnostics = tuple(Diagnostic(**{**entry, "path": Path(entry["path"])}) for entry in data["diagnostics"])
-        manifest = Manifest(data["root"], entries, data["sources"], diagnostics)
+        manifest = Manifest(data["root"], entries, dict(data["sources"]), diagnostics)
+        if not isinstance(manifest.root, str):
+            raise TypeError("the root is no path")
         schema = data["schema"]
     except OSError:
         raise ManifestError(f"{path}: no such file; is this a folder of facts?") from None
-    except (ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise ManifestError(f"{path}: damaged ({error}); extract the facts again") from None
     if data.get("format") != FORMAT or schema != schema_hash():
         raise ManifestError(f"{path}: the facts were written under another schema; extract them again")

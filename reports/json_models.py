@@ -8,6 +8,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from rosarch.extractor.files import path_below
 from rosarch.models.component import ComponentModel, to_json
 
 _IDENTITY = ("system", "component", "package", "kind", "node_name", "ports")
@@ -41,7 +42,7 @@ def component_schema() -> Any:
 def write_models(models: Iterable[ComponentModel], out: Path) -> None:
     """Write one document per component to `out`/<package>/<component>.json."""
     for model in models:
-        path = out / model.package / f"{model.component}.json"
+        path = path_below(out, model.package, f"{model.component}.json")
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(model_text(model), encoding="utf-8")
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from rosarch.extractor.files import file_name
+
 from .graph import closure, definitions, find_library, include_path
 from .model import EXECUTABLE, LIBRARY_KINDS, Component, Package, PluginClass, Target, Workspace
 from .plugins import Registration, registrations
@@ -33,7 +35,7 @@ def _component(workspace: Workspace, package: Package, name: str, kind: str, tar
     libraries = closure(workspace, target) if target else ()
     own = set(target.sources) if target else set()
     return Component(
-        name=name,
+        name=file_name(name),
         package=package.name,
         kind=kind,
         target=target,

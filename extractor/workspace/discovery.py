@@ -6,6 +6,8 @@ import os
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
+from rosarch.extractor.files import file_name
+
 from . import commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values
 from .cmake_state import PackageDraft
 from .drafts import finished_package
@@ -78,7 +80,7 @@ class _Discovery:
     def _locate(self) -> None:
         for path in find_manifests(self.root):
             name = quick_name(path)
-            if name is None:
+            if name is None or name != file_name(name):
                 _manifest, problems = read_manifest(Path(path))
                 self.diagnostics.extend(problems or [Diagnostic("manifest", Path(path), 1, 1, "no <name>")])
             elif name in self.paths:

@@ -6,6 +6,7 @@ skipped with everything below it, and nothing below a package is another package
 
 from __future__ import annotations
 
+import html
 import os
 import re
 from collections.abc import Iterable
@@ -14,6 +15,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
+
+from rosarch.extractor.files import file_name
 
 from .model import Diagnostic
 from .options import DEFAULT_DISTRO, initial_environment
@@ -81,7 +84,7 @@ def quick_name(path: str) -> str | None:
     except OSError:
         return None
     match = _NAME.search(_COMMENT.sub("", text))
-    return match.group(1) if match else None
+    return html.unescape(match.group(1)) if match else None
 
 
 def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | None, list[Diagnostic]]:
@@ -99,6 +102,8 @@ def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | 
     if tree.tag != "package" or not name:
         message = "no <name>" if tree.tag == "package" else f"root element is <{tree.tag}>, not <package>"
         return None, [Diagnostic("manifest", path, 1, 1, message)]
+    if name != file_name(name):
+        return None, [Diagnostic("manifest", path, 1, 1, f"not a package name: {name!r}")]
     problems: list[Diagnostic] = []
     try:
         build, run = _strict_depends(data, path, distro)

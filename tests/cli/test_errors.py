@@ -186,3 +186,16 @@ def test_closed_pipe(workspace: Path) -> None:
     command = f"{sys.executable} -m rosarch.cli.main show ports ws | true"
     done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
     assert done.stderr == ""
+
+
+def test_nothing_is_written_outside_the_output_folder(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    cmake = workspace / "talker" / "CMakeLists.txt"
+    cmake.write_text(cmake.read_text() + f"set_target_properties(talker PROPERTIES OUTPUT_NAME {tmp_path}/evil)\n")
+    (workspace / "bad").mkdir()
+    (workspace / "bad" / "package.xml").write_text("<package><name>../../bad</name></package>")
+    before = {path for path in tmp_path.rglob("*") if path.is_file()}
+    assert rosarch("analyze", "ws", "-o", "deep/models").code == 0
+    assert rosarch("extract", "ws", "-o", "deep/facts").code == 0
+    written = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file() and path not in before}
+    assert {"deep/models/talker/evil.json", "deep/facts/talker/evil/call.facts", "deep/facts/manifest.json"} <= written
+    assert {Path(name).parent.as_posix() for name in written} == {"deep/models/talker", "deep/facts/talker/evil", "deep/facts"}

@@ -135,3 +135,24 @@ def test_the_schema_hash_follows_the_schema(monkeypatch: pytest.MonkeyPatch, tmp
     (tmp_path / "schema/a.dl").write_text(".decl a(x: number)\n", encoding="utf-8")
     assert len(first) == 16
     assert module.schema_hash.__wrapped__() != first
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"package": "../../evil"}, "'../../evil' is no name of a package or component"),
+        ({"component": ".."}, "'..' is no name of a package or component"),
+        ({"folder": "/etc"}, "'/etc' is not the folder of pkg/node"),
+        ({"folder": 5}, "5 is not the folder of pkg/node"),
+        ({"package": 5}, "'int' object has no attribute 'rpartition'"),
+    ],
+)
+def test_an_entry_that_leads_elsewhere(facts: Path, change: dict[str, object], why: str) -> None:
+    (entry,) = json.loads((facts / "manifest.json").read_text(encoding="utf-8"))["components"]
+    edit(facts, components=[{**entry, **change}])
+    assert refusal(facts) == f"facts/manifest.json: damaged ({why}); extract the facts again"
+
+
+def test_a_root_that_is_no_path(facts: Path) -> None:
+    edit(facts, root=5)
+    assert refusal(facts) == "facts/manifest.json: damaged (the root is no path); extract the facts again"

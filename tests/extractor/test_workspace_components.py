@@ -157,3 +157,9 @@ def test_ament(tmp_path: Path) -> None:
     ]
     assert [path.name for path in found[1].library_sources] == ["talker.cpp"]
     assert found[0].include_dirs == (tmp_path / "demo/include",)
+
+
+def test_names_of_the_input_name_one_file(tmp_path: Path) -> None:
+    cmake = "add_executable(x x.cpp)\nset_target_properties(x PROPERTIES OUTPUT_NAME ../../../evil)\nadd_executable(y x.cpp)\nset_target_properties(y PROPERTIES OUTPUT_NAME /tmp/y2)\n"
+    package(tmp_path, "demo", cmake, {"x.cpp": ""})
+    assert [one.name for one in components(discover(tmp_path))] == ["evil", "y2"]

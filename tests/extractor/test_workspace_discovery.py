@@ -44,6 +44,9 @@ def test_manifest(tmp_path: Path) -> None:
         ("", "bad/package.xml:1:1: broken XML: no element found"),
         ("<package></package>", "bad/package.xml:1:1: no <name>"),
         ("<other><name>bad</name></other>", "bad/package.xml:1:1: root element is <other>, not <package>"),
+        ("<package><name>../../evil</name></package>", "bad/package.xml:1:1: not a package name: '../../evil'"),
+        ("<package><name>..&#47;evil</name></package>", "bad/package.xml:1:1: not a package name: '../evil'"),
+        ("<package><name>two\nlines</name></package>", "bad/package.xml:1:1: not a package name: 'two\\nlines'"),
     ],
 )
 def test_broken_manifest_costs_one_package(tmp_path: Path, xml: str, message: str) -> None:

@@ -1,0 +1,46 @@
+"""Files and names of the input, which are never trusted."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from pathlib import Path
+
+_LONGEST = 200
+"""Bytes of a file's name, with room for a suffix."""
+
+
+def file_name(text: str) -> str:
+    """A name of the input as the name of one file or folder: its part after the last `/`, what cannot be printed as `_`."""
+    name = "".join(c if c.isprintable() else "_" for c in text.rpartition("/")[2])
+    name = name.encode()[:_LONGEST].decode(errors="ignore")
+    return name if name.strip(". ") else "_"
+
+
+def path_below(folder: Path, *names: str) -> Path:
+    """The path of `names` below `folder`; ValueError when they lead out of it."""
+    path = folder.joinpath(*names)
+    if ".." in path.relative_to(folder).parts:
+        raise ValueError(f"{path} is not below {folder}")
+    return path
+
+
+def read_file(path: str | Path) -> bytes:
+    """The content of a regular file; OSError for anything else: to read a pipe would block, to read a device might never end."""
+    if not stat.S_ISREG(os.stat(path).st_mode):
+        raise OSError(errno.EINVAL, "not a regular file", str(path))
+    return Path(path).read_bytes()
+
+
+def is_folder(entry: os.DirEntry[str]) -> bool:
+    """Whether an entry is a folder or a link to one; a link that leads nowhere or to itself is none."""
+    try:
+        return entry.is_dir()
+    except OSError:
+        return False
+
+
+def path_text(path: str | Path) -> str:
+    r"""A path as text that can be written anywhere: a byte that is not UTF-8 is shown as `\xff`."""
+    return os.fsencode(path).decode("utf-8", "backslashreplace")
