@@ -69,7 +69,7 @@ def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic
         from rosarch.extractor.workspace.manifests import find_manifests, quick_name
         from rosarch.reports.diagnostics import diagnostic_line
 
-        if not any(quick_name(path) for path in find_manifests(folder.absolute())):
+        if not any(quick_name(path) for path in find_manifests(folder.absolute(), [])):
             raise InputError(diagnostic_line(broken[0], Path.cwd()))
 
 

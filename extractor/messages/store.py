@@ -7,7 +7,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from rosarch.extractor.workspace.model import Diagnostic, Package
+from rosarch.extractor.workspace.model import Diagnostic, Package, unreadable
 
 from .common_interfaces import common_interfaces
 from .dynamic_reconfigure import parse_config
@@ -73,7 +73,7 @@ class _Loader:
             try:
                 data = path.read_bytes()
             except OSError as error:
-                self.problems.append(Diagnostic("unreadable", path, 1, 1, f"cannot be read: {error.strerror}"))
+                self.problems.append(unreadable(path, error))
                 continue
             try:
                 yield path, data.decode("utf-8-sig")

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import re
 
+from rosarch.extractor.files import is_folder
+
 _MAGIC = re.compile(r"[*?\[]")
 MAX_FILES = 100_000
 
@@ -42,7 +44,7 @@ def _folders(path: str) -> list[str]:
     result = []
     matcher = _matcher(name)
     for folder in _folders(parent or "/"):
-        result += [entry.path for entry in _scan(folder) if entry.is_dir() and matcher.fullmatch(entry.name)]
+        result += [entry.path for entry in _scan(folder) if is_folder(entry) and matcher.fullmatch(entry.name)]
     return result
 
 
@@ -58,8 +60,8 @@ def _collect(folder: str, matcher: re.Pattern[str], recurse: bool, directories: 
     if len(found) > MAX_FILES:
         return
     for entry in _scan(folder):
-        is_folder = entry.is_dir()
-        if matcher.fullmatch(entry.name) and (directories or not is_folder):
+        inner = is_folder(entry)
+        if matcher.fullmatch(entry.name) and (directories or not inner):
             found.append(os.path.normpath(entry.path))
-        if recurse and is_folder and not entry.is_symlink():
+        if recurse and inner and not entry.is_symlink():
             _collect(entry.path, matcher, recurse, directories, found)

@@ -38,18 +38,22 @@ class Scope:
 
 @dataclass
 class Directory:
-    """Directory properties, inherited by sub-directories as they are when those are added."""
+    """Directory properties, inherited by sub-directories as they are when those are added.
+
+    `real_paths` are those of this directory and all above it, links resolved.
+    """
 
     source: str
     binary: str
+    real_paths: frozenset[str] = frozenset()
     include_dirs: list[str] = field(default_factory=list)
     definitions: list[str] = field(default_factory=list)
     links: list[str] = field(default_factory=list)
     properties: dict[str, str] = field(default_factory=dict)
 
-    def child(self, source: str, binary: str) -> Directory:
+    def child(self, source: str, binary: str, real_path: str) -> Directory:
         """A sub-directory."""
-        return Directory(source, binary, list(self.include_dirs), list(self.definitions), list(self.links))
+        return Directory(source, binary, self.real_paths | {real_path}, list(self.include_dirs), list(self.definitions), list(self.links))
 
 
 @dataclass

@@ -152,10 +152,14 @@ def _add_subdirectory(run: Evaluator, call: Call) -> None:
     if run.is_outside(source) or not os.path.isfile(file):
         run.complain(call.command, "missing-subdirectory", f"no CMakeLists.txt in sub-directory {call.args[0]}")
         return
+    real = os.path.realpath(source)
+    if real in run.directory.real_paths:
+        run.complain(call.command, "cyclic-subdirectory", f"sub-directory {call.args[0]} is or contains this one")
+        return
     outer_scope, outer_directory = run.scope, run.directory
     binary = run.binary_path(call.args[1] if len(call.args) > 1 and call.args[1] != "EXCLUDE_FROM_ALL" else call.args[0])
     run.scope = Scope(outer_scope)
-    run.directory = outer_directory.child(source, binary)
+    run.directory = outer_directory.child(source, binary, real)
     excluded = "EXCLUDE_FROM_ALL" in call.args
     run.excluded += excluded
     try:

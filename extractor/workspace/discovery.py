@@ -78,7 +78,7 @@ class _Discovery:
         self.diagnostics.append(Diagnostic(kind, path, 1, 1, message))
 
     def _locate(self) -> None:
-        for path in find_manifests(self.root):
+        for path in find_manifests(self.root, self.diagnostics):
             name = quick_name(path)
             if name is None or name != file_name(name):
                 _manifest, problems = read_manifest(Path(path))
@@ -91,7 +91,7 @@ class _Discovery:
 
     def _locate_ignored(self, names: set[str]) -> None:
         """Packages asked for by name are read although a marker hides them from the build."""
-        for path in find_manifests(self.root, ignored=True):
+        for path in find_manifests(self.root, [], ignored=True):
             name = quick_name(path)
             if name in names and name not in self.paths:
                 self.paths[name] = path

@@ -64,7 +64,7 @@ class Evaluator:
         self.scope.variables.update(initial_variables(distro))
         self.cache: dict[str, str] = dict(options.defines)
         self.environment = initial_environment(distro) | dict(options.environment)
-        self.directory = Directory(folder, self.build)
+        self.directory = Directory(folder, self.build, frozenset({os.path.realpath(folder)}))
         self.targets: dict[str, TargetDraft] = {}
         self.aliases: dict[str, str] = {}
         self.procedures: dict[str, Procedure] = {}

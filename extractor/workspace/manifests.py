@@ -6,6 +6,7 @@ skipped with everything below it, and nothing below a package is another package
 
 from __future__ import annotations
 
+import errno
 import html
 import os
 import re
@@ -16,9 +17,9 @@ from xml.etree import ElementTree
 
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
-from rosarch.extractor.files import file_name
+from rosarch.extractor.files import file_name, is_folder
 
-from .model import Diagnostic
+from .model import Diagnostic, unreadable
 from .options import DEFAULT_DISTRO, initial_environment
 
 IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
@@ -26,10 +27,10 @@ HEAVY_FOLDERS = frozenset({"node_modules", "__pycache__", "venv", "site-packages
 _GENERATED_MARKERS = frozenset({".catkin", ".built_by", "CMakeCache.txt"})
 
 
-def find_manifests(root: Path, *, ignored: bool = False) -> list[str]:
+def find_manifests(root: Path, problems: list[Diagnostic], *, ignored: bool = False) -> list[str]:
     """Paths of all manifests below `root`, sorted; with `ignored`, also those that ignore markers hide.
 
-    Folders reached twice through links are visited once.
+    Folders reached twice through links are visited once. `problems` gets the folders that cannot be read and links that lead to themselves.
     """
     result: list[str] = []
     visited: set[str] = set()
@@ -39,7 +40,8 @@ def find_manifests(root: Path, *, ignored: bool = False) -> list[str]:
         try:
             with os.scandir(folder) as scan:
                 entries = list(scan)
-        except OSError:
+        except OSError as error:
+            problems.append(unreadable(folder, error))
             continue
         names = {entry.name for entry in entries}
         if (names & IGNORE_MARKERS and not ignored) or (names & _GENERATED_MARKERS and folder != str(root)):
@@ -48,7 +50,9 @@ def find_manifests(root: Path, *, ignored: bool = False) -> list[str]:
             result.append(f"{folder}/package.xml")
             continue
         for entry in entries:
-            if entry.name.startswith(".") or entry.name in HEAVY_FOLDERS or not entry.is_dir():
+            if entry.name.startswith(".") or entry.name in HEAVY_FOLDERS or not is_folder(entry):
+                if entry.is_symlink() and _is_loop(entry.path):
+                    problems.append(Diagnostic("unreadable", Path(entry.path), 1, 1, "a link that leads to itself"))
                 continue
             if entry.is_symlink():
                 real = os.path.realpath(entry.path)
@@ -57,6 +61,14 @@ def find_manifests(root: Path, *, ignored: bool = False) -> list[str]:
                 visited.add(real)
             stack.append(entry.path)
     return sorted(result)
+
+
+def _is_loop(path: str) -> bool:
+    try:
+        os.stat(path)
+    except OSError as error:
+        return error.errno == errno.ELOOP
+    return False
 
 
 @dataclass(frozen=True)

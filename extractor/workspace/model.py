@@ -30,6 +30,11 @@ class Diagnostic:
         return f"{self.path}:{self.line}:{self.column}: {self.message}"
 
 
+def unreadable(path: str | Path, error: OSError) -> Diagnostic:
+    """The diagnostic for a file or folder that cannot be read."""
+    return Diagnostic("unreadable", Path(path), 1, 1, f"cannot be read: {(error.strerror or str(error)).lower()}")
+
+
 @dataclass(frozen=True)
 class Target:
     """One CMake target. `sources` exist on disk; `links` are library names after expansion of variables."""

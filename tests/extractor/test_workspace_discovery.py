@@ -93,6 +93,53 @@ def test_symlink_loop(tmp_path: Path) -> None:
     assert messages(workspace, tmp_path) == []
 
 
+def test_links_that_lead_to_themselves(tmp_path: Path) -> None:
+    package(tmp_path, "one", "file(GLOB_RECURSE S *.cpp)\nadd_executable(x ${S})", {"src/a.cpp": ""})
+    os.symlink("loopb", tmp_path / "loopa")
+    os.symlink("loopa", tmp_path / "loopb")
+    os.symlink("loop.cpp", tmp_path / "one" / "src" / "loop.cpp")
+    workspace = discover(tmp_path)
+    assert [len(one.sources) for one in workspace.packages[0].targets] == [1]
+    assert messages(workspace, tmp_path) == [
+        "loopa:1:1: a link that leads to itself",
+        "loopb:1:1: a link that leads to itself",
+        "one/CMakeLists.txt:5:1: source of x does not exist: src/loop.cpp",
+    ]
+
+
+def test_a_folder_that_adds_itself(tmp_path: Path) -> None:
+    package(
+        tmp_path,
+        "one",
+        "add_executable(x x.cpp)\nadd_subdirectory(sub)",
+        {"x.cpp": "", "sub/CMakeLists.txt": "add_subdirectory(up)\nadd_subdirectory(.)"},
+    )
+    os.symlink("..", tmp_path / "one" / "sub" / "up")
+    assert messages(discover(tmp_path), tmp_path) == [
+        "one/sub/CMakeLists.txt:1:1: sub-directory up is or contains this one",
+        "one/sub/CMakeLists.txt:2:1: sub-directory . is or contains this one",
+    ]
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_folders_and_files_without_permission(tmp_path: Path) -> None:
+    package(tmp_path, "one", "file(GLOB S secret/*.cpp)\n", {"secret/a.cpp": ""})
+    package(tmp_path, "two", "add_executable(x x.cpp)\n", {"x.cpp": ""})
+    package(tmp_path / "closed", "three", "")
+    for path in ("one/secret", "two/CMakeLists.txt", "closed"):
+        (tmp_path / path).chmod(0)
+    try:
+        found = messages(discover(tmp_path), tmp_path)
+    finally:
+        for path in ("one/secret", "two/CMakeLists.txt", "closed"):
+            (tmp_path / path).chmod(0o755)
+    assert found == [
+        "closed:1:1: cannot be read: permission denied",
+        "one/CMakeLists.txt:4:1: file: one/secret cannot be read: permission denied",
+        "two/CMakeLists.txt:1:1: cannot be read: permission denied",
+    ]
+
+
 def test_duplicate_package(tmp_path: Path) -> None:
     package(tmp_path / "a", "one", "")
     package(tmp_path / "b", "one", "")
