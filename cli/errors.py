@@ -38,7 +38,10 @@ def run(command: Callable[[], Any], traceback: bool = False) -> int:
 
 
 def _fail(message: str, hint: str = "") -> int:
-    print(f"rosarch: error: {message}{f' ({hint})' if hint else ''}", file=sys.stderr)
+    from rosarch.reports.printable import printable
+
+    lines = f"rosarch: error: {message}{f' ({hint})' if hint else ''}".split("\n")
+    print("\n".join(map(printable, lines)), file=sys.stderr)
     return USAGE
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosarch.reports.labels import counted
+from rosarch.reports.printable import printable
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Diagnostic
@@ -37,4 +38,4 @@ def diagnostics_text(diagnostics: Iterable[Diagnostic], base: Path, *, complete:
 
 def diagnostic_line(diagnostic: Diagnostic, base: Path) -> str:
     """The first line of a diagnostic, with a path relative to `base` when it lies there."""
-    return str(diagnostic).partition("\n")[0].removeprefix(f"{base}/")
+    return printable(str(diagnostic).removeprefix(f"{base}/").partition("\n")[0])

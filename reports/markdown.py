@@ -6,13 +6,14 @@ from collections.abc import Iterable
 
 from rosarch.models.component import ComponentModel, Port
 from rosarch.reports.labels import answer_label, flow_label, kind_label, sorted_ports
+from rosarch.reports.printable import all_printable
 
 _HEADER = "| kind | name | type | queue | callback | source |\n|---|---|---|---|---|---|"
 
 
 def ports_text(models: Iterable[ComponentModel]) -> str:
     """One heading and one table per component."""
-    return "\n".join(_component(model) for model in models)
+    return "\n".join(_component(all_printable(model)) for model in models)
 
 
 def _component(model: ComponentModel) -> str:

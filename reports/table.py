@@ -14,6 +14,7 @@ from rich.text import Text
 
 from rosarch.models.component import ComponentModel, Port
 from rosarch.reports.labels import answer_label, flow_label, kind_label, parameter_labels, sorted_ports
+from rosarch.reports.printable import all_printable
 
 _STYLES = {
     "publisher": "green",
@@ -33,7 +34,7 @@ def models_text(models: Iterable[ComponentModel], *, parameters: bool, terminal:
     width = None if terminal else _UNLIMITED
     console = Console(file=buffer, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False)
     for model in models:
-        _print_model(console, model, parameters)
+        _print_model(console, all_printable(model), parameters)
     return "".join(f"{line.rstrip()}\n" for line in buffer.getvalue().splitlines())
 
 
@@ -79,8 +80,8 @@ def _table(ports: Iterable[Port], folder: str) -> Table:
     for _column in range(7):
         table.add_column(no_wrap=True)
     for port in ports:
-        cells = (_flow(port), answer_label(port), _source(port, folder))
-        table.add_row("", _kind(port), _name(port), port.type or "?", *cells, style="dim" if port.implicit else None)
+        cells = map(Text, (port.type or "?", _flow(port), answer_label(port), _source(port, folder)))  # plain text would be markup
+        table.add_row("", _kind(port), _name(port), *cells, style="dim" if port.implicit else None)
     return table
 
 

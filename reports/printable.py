@@ -1,0 +1,35 @@
+"""Text of the input as it may be shown: it never moves the cursor, breaks a row or turns what is beside it around."""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, TypeVar
+
+Value = TypeVar("Value")
+
+
+def printable(text: str) -> str:
+    r"""The text with control, format and other invisible characters as escapes: `\n`, `\x1b`, `\u202e`."""
+    return text if text.isprintable() else "".join(c if c.isprintable() else _escape(c) for c in text)
+
+
+def _escape(character: str) -> str:
+    code = ord(character)
+    if 0xDC80 <= code <= 0xDCFF:  # a byte of a file's name that is not UTF-8
+        return f"\\x{code - 0xDC00:02x}"
+    return character.encode("unicode_escape").decode()
+
+
+def all_printable(value: Value) -> Value:
+    """A model with every text in it printable."""
+    return _all_printable(value)  # type: ignore[no-any-return]
+
+
+def _all_printable(value: Any) -> Any:
+    if isinstance(value, str):
+        return printable(value)
+    if isinstance(value, tuple):
+        return tuple(map(_all_printable, value))
+    if is_dataclass(value) and not isinstance(value, type):
+        return replace(value, **{each.name: _all_printable(getattr(value, each.name)) for each in fields(value)})
+    return value
