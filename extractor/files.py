@@ -43,4 +43,4 @@ def is_folder(entry: os.DirEntry[str]) -> bool:
 
 def path_text(path: str | Path) -> str:
     r"""A path as text that can be written anywhere: a byte that is not UTF-8 is shown as `\xff`."""
-    return os.fsencode(path).decode("utf-8", "backslashreplace")
+    return os.fsencode(path.as_posix() if isinstance(path, Path) else path).decode("utf-8", "backslashreplace")

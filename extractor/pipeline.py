@@ -21,6 +21,7 @@ from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit, unit_key
 from rosarch.extractor.cxx.unit import file_key, merge
 from rosarch.extractor.facts import Rows, write_component
+from rosarch.extractor.files import path_text
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
@@ -250,7 +251,7 @@ def _component_facts(
         own["component_class"] = {(component.entry_class,)}
     for unit in units:
         if unit.source.is_relative_to(root):
-            relative = unit.source.relative_to(root).as_posix()
+            relative = path_text(unit.source.relative_to(root))
             origin = "own" if unit.source in component.sources else "library"
             own["source_file"].add((file_key(relative), relative))
             own["component_source"].add((file_key(relative), origin))
@@ -260,7 +261,7 @@ def _component_facts(
         component.name,
         component.package,
         component.kind,
-        tuple(source.relative_to(root).as_posix() for source in component.sources if source.is_relative_to(root)),
+        tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root)),
         tuple(paths[unit] for unit in units if unit in paths),
         own,
     )

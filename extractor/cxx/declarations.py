@@ -29,7 +29,7 @@ def qualified_name(unit: UnitFacts, cursor: Cursor) -> str:
     name = _ANONYMOUS.sub("", libclang.spelling(cursor)).strip()
     if not name or (cursor.kind in kinds.CLASSES and libclang.is_anonymous(cursor)):
         file, line, column = unit.place(cursor)
-        name = f"(anonymous {file.key or file.path.name}:{line}:{column})"
+        name = f"(anonymous {file.label}:{line}:{column})"
         if cursor.kind == kinds.NAMESPACE:
             name = "(anonymous)"
     if cursor.kind in kinds.FUNCTIONS and not name.startswith("operator"):
@@ -117,7 +117,7 @@ def declare_variable(unit: UnitFacts, cursor: Cursor, function: str = "") -> str
     parent = libclang.semantic_parent(pattern)
     file, line, column = unit.place(pattern)
     name = libclang.spelling(pattern)
-    where = f"@{file.key or file.path.name}:{line}:{column}"
+    where = f"@{file.label}:{line}:{column}"
     if parent.kind in kinds.CLASSES:
         owner = declare_class(unit, parent)
         identifier = f"{owner}::{name or where}"
@@ -133,7 +133,7 @@ def declare_variable(unit: UnitFacts, cursor: Cursor, function: str = "") -> str
     else:
         identifier = name if parent.kind in kinds.FUNCTIONS else qualified_name(unit, pattern)
         if libclang.linkage(pattern) != kinds.LINKAGE_EXTERNAL:
-            identifier += f"@{file.key or file.path.name}"
+            identifier += f"@{file.label}"
         unit.add("variable", identifier, "global")
     unit.declared[cursor.d0 or 0] = unit.declared[pattern.d0 or 0] = identifier
     unit.add("variable_name", identifier, name)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rosarch.extractor.cache import hash_of
+from rosarch.extractor.files import read_file
 
 SHIPPED = Path(__file__).parent / "headers"
 SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
@@ -99,7 +100,7 @@ class HeaderFinder:
     def _includes_of(self, file: Path) -> list[tuple[int, str, bool]]:
         if file not in self._included:
             try:
-                data = file.read_bytes()
+                data = read_file(file)
             except OSError:
                 data = b""
             self._digests[file] = hashlib.sha256(data).digest()
@@ -108,7 +109,7 @@ class HeaderFinder:
             self._included[file] = [
                 (
                     data.count(b"\n", 0, match.start()) + 1,
-                    (match.group(1) or match.group(2)).decode("utf-8", "replace").strip(),
+                    os.fsdecode(match.group(1) or match.group(2)).strip(),
                     bool(match.group(2)),
                 )
                 for match in _INCLUDE.finditer(data)
@@ -183,7 +184,7 @@ class HeaderFinder:
         if not path.is_file():
             path.parent.mkdir(parents=True, exist_ok=True)
             temporary = path.with_name(f"{path.name}.{os.getpid()}")
-            temporary.write_text(text, encoding="utf-8")
+            temporary.write_text(text, encoding="utf-8", errors="surrogateescape")
             temporary.replace(path)
         return path
 

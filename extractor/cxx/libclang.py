@@ -8,6 +8,7 @@ The library itself comes with the `libclang` wheel.
 from __future__ import annotations
 
 import ctypes
+import os
 from collections.abc import Callable, Iterator, Sequence
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_uint, c_void_p
 from pathlib import Path
@@ -153,9 +154,9 @@ class ParseError(Exception):
     """libclang gave no translation unit at all."""
 
 
-def _text(string: _String) -> str:
+def _text(string: _String, errors: str = "replace") -> str:
     data = _get_c_string(string)
-    result = data.decode("utf-8", "replace") if data else ""
+    result = data.decode("utf-8", errors) if data else ""
     _dispose_string(string)
     return result
 
@@ -258,7 +259,7 @@ def file_location(place: Location) -> tuple[str, int]:
     """Return (file name, byte offset) of a location; a macro body counts as the place of its use."""
     file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
     _file_location(place, byref(file), byref(line), byref(column), byref(offset))
-    return (_text(_file_name(file)) if file else "", offset.value)
+    return (_text(_file_name(file), "surrogateescape") if file else "", offset.value)
 
 
 class Unit:
@@ -268,8 +269,8 @@ class Unit:
         # declarations from a precompiled header are not visited: what it declares is declared on first reference
         self._index = _create_index(1, 0)
         self._handle = c_void_p()
-        array = (c_char_p * len(arguments))(*[argument.encode() for argument in arguments])
-        code = _parse(self._index, str(path).encode(), array, len(arguments), None, 0, options, byref(self._handle))
+        array = (c_char_p * len(arguments))(*[os.fsencode(argument) for argument in arguments])
+        code = _parse(self._index, os.fsencode(path), array, len(arguments), None, 0, options, byref(self._handle))
         if code or not self._handle:
             _dispose_index(self._index)
             raise ParseError(f"libclang error {code}")
@@ -288,7 +289,7 @@ class Unit:
 
     def save(self, path: Path) -> None:
         """Write the unit as a precompiled header."""
-        code = _save_unit(self._handle, str(path).encode(), 0)
+        code = _save_unit(self._handle, os.fsencode(path), 0)
         if code:
             raise ParseError(f"precompiled header not saved (libclang error {code})")
 

@@ -15,6 +15,7 @@ from rosarch.extractor.cxx.libclang import Location
 from rosarch.extractor.cxx.recover import recover
 from rosarch.extractor.cxx.unit import UnitFacts, file_key
 from rosarch.extractor.cxx.walk import walk_unit
+from rosarch.extractor.files import path_text
 
 # gnu++17: the shipped headers need deduction guides; a fixed target: the same types on every host;
 # no access control: a private member is a fact like any other
@@ -83,9 +84,9 @@ def _facts(root: Path, includes: Includes, parsed: libclang.Unit) -> UnitFacts:
     facts = UnitFacts(root)
     for missing in includes.missing:
         if missing.file.is_relative_to(root):
-            relative = missing.file.relative_to(root).as_posix()
+            relative = path_text(missing.file.relative_to(root))
             facts.add("source_file", file_key(relative), relative)
-            facts.add("include_missing", file_key(relative), missing.line, missing.header)
+            facts.add("include_missing", file_key(relative), missing.line, path_text(missing.header))
         assumed = assumed_message_class(missing.header)
         if assumed:
             facts.add("message_class", assumed[0], "message", assumed[1])

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range
+from rosarch.extractor.files import path_text, read_file
 
 TEXT_LIMIT = 500
 
@@ -25,12 +26,13 @@ def file_key(relative: str) -> str:
 
 
 class SourceFile:
-    """One file that clang read; `key` is None when it lies outside the workspace."""
+    """One file that clang read; `key` is None when it lies outside the workspace, `label` is then its name."""
 
-    __slots__ = ("_starts", "data", "key", "path")
+    __slots__ = ("_starts", "data", "key", "label", "path")
 
     def __init__(self, path: Path, key: str | None, data: bytes) -> None:
         self.path, self.key, self.data = path, key, data
+        self.label = key or path_text(path.name)
         self._starts: list[int] | None = None
 
     def line_column(self, offset: int) -> tuple[int, int]:
@@ -106,12 +108,13 @@ class UnitFacts:
         if known is None:
             path = Path(os.path.abspath(name))  # links are kept: a linked package belongs to the workspace it is linked into
             try:
-                data = path.read_bytes()
+                data = read_file(path)
             except OSError:
                 data = b""
-            key = file_key(path.relative_to(self.root).as_posix()) if path.is_relative_to(self.root) else None
-            if key:
-                self.add("source_file", key, path.relative_to(self.root).as_posix())
+            relative = path_text(path.relative_to(self.root)) if path.is_relative_to(self.root) else None
+            key = file_key(relative) if relative else None
+            if key and relative:
+                self.add("source_file", key, relative)
             known = self._files[name] = SourceFile(path, key, data)
         return known
 
@@ -159,9 +162,8 @@ class UnitFacts:
     def node(self, span: Span, form: str) -> str:
         """Give out the identifier of an AST node and record its location."""
         line, column = span.file.line_column(span.begin)
-        key = span.file.key or span.file.path.name
-        identifier = self.unique(f"{key}:{line}:{column}:{form}")
-        self.add("location", identifier, key, line, column)
+        identifier = self.unique(f"{span.file.label}:{line}:{column}:{form}")
+        self.add("location", identifier, span.file.label, line, column)
         return identifier
 
 

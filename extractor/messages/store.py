@@ -7,6 +7,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
+from rosarch.extractor.files import path_text, read_file
 from rosarch.extractor.workspace.model import Diagnostic, Package, unreadable
 
 from .common_interfaces import common_interfaces
@@ -44,15 +45,15 @@ class _Loader:
         """Read a package's files; the names of its messages."""
         own: list[str] = []
         for path, text in self._texts(package, package.message_files, "msg"):
-            message = parse_message(text, f"{package.name}/{path.stem}", path, self.problems)
+            message = parse_message(text, f"{package.name}/{path_text(path.stem)}", path, self.problems)
             self.messages[message.name] = message
             own.append(message.name)
         for path, text in self._texts(package, package.service_files, "srv"):
-            service, parts = parse_service(text, f"{package.name}/{path.stem}", path, self.problems)
+            service, parts = parse_service(text, f"{package.name}/{path_text(path.stem)}", path, self.problems)
             self.services[service.name] = service
             own.extend(self._add(parts))
         for path, text in self._texts(package, package.action_files, "action"):
-            action, parts = parse_action(text, f"{package.name}/{path.stem}", path, self.problems)
+            action, parts = parse_action(text, f"{package.name}/{path_text(path.stem)}", path, self.problems)
             self.actions[action.name] = action
             own.extend(self._add(parts))
         for path, text in self._texts(package, package.cfg_files, None):
@@ -71,7 +72,7 @@ class _Loader:
         files = dict.fromkeys((*declared, *others))
         for path in files:
             try:
-                data = path.read_bytes()
+                data = read_file(path)
             except OSError as error:
                 self.problems.append(unreadable(path, error))
                 continue

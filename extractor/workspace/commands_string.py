@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import re
 from collections.abc import Callable
 
@@ -26,7 +27,7 @@ def _string(run: Evaluator, call: Call) -> None:
         if name.upper() not in _HASHES:
             run.complain(call.command, "unknown-command", f"unknown command string({name})")
             return
-        run.set(rest[0], hashlib.new(name.lower().replace("sha3_", "sha3-"), rest[1].encode()).hexdigest())
+        run.set(rest[0], hashlib.new(name.lower().replace("sha3_", "sha3-"), os.fsencode(rest[1])).hexdigest())
         return
     try:
         handler(run, rest)
@@ -136,7 +137,7 @@ _STRING: dict[str, Callable[[Evaluator, list[str]], None]] = {
     "MAKE_C_IDENTIFIER": _make_c_identifier,
     "TOUPPER": lambda run, rest: run.set(rest[1], rest[0].upper()),
     "TOLOWER": lambda run, rest: run.set(rest[1], rest[0].lower()),
-    "LENGTH": lambda run, rest: run.set(rest[1], str(len(rest[0].encode()))),
+    "LENGTH": lambda run, rest: run.set(rest[1], str(len(os.fsencode(rest[0])))),
     "STRIP": lambda run, rest: run.set(rest[1], rest[0].strip()),
     "GENEX_STRIP": lambda run, rest: run.set(rest[1], re.sub(r"\$<[^>]*>", "", rest[0])),
     "REPEAT": lambda run, rest: run.set(rest[2], rest[0] * min(int(rest[1]), 10_000)),

@@ -199,3 +199,27 @@ def test_nothing_is_written_outside_the_output_folder(rosarch: Callable, workspa
     written = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file() and path not in before}
     assert {"deep/models/talker/evil.json", "deep/facts/talker/evil/call.facts", "deep/facts/manifest.json"} <= written
     assert {Path(name).parent.as_posix() for name in written} == {"deep/models/talker", "deep/facts/talker/evil", "deep/facts"}
+
+
+def test_names_that_are_not_utf_8(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    source = workspace / "talker" / "talker.cpp"
+    os.rename(source, os.fsencode(source.parent) + b"/\xff.cpp")
+    os.mkdir(os.fsencode(workspace) + b"/b\xff\xfe")
+    cmake = workspace / "talker" / "CMakeLists.txt"
+    cmake.write_text("find_package(catkin)\ncatkin_package()\nfile(GLOB S *.cpp)\nadd_executable(talker ${S} none.cpp)\n")
+    missing = "missing-source: 1\n  ws/talker/CMakeLists.txt:4:1: source of talker does not exist: none.cpp\n1 diagnostic\n"
+    outcome = rosarch("analyze", "ws", "--format", "json", "-o", "models")
+    assert (outcome.code, outcome.err) == (0, missing)
+    (model,) = json.loads(outcome.out)
+    assert model["sources"] == ["talker/\\xff.cpp"]
+    assert [port["at"] for port in model["ports"]] == ["talker/\\xff.cpp:8"]
+    assert json.loads((tmp_path / "models" / "talker" / "talker.json").read_text()) == model
+    assert rosarch("extract", "ws", "-o", "facts").code == 0
+    assert json.loads(rosarch("analyze", "facts", "--format", "json").out) == [model]
+
+
+def test_a_locale_that_cannot_show_a_proof(workspace: Path) -> None:
+    command = [sys.executable, "-m", "rosarch.cli.main", "explain", "ws", "port([_, publisher, chatter])"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONIOENCODING": "ascii"})
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines()[1].startswith("\\u251c\\u2500 ")
