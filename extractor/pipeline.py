@@ -95,7 +95,7 @@ def extract(
     store = load_messages(workspace.packages)
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
-    found = components(workspace)
+    found = components(workspace, extraction.diagnostics)
     units_of = {component: _compile_units(workspace, component) for component in found}
     units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
     reader = _UnitReader(workspace.root, HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name)), scratch, cache)

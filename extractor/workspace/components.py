@@ -3,26 +3,51 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
+from itertools import count
 from pathlib import Path
 
 from rosarch.extractor.files import file_name
 
 from .graph import closure, definitions, find_library, include_path
-from .model import EXECUTABLE, LIBRARY_KINDS, Component, Package, PluginClass, Target, Workspace
+from .model import EXECUTABLE, LIBRARY_KINDS, Component, Diagnostic, Package, PluginClass, Target, Workspace
 from .plugins import Registration, registrations
 
 NODELET_BASE = "nodelet::Nodelet"
 COMPONENT_BASE = "rclcpp_components"
 
 
-def components(workspace: Workspace) -> tuple[Component, ...]:
-    """The components of the selected packages, by package, kind and name. Tests are none."""
+def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -> tuple[Component, ...]:
+    """The components of the selected packages, by package, kind and name. Tests are none.
+
+    No two components of a package have one name: of equal ones, all but the first get a number. `problems` tells of these.
+    """
     result: list[Component] = []
     for package in workspace.packages:
         if package.name in workspace.selected:
             result.extend(_nodes(workspace, package))
             result.extend(_plugins(workspace, package))
-    return tuple(sorted(result, key=lambda c: (c.package, c.kind, c.name, c.plugin_name or "")))
+    result.sort(key=lambda c: (c.package, c.kind, c.name, c.plugin_name or ""))
+    return tuple(_distinct(workspace, result, [] if problems is None else problems))
+
+
+def _distinct(workspace: Workspace, found: list[Component], problems: list[Diagnostic]) -> Iterable[Component]:
+    """The components, each under a name of its own."""
+    taken = {(component.package, component.name) for component in found}
+    seen: set[tuple[str, str]] = set()
+    for component in found:
+        key = (component.package, component.name)
+        if key in seen:
+            name = next(name for number in count(2) if (component.package, name := f"{component.name}_{number}") not in taken)
+            taken.add((component.package, name))
+            target, package = component.target, workspace.package(component.package)
+            path, line = (target.cmake_file, target.line) if target else (package.manifest if package else workspace.root, 1)
+            what = component.entry_class or (f"target {target.name}" if target else component.kind)
+            message = f"{component.package} has another component {component.name}; that of {what} is called {name}"
+            problems.append(Diagnostic("duplicate-component", path, line, 1, message))
+            component = replace(component, name=name)
+        seen.add(key)
+        yield component
 
 
 def _nodes(workspace: Workspace, package: Package) -> Iterable[Component]:

@@ -223,3 +223,15 @@ def test_a_locale_that_cannot_show_a_proof(workspace: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONIOENCODING": "ascii"})
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines()[1].startswith("\\u251c\\u2500 ")
+
+
+def test_two_components_of_one_name(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    cmake = workspace / "talker" / "CMakeLists.txt"
+    cmake.write_text(cmake.read_text() + "add_executable(other talker.cpp)\nset_target_properties(other PROPERTIES OUTPUT_NAME talker)\n")
+    outcome = rosarch("extract", "ws", "-o", "facts")
+    assert (outcome.code, outcome.err) == (
+        0,
+        "duplicate-component: 1\n  ws/talker/CMakeLists.txt:5:1: talker has another component talker; that of target other is called talker_2\n"
+        "1 diagnostic\n",
+    )
+    assert [model["component"] for model in json.loads(rosarch("analyze", "facts", "--format", "json").out)] == ["talker", "talker_2"]

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from workspace_builder import messages, package, target
 
-from rosarch.extractor.workspace import closure, components, discover, include_path
+from rosarch.extractor.workspace import Diagnostic, closure, components, discover, include_path
 from rosarch.extractor.workspace.plugins import registrations
 
 NODELET_XML = """<library path="lib/libdemo_nodelets">
@@ -163,3 +163,21 @@ def test_names_of_the_input_name_one_file(tmp_path: Path) -> None:
     cmake = "add_executable(x x.cpp)\nset_target_properties(x PROPERTIES OUTPUT_NAME ../../../evil)\nadd_executable(y x.cpp)\nset_target_properties(y PROPERTIES OUTPUT_NAME /tmp/y2)\n"
     package(tmp_path, "demo", cmake, {"x.cpp": ""})
     assert [one.name for one in components(discover(tmp_path))] == ["evil", "y2"]
+
+
+def test_components_of_one_name_are_told_apart(tmp_path: Path) -> None:
+    cmake = (
+        "add_executable(x x.cpp)\nadd_executable(y x.cpp)\nset_target_properties(x y PROPERTIES OUTPUT_NAME go)\nadd_executable(go_2 x.cpp)\n"
+        "add_library(demo_nodelets n.cpp)\n"
+    )
+    xml = NODELET_XML.replace("</library>", '<class name="b/Filter" type="b::Filter" base_class_type="nodelet::Nodelet"/></library>')
+    package(tmp_path, "demo", cmake, {"x.cpp": "", "n.cpp": "", "plugins.xml": xml}, export=EXPORT)
+    problems: list[Diagnostic] = []
+    found = components(discover(tmp_path), problems)
+    assert [(one.name, one.entry_class or (one.target and one.target.name)) for one in found] == [
+        ("go", "x"), ("go_3", "y"), ("go_2", "go_2"), ("Filter", "b::Filter"), ("Filter_2", "demo::Filter"),
+    ]  # fmt: skip
+    assert [str(problem).replace(f"{tmp_path}/", "") for problem in problems] == [
+        "demo/CMakeLists.txt:5:1: demo has another component go; that of target y is called go_3",
+        "demo/CMakeLists.txt:8:1: demo has another component Filter; that of demo::Filter is called Filter_2",
+    ]
