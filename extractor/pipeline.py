@@ -91,7 +91,7 @@ def extract(
     changed since an earlier extraction is read again. Sources that fail and whatever else was not understood is in
     `diagnostics`; nothing raises for bad input below `root`.
     """
-    workspace = discover(root, packages, defines=defines)
+    workspace = discover(root, packages, defines=defines, timeout=timeout)
     store = load_messages(workspace.packages)
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))

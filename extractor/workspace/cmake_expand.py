@@ -61,6 +61,8 @@ def split_list(text: str, keep_empty: bool = False) -> list[str]:
     r"""The elements of a CMake list; `\;` and `;` within brackets do not separate."""
     if ";" not in text:
         return [text] if text or keep_empty else []
+    if "\\" not in text and "[" not in text:
+        return text.split(";") if keep_empty else [element for element in text.split(";") if element]
     result: list[str] = []
     current: list[str] = []
     depth = 0

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from .cmake_expand import join_list
+from .cmake_limits import MAX_ROUNDS
 from .cmake_state import Procedure, Scope, StopFile, StopLoop
 from .cmake_syntax import Argument, Block, Branch, Command, If, Statement
 
 if TYPE_CHECKING:
     from .evaluator import Evaluator
-
-MAX_ROUNDS = 10_000
 
 
 def run_foreach(run: Evaluator, block: Block) -> None:
@@ -23,7 +22,10 @@ def run_foreach(run: Evaluator, block: Block) -> None:
         return
     names, rounds = _rounds(run, words)
     before = {name: run.scope.variables.get(name) for name in names}
-    for values in rounds[:MAX_ROUNDS]:
+    for number, values in enumerate(rounds):
+        if number == MAX_ROUNDS:
+            run.complain(block.opener, "cmake-limit", f"`foreach` left after {MAX_ROUNDS} rounds")
+            break
         for name, value in zip(names, values, strict=False):
             run.set(name, value)
         try:
@@ -38,10 +40,10 @@ def run_foreach(run: Evaluator, block: Block) -> None:
             run.set(name, old)
 
 
-def _rounds(run: Evaluator, words: Sequence[str]) -> tuple[list[str], list[tuple[str, ...]]]:
+def _rounds(run: Evaluator, words: Sequence[str]) -> tuple[list[str], Iterable[tuple[str, ...]]]:
     rest = list(words[1:])
     if rest and rest[0] == "RANGE":
-        return [words[0]], [(str(number),) for number in _range(rest[1:])]
+        return [words[0]], ((str(number),) for number in _range(rest[1:]))
     if "IN" not in words or "ZIP_LISTS" not in words:
         return [words[0]], [(value,) for value in _items(run, rest)]
     lists = [run.elements(name) for name in words[words.index("ZIP_LISTS") + 1 :]]

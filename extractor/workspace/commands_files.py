@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from rosarch.extractor.files import read_file
+
 from .cmake_glob import glob
 from .cmake_state import Call, Scope
 from .commands_values import truthy
@@ -64,7 +66,8 @@ def _read(run: Evaluator, name: str, lines: bool) -> str:
     if run.is_outside(path):
         return ""
     try:
-        text = Path(path).read_text(errors="replace")
+        run.charge(0, os.path.getsize(path))
+        text = read_file(path).decode(errors="replace")
     except OSError:
         return ""
     return ";".join(line.replace(";", "\\;") for line in text.splitlines() if line) if lines else text

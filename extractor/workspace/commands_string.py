@@ -10,7 +10,7 @@ from collections.abc import Callable
 from .cmake_conditions import ConditionError, compile_regex
 from .cmake_expand import join_list
 from .cmake_state import Call
-from .commands_values import python_replacement
+from .commands_values import regex_replace
 from .evaluator import Evaluator, command
 
 
@@ -31,7 +31,7 @@ def _string(run: Evaluator, call: Call) -> None:
         return
     try:
         handler(run, rest)
-    except (IndexError, ValueError, re.error, ConditionError) as error:
+    except (IndexError, ValueError, OverflowError, re.error, ConditionError) as error:
         run.complain(call.command, "cmake-arguments", f"string({name}): {error}")
 
 
@@ -39,7 +39,9 @@ _HASHES = {"MD5", "SHA1", "SHA224", "SHA256", "SHA384", "SHA512"}
 
 
 def _replace(run: Evaluator, rest: list[str]) -> None:
-    run.set(rest[2], "".join(rest[3:]).replace(rest[0], rest[1]))
+    text = "".join(rest[3:])
+    run.charge(text.count(rest[0]) * len(rest[1]))
+    run.set(rest[2], text.replace(rest[0], rest[1]))
 
 
 def _regex_match(run: Evaluator, rest: list[str]) -> None:
@@ -54,7 +56,7 @@ def _regex_match_all(run: Evaluator, rest: list[str]) -> None:
 
 
 def _regex_replace(run: Evaluator, rest: list[str]) -> None:
-    run.set(rest[2], compile_regex(rest[0]).sub(python_replacement(rest[1]), "".join(rest[3:])))
+    run.set(rest[2], regex_replace(run, rest[0], rest[1], "".join(rest[3:])))
 
 
 def _find(run: Evaluator, rest: list[str]) -> None:
@@ -109,7 +111,13 @@ def _prepend(run: Evaluator, rest: list[str]) -> None:
 
 
 def _join(run: Evaluator, rest: list[str]) -> None:
+    run.charge(len(rest[0]) * len(rest[2:]))
     run.set(rest[1], rest[0].join(rest[2:]))
+
+
+def _repeat(run: Evaluator, rest: list[str]) -> None:
+    run.charge(len(rest[0]) * int(rest[1]))
+    run.set(rest[2], rest[0] * int(rest[1]))
 
 
 def _make_c_identifier(run: Evaluator, rest: list[str]) -> None:
@@ -140,7 +148,7 @@ _STRING: dict[str, Callable[[Evaluator, list[str]], None]] = {
     "LENGTH": lambda run, rest: run.set(rest[1], str(len(os.fsencode(rest[0])))),
     "STRIP": lambda run, rest: run.set(rest[1], rest[0].strip()),
     "GENEX_STRIP": lambda run, rest: run.set(rest[1], re.sub(r"\$<[^>]*>", "", rest[0])),
-    "REPEAT": lambda run, rest: run.set(rest[2], rest[0] * min(int(rest[1]), 10_000)),
+    "REPEAT": _repeat,
     "ASCII": lambda run, rest: run.set(rest[-1], "".join(chr(int(code)) for code in rest[:-1])),
     "TIMESTAMP": _constant("1970-01-01T00:00:00"),
     "RANDOM": lambda run, rest: run.set(rest[-1], "00000"),

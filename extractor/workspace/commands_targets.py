@@ -258,7 +258,9 @@ def _set_property_command(run: Evaluator, call: Call) -> None:
         run.generated.update(run.source_path(name) for name in names)
     elif args[0] == "GLOBAL":
         old = run.global_properties.get(key) if append else None
-        run.global_properties[key] = ";".join([*([old] if old else []), *values])
+        value = ";".join([*([old] if old else []), *values])
+        run.charge(0, len(value))
+        run.global_properties[key] = value
 
 
 def _directory_property(run: Evaluator, directory: Directory, key: str, values: list[str], append: bool) -> None:

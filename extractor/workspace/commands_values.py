@@ -115,7 +115,9 @@ def _index(elements: list[str], text: str) -> int:
 
 
 def _list_append(run: Evaluator, name: str, rest: list[str]) -> None:
-    run.set_list(name, [*run.elements(name), *rest])
+    """Without taking the list apart: a loop that builds a list would take time with its square."""
+    before = run.get(name)
+    run.set(name, join_list([before, *rest] if before else rest))
 
 
 def _list_prepend(run: Evaluator, name: str, rest: list[str]) -> None:
@@ -170,7 +172,9 @@ def _list_filter(run: Evaluator, name: str, rest: list[str]) -> None:
 
 
 def _list_join(run: Evaluator, name: str, rest: list[str]) -> None:
-    run.set(rest[1], rest[0].join(run.elements(name)))
+    elements = run.elements(name)
+    run.charge(len(rest[0]) * len(elements))
+    run.set(rest[1], rest[0].join(elements))
 
 
 def _list_sublist(run: Evaluator, name: str, rest: list[str]) -> None:
@@ -192,7 +196,7 @@ def _list_transform(run: Evaluator, name: str, rest: list[str]) -> None:
     if "OUTPUT_VARIABLE" in rest:
         place = rest.index("OUTPUT_VARIABLE")
         output, rest = rest[place + 1], rest[:place]
-    change = _transformation(rest)
+    change = _transformation(run, rest)
     selected = set(range(len(run.elements(name))))
     if "REGEX" in rest[1:]:
         pattern = compile_regex(rest[rest.index("REGEX") + 1])
@@ -200,22 +204,34 @@ def _list_transform(run: Evaluator, name: str, rest: list[str]) -> None:
     run.set_list(output, [change(e) if i in selected else e for i, e in enumerate(run.elements(name))])
 
 
-def _transformation(rest: list[str]) -> Callable[[str], str]:
+def _transformation(run: Evaluator, rest: list[str]) -> Callable[[str], str]:
     action = rest[0]
     if action == "APPEND":
-        return lambda element: element + rest[1]
+        return lambda element: _charged(run, element + rest[1])
     if action == "PREPEND":
-        return lambda element: rest[1] + element
+        return lambda element: _charged(run, rest[1] + element)
     if action == "REPLACE":
-        pattern = compile_regex(rest[1])
-        return lambda element: pattern.sub(python_replacement(rest[2]), element)
+        return lambda element: regex_replace(run, rest[1], rest[2], element)
     simple: dict[str, Callable[[str], str]] = {"TOUPPER": str.upper, "TOLOWER": str.lower, "STRIP": str.strip}
     if action not in simple:
         raise ValueError(f"unknown action {action}")
     return simple[action]
 
 
-def python_replacement(text: str) -> str:
+def _charged(run: Evaluator, text: str) -> str:
+    run.charge(len(text))
+    return text
+
+
+def regex_replace(run: Evaluator, pattern: str, replacement: str, text: str) -> str:
+    """The text with every match of a CMake regular expression replaced."""
+    template, compiled = _python_replacement(replacement), compile_regex(pattern)
+    matches = sum(1 for _match in compiled.finditer(text))
+    run.charge(matches * len(template) + template.count("\\g<") * len(text))
+    return compiled.sub(template, text)
+
+
+def _python_replacement(text: str) -> str:
     r"""CMake's `\1` replacement text in Python's notation."""
     return re.sub(r"\\([0-9])|\\(.)", lambda m: f"\\g<{m.group(1)}>" if m.group(1) else re.escape(m.group(2)), text)
 
@@ -261,7 +277,7 @@ def _math(run: Evaluator, call: Call) -> None:
     tokens = _ARITHMETIC.findall(call.args[2])
     try:
         value = _arithmetic(tokens, 0)
-    except (ValueError, ZeroDivisionError, IndexError):
+    except (ValueError, ArithmeticError, IndexError):
         run.complain(call.command, "cmake-arguments", f"math: cannot evaluate `{call.args[2]}`")
         return
     run.set(call.args[1], hex(value) if "HEXADECIMAL" in call.args else str(value))

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from rosarch.extractor.files import file_name
 
 from . import commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values
+from .cmake_limits import OutOfTime, time_limit
 from .cmake_state import PackageDraft
 from .drafts import finished_package
 from .evaluator import Evaluator
@@ -26,17 +28,19 @@ def discover(
     defines: Mapping[str, str] | None = None,
     ros_distro: str | None = None,
     environment: Mapping[str, str] | None = None,
+    timeout: float = 60.0,
 ) -> Workspace:
     """The packages below `root`; with `packages`, only those and what they need, so that one package costs little.
 
     `defines` are CMake cache variables and override what is assumed of `find_package`, e.g. `{"CUDA_FOUND": "0"}`.
     `ros_distro` answers `$ENV{ROS_DISTRO}` and `rosversion -d`; the default is `kinetic`, for ament packages `humble`.
+    `timeout` is the limit in seconds for the CMake code of one package.
     """
     root = Path(os.path.abspath(root))
     if not root.is_dir():
         what = "not a folder" if root.exists() else "no such folder"
         return Workspace(root, (), (Diagnostic("workspace", root, 1, 1, what),))
-    return _Discovery(root, Options(ros_distro, dict(defines or {}), dict(environment or {}))).run(packages)
+    return _Discovery(root, Options(ros_distro, dict(defines or {}), dict(environment or {}), timeout)).run(packages)
 
 
 class _Discovery:
@@ -131,7 +135,7 @@ class _Discovery:
         options = self.options
         if options.ros_distro is None:
             distro = DEFAULT_AMENT_DISTRO if manifest.build_type.startswith("ament") else DEFAULT_DISTRO
-            options = Options(distro, options.defines, options.environment)
+            options = replace(options, ros_distro=distro)
         evaluator = Evaluator(name, folder, str(self.root), options, self)
         evaluator.manifest_depends = list(manifest.build_depends)
         self.drafts[name] = evaluator.draft
@@ -149,9 +153,14 @@ class _Discovery:
         for name in sorted(self.evaluators):
             evaluator, manifest = self.evaluators[name], self.manifests.get(name)
             if evaluator is not None and manifest is not None:
-                package, problems = finished_package(evaluator, manifest)
-                packages.append(package)
                 self.diagnostics.extend(evaluator.diagnostics)
+                try:
+                    with time_limit(self.options.timeout):
+                        package, problems = finished_package(evaluator, manifest)
+                except OutOfTime:
+                    self._report("cmake-limit", Path(evaluator.file), f"package {name} not done after {self.options.timeout:g} s, left out")
+                    continue
+                packages.append(package)
                 self.diagnostics.extend(problems)
         unique = sorted(set(self.diagnostics), key=lambda d: (str(d.path), d.line, d.column, d.kind, d.message))
         return Workspace(self.root, tuple(packages), tuple(unique), selected)

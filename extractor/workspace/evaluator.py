@@ -9,19 +9,17 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import NoReturn, Protocol
 
 from . import cmake_loops
 from .cmake_conditions import ConditionError, Surroundings, Word
 from .cmake_conditions import evaluate as condition_holds
 from .cmake_expand import expand, join_list, split_list
+from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_STATEMENTS, MAX_TEXT, MAX_VALUE, OutOfTime, time_limit
 from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
 from .cmake_syntax import Argument, Block, Command, If, Statement, blocks, parse
 from .model import Diagnostic
 from .options import Options, initial_environment, initial_variables, versions
-
-MAX_STATEMENTS = 300_000
-MAX_DEPTH = 60
 
 Handler = Callable[["Evaluator", Call], None]
 COMMANDS: dict[str, Handler] = {}
@@ -77,6 +75,8 @@ class Evaluator:
         self.manifest_depends: list[str] = []
         self.depth = 0
         self.statements = 0
+        self.characters = 0
+        self.current: tuple[str, Command] | None = None
         self.global_properties: dict[str, str] = {}
         self.included: set[str] = set()
         self.around = self._surroundings()
@@ -90,6 +90,7 @@ class Evaluator:
 
     def set(self, name: str, value: str) -> None:
         """Set a normal variable."""
+        self.charge(len(value) - len(self.scope.variables.get(name, "")), len(value))
         self.scope.variables[name] = value
 
     def assume(self, name: str, value: str) -> None:
@@ -103,14 +104,13 @@ class Evaluator:
     def lookup(self, kind: str, name: str) -> str:
         """The value of a reference."""
         if kind == "ENV":
-            return self.environment.get(name, "")
-        if kind == "CACHE":
-            return self.cache.get(name, "")
-        if name.startswith("CMAKE_CURRENT_"):
-            here = self.location(name)
-            if here is not None:
-                return here
-        return self.get(name) or ""
+            value = self.environment.get(name)
+        elif kind == "CACHE":
+            value = self.cache.get(name)
+        else:
+            value = (self.location(name) if name.startswith("CMAKE_CURRENT_") else None) or self.get(name)
+        self.charge(len(value or ""))
+        return value or ""
 
     def location(self, name: str) -> str | None:
         """The variables that tell where evaluation is."""
@@ -131,10 +131,22 @@ class Evaluator:
             if argument.plain or argument.raw:
                 result.append(argument.text)
             elif argument.quoted:
-                result.append(expand(argument.text, self.lookup, True))
+                result.append(self.expanded(argument))
             else:
-                result.extend(split_list(expand(argument.text, self.lookup, False)))
+                result.extend(self.expanded_list(argument))
         return result
+
+    def expanded(self, argument: Argument) -> str:
+        """An argument with its references replaced."""
+        text = expand(argument.text, self.lookup, argument.quoted)
+        self.charge(0, len(text))
+        return text
+
+    def expanded_list(self, argument: Argument) -> list[str]:
+        """The elements that an unquoted argument stands for."""
+        elements = split_list(self.expanded(argument))
+        self.charge(ELEMENT * len(elements))
+        return elements
 
     def source_path(self, name: str) -> str:
         """`name` relative to the current source directory."""
@@ -150,6 +162,24 @@ class Evaluator:
         """Record a diagnostic at a command."""
         self.diagnostics.append(Diagnostic(kind, Path(self.file), command.line, command.column, message))
 
+    def charge(self, made: int, length: int = 0) -> None:
+        """Count `made` characters that a command makes; give up when these are too many, or a value of `length` is too long."""
+        self.characters += max(made, 0)
+        if length > MAX_VALUE:
+            self.give_up(f"a value of more than {MAX_VALUE} characters")
+        if self.characters > MAX_TEXT:
+            self.give_up(f"more than {MAX_TEXT} characters of values")
+
+    def give_up(self, reason: str) -> NoReturn:
+        """Record a limit that was reached at the current command, and stop the evaluation."""
+        self.stopped(reason)
+        raise StopAll
+
+    def stopped(self, reason: str) -> None:
+        """Record why the evaluation ends at the current command."""
+        place = (Path(self.current[0]), self.current[1].line, self.current[1].column) if self.current else (Path(self.file), 1, 1)
+        self.diagnostics.append(Diagnostic("cmake-limit", *place, f"{reason}, evaluation stopped"))
+
     # -- running --------------------------------------------------------------------------------------------------------------
 
     def run_top(self) -> None:
@@ -158,11 +188,14 @@ class Evaluator:
         self.set("CMAKE_BINARY_DIR", self.build)
         self.set("CMAKE_HOME_DIRECTORY", self.folder)
         try:
-            self.run_file(self.file)
+            with time_limit(self.options.timeout):
+                self.run_file(self.file)
         except StopAll:
             pass
         except RecursionError:
-            self.diagnostics.append(Diagnostic("cmake-limit", Path(self.file), 1, 1, "CMake code nests too deeply, evaluation stopped"))
+            self.stopped("CMake code nests too deeply")
+        except OutOfTime:
+            self.stopped(f"not done after {self.options.timeout:g} s")
 
     def run_file(self, file: str) -> bool:
         """Evaluate a file in the current scope. False when it cannot be read."""
@@ -202,15 +235,14 @@ class Evaluator:
         """Go one level deeper into files and procedures."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
-            self.diagnostics.append(Diagnostic("cmake-limit", Path(self.file), 1, 1, "CMake code nests too deeply, evaluation stopped"))
-            raise StopAll
+            self.give_up("CMake code nests too deeply")
 
     def run(self, statements: Sequence[Statement]) -> None:
         """Evaluate statements in order."""
         for statement in statements:
             self.statements += 1
             if self.statements > MAX_STATEMENTS:
-                raise StopAll
+                self.give_up(f"more than {MAX_STATEMENTS} commands")
             if isinstance(statement, Command):
                 self.run_command(statement)
             elif isinstance(statement, If):
@@ -233,15 +265,15 @@ class Evaluator:
 
     def holds(self, command: Command) -> bool:
         """Evaluate the condition of `if`, `elseif`, `while`. What cannot be understood is false."""
+        self.current = self.file, command
         words: list[Word] = []
         for argument in command.arguments:
             if argument.quoted:
-                text = argument.text if argument.raw else expand(argument.text, self.lookup, True)
-                words.append(Word(text, True))
+                words.append(Word(argument.text if argument.raw else self.expanded(argument), True))
             elif argument.plain:
                 words.append(Word(argument.text, False))
             else:
-                words.extend(Word(text, False) for text in split_list(expand(argument.text, self.lookup, False)))
+                words.extend(Word(text, False) for text in self.expanded_list(argument))
         try:
             return condition_holds(words, self.around)
         except ConditionError as error:
@@ -251,6 +283,7 @@ class Evaluator:
     def run_block(self, block: Block) -> None:
         """A loop, or the definition of a procedure."""
         opener = block.opener
+        self.current = self.file, opener
         if opener.name in ("function", "macro"):
             words = self.expand_all(opener.arguments)
             if words:
@@ -265,6 +298,7 @@ class Evaluator:
 
     def run_command(self, command: Command) -> None:
         """One command: a procedure of the files, else a known command, else a diagnostic."""
+        self.current = self.file, command
         procedure = self.procedures.get(command.name)
         if procedure is not None:
             cmake_loops.call_procedure(self, procedure, self.expand_all(command.arguments))
@@ -275,7 +309,7 @@ class Evaluator:
             return
         try:
             handler(self, Call(command, self.expand_all(command.arguments), self.file))
-        except (IndexError, ValueError, OSError) as error:
+        except (IndexError, ValueError, ArithmeticError, OSError) as error:
             self.complain(command, "cmake-arguments", f"{command.written}: {error}")
 
     # -- conditions -----------------------------------------------------------------------------------------------------------

@@ -25,11 +25,15 @@ _VERSIONS = {
 
 @dataclass(frozen=True)
 class Options:
-    """`defines` are cache variables (`-D`) and override what is assumed of `find_package`; `ros_distro` None means the default."""
+    """`defines` are cache variables (`-D`) and override what is assumed of `find_package`; `ros_distro` None means the default.
+
+    `timeout` is the limit in seconds for the CMake code of one package.
+    """
 
     ros_distro: str | None = None
     defines: Mapping[str, str] = field(default_factory=dict)
     environment: Mapping[str, str] = field(default_factory=dict)
+    timeout: float = 60.0
 
 
 def versions(distro: str) -> dict[str, str]:

@@ -1,0 +1,105 @@
+"""CMake code that would never end, or fill the memory: it is left at a limit, told at the command that reached it."""
+
+from __future__ import annotations
+
+import threading
+import time
+from pathlib import Path
+
+import pytest
+from workspace_builder import evaluated, messages, package
+
+from rosarch.extractor.workspace import discover
+from rosarch.extractor.workspace.cmake_limits import OutOfTime, time_limit
+
+LONG = "demo/CMakeLists.txt:{}: a value of more than 4194304 characters, evaluation stopped"
+MUCH = "demo/CMakeLists.txt:{}: more than 536870912 characters of values, evaluation stopped"
+BIG = 'set(x "0123456789abcdef")\nforeach(i RANGE 15)\nset(x "${x}${x}")\nendforeach()\n'  # 1 MiB
+
+
+@pytest.mark.parametrize(
+    ("cmake", "message"),
+    [
+        ('set(x a)\nwhile(TRUE)\nset(x "${x}${x}")\nendwhile()', LONG.format("6:1")),
+        ("foreach(i RANGE 2000000000)\nendforeach()", "demo/CMakeLists.txt:4:1: `foreach` left after 10000 rounds"),
+        ("while(TRUE)\nendwhile()", "demo/CMakeLists.txt:4:1: `while` left after 10000 rounds"),
+        ("while(TRUE)\nforeach(i RANGE 9000)\nset(x 1)\nendforeach()\nendwhile()", "demo/CMakeLists.txt:6:1: more than 300000 commands, evaluation stopped"),
+        ("macro(again)\nagain()\nendmacro()\nagain()", "demo/CMakeLists.txt:5:1: CMake code nests too deeply, evaluation stopped"),
+        ("string(REPEAT abc 2000000000 x)", MUCH.format("4:1")),
+        (BIG + 'string(REPLACE 0 "${x}" y "${x}")', MUCH.format("8:1")),
+        (BIG + 'string(REGEX REPLACE [0-9] "${x}" y "${x}")', MUCH.format("8:1")),
+        (BIG + 'string(REPLACE f ";" y "${x}")\nlist(JOIN y "${x}" z)', MUCH.format("9:1")),
+        (BIG + 'string(REPLACE f ";" y "${x}")\nlist(TRANSFORM y APPEND "${x}")', MUCH.format("9:1")),
+        (BIG + 'foreach(i RANGE 1000)\nset(x${i} "${x}")\nendforeach()', MUCH.format("9:1")),
+        (BIG + 'foreach(i RANGE 1000)\nset_property(GLOBAL APPEND PROPERTY p "${x}")\nendforeach()', LONG.format("9:1")),
+        ("math(EXPR x \"1" + "0" * 400 + " / 3\")", "demo/CMakeLists.txt:4:1: math: cannot evaluate `1" + "0" * 400 + " / 3`"),
+        ("string(ASCII 99999999999999999999 x)", "demo/CMakeLists.txt:4:1: string(ASCII): Python int too large to convert to C int"),
+    ],
+)  # fmt: skip
+def test_limits(tmp_path: Path, cmake: str, message: str) -> None:
+    start = time.monotonic()
+    _, workspace = evaluated(tmp_path, cmake)
+    assert messages(workspace, tmp_path) == [message]
+    assert time.monotonic() - start < 20
+
+
+@pytest.mark.parametrize(
+    ("cmake", "line"),
+    [
+        (f'set(a "{"a" * 60}")\nstring(REGEX REPLACE "(a+)+b" "" x "${{a}}")', 5),
+        (f'if("{"a" * 60}" MATCHES "^(a|aa)+$b")\nendif()', 4),
+        (f'set(a "{"a" * 60}")\nlist(FILTER a INCLUDE REGEX "(a+)+b")', 5),
+    ],
+)
+def test_regular_expressions_that_take_for_ever(tmp_path: Path, cmake: str, line: int) -> None:
+    package(tmp_path, "demo", f"add_executable(x x.cpp)\n{cmake}\nadd_executable(y x.cpp)\n", {"x.cpp": ""})
+    package(tmp_path, "other", "add_executable(z x.cpp)\n", {"x.cpp": ""})
+    workspace = discover(tmp_path, timeout=0.5)
+    assert messages(workspace, tmp_path) == [f"demo/CMakeLists.txt:{line + 1}:1: not done after 0.5 s, evaluation stopped"]
+    assert [[target.name for target in package.targets] for package in workspace.packages] == [["x"], ["z"]]
+
+
+def test_a_limit_in_an_included_file_is_told_there(tmp_path: Path) -> None:
+    _, workspace = evaluated(tmp_path, "add_subdirectory(sub)", {"sub/CMakeLists.txt": "\nwhile(TRUE)\nset(x a${x}${x})\nendwhile()\n"})
+    assert messages(workspace, tmp_path) == ["demo/sub/CMakeLists.txt:3:1: a value of more than 4194304 characters, evaluation stopped"]
+
+
+def test_properties_that_take_for_ever(tmp_path: Path) -> None:
+    cmake = "add_executable(x x.cpp)\nset(d $<1:a>)\nforeach(i RANGE 16)\nset(d ${d}${d})\nendforeach()\ntarget_compile_definitions(x PRIVATE ${d})\n"
+    package(tmp_path, "demo", cmake, {"x.cpp": ""})
+    workspace = discover(tmp_path, timeout=1.0)
+    assert messages(workspace, tmp_path) == ["demo/CMakeLists.txt:1:1: package demo not done after 1 s, left out"]
+    assert workspace.packages == ()
+
+
+def test_a_long_list_is_built_in_linear_time(tmp_path: Path) -> None:
+    cmake = "foreach(i RANGE 8000)\nlist(APPEND S s${i}.cpp)\nendforeach()\nlist(LENGTH S n)\nproject(n${n})\nadd_executable(${PROJECT_NAME} x.cpp)\n"
+    start = time.monotonic()
+    found, workspace = evaluated(tmp_path, cmake, {"x.cpp": ""})
+    assert [target.name for target in found.targets] == ["n8001"]
+    assert workspace.diagnostics == ()
+    assert time.monotonic() - start < 5
+
+
+def test_time_limits_nest() -> None:
+    with pytest.raises(OutOfTime), time_limit(0.4):
+        with time_limit(30):
+            time.sleep(0.1)
+        with pytest.raises(OutOfTime), time_limit(0.1):
+            time.sleep(30)
+        time.sleep(30)
+    time.sleep(0.1)
+
+
+def test_other_threads_have_no_time_limit() -> None:
+    done: list[bool] = []
+
+    def work() -> None:
+        with time_limit(0.01):
+            time.sleep(0.1)
+            done.append(True)
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    thread.join()
+    assert done == [True]
