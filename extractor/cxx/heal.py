@@ -17,6 +17,7 @@ from pathlib import Path
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.unit import UnitFacts
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
+from rosarch.extractor.files import read_file
 
 ROUNDS = 3
 ERROR_LIMIT = 2000  # beyond, a source is of another language, or of a library that is absent as a whole
@@ -75,7 +76,7 @@ class _Sources:
         if error.file not in self._data:
             self._data[error.file] = b""
             with suppress(OSError):
-                self._data[error.file] = Path(error.file).read_bytes()
+                self._data[error.file] = read_file(error.file)
         data, offset = self._data[error.file], error.offset
         return _Place(data[max(0, offset - 400) : offset], data[offset : offset + 500])
 

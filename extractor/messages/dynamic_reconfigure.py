@@ -8,10 +8,12 @@ the generator as an argument. A file that is not Python 3 is read with a regular
 from __future__ import annotations
 
 import ast
+import os
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from rosarch.extractor.files import read_file
 from rosarch.extractor.workspace.model import Diagnostic, Package
 
 from .model import Config, ConfigConstant, ConfigParameter
@@ -26,7 +28,7 @@ def parse_config(text: str, package: Package, path: Path, packages: Iterable[Pac
     """The configuration a `.cfg` file generates; None, with a diagnostic, when it names none."""
     try:
         tree = ast.parse(text)
-    except (SyntaxError, ValueError) as error:
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         problems.append(Diagnostic("config-syntax", path, getattr(error, "lineno", 1) or 1, 1, "not Python 3, read by pattern"))
         return _by_pattern(text, package.name, path, problems)
     reader = _Reader(list(packages))
@@ -83,10 +85,10 @@ class _Reader:
         relative = module.replace(".", "/")
         for package in self.packages:
             for path in (package.path / "src" / relative / "__init__.py", package.path / "src" / f"{relative}.py"):
-                if path.is_file():
+                if os.path.isfile(path):
                     try:
-                        tree = ast.parse(path.read_text(errors="replace"))
-                    except (SyntaxError, ValueError, OSError):
+                        tree = ast.parse(read_file(path).decode(errors="replace"))
+                    except (SyntaxError, ValueError, RecursionError, MemoryError, OSError):
                         return
                     self.functions.update({node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)})
                     return

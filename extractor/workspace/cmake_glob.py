@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
 
 from rosarch.extractor.files import is_folder
 
@@ -11,14 +12,20 @@ _MAGIC = re.compile(r"[*?\[]")
 MAX_FILES = 100_000
 
 
-def glob(pattern: str, recurse: bool, directories: bool) -> list[str]:
-    """Existing paths that match an absolute pattern. Recursion does not follow symlinks (policy CMP0009)."""
+Report = Callable[[str, OSError], None]
+
+
+def glob(pattern: str, recurse: bool, directories: bool, unreadable: Report) -> list[str]:
+    """Existing paths that match an absolute pattern. Recursion does not follow symlinks (policy CMP0009).
+
+    `unreadable` is told of each folder that is there but cannot be read.
+    """
     folder, _, name = pattern.rpartition("/")
-    starts = _folders(folder or "/")
+    starts = _folders(folder or "/", unreadable)
     matcher = _matcher(name)
     found: list[str] = []
     for start in starts:
-        _collect(start, matcher, recurse, directories, found)
+        _collect(start, matcher, recurse, directories, found, unreadable)
     return sorted(found)
 
 
@@ -37,31 +44,34 @@ def _matcher(name: str) -> re.Pattern[str]:
     return re.compile("".join(parts))
 
 
-def _folders(path: str) -> list[str]:
+def _folders(path: str, unreadable: Report) -> list[str]:
     if not _MAGIC.search(path):
         return [path]
     parent, _, name = path.rpartition("/")
     result = []
     matcher = _matcher(name)
-    for folder in _folders(parent or "/"):
-        result += [entry.path for entry in _scan(folder) if is_folder(entry) and matcher.fullmatch(entry.name)]
+    for folder in _folders(parent or "/", unreadable):
+        result += [entry.path for entry in _scan(folder, unreadable) if is_folder(entry) and matcher.fullmatch(entry.name)]
     return result
 
 
-def _scan(folder: str) -> list[os.DirEntry[str]]:
+def _scan(folder: str, unreadable: Report) -> list[os.DirEntry[str]]:
     try:
         with os.scandir(folder) as entries:
             return sorted(entries, key=lambda entry: entry.name)
-    except OSError:
+    except (FileNotFoundError, NotADirectoryError):
+        return []
+    except OSError as error:
+        unreadable(folder, error)
         return []
 
 
-def _collect(folder: str, matcher: re.Pattern[str], recurse: bool, directories: bool, found: list[str]) -> None:
+def _collect(folder: str, matcher: re.Pattern[str], recurse: bool, directories: bool, found: list[str], unreadable: Report) -> None:
     if len(found) > MAX_FILES:
         return
-    for entry in _scan(folder):
+    for entry in _scan(folder, unreadable):
         inner = is_folder(entry)
         if matcher.fullmatch(entry.name) and (directories or not inner):
             found.append(os.path.normpath(entry.path))
         if recurse and inner and not entry.is_symlink():
-            _collect(entry.path, matcher, recurse, directories, found)
+            _collect(entry.path, matcher, recurse, directories, found, unreadable)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
@@ -22,9 +23,9 @@ def _file(run: Evaluator, call: Call) -> None:
         return
     action = args[0]
     if action in ("GLOB", "GLOB_RECURSE"):
-        run.set_list(args[1], _globbed(run, args[2:], action == "GLOB_RECURSE"))
+        run.set_list(args[1], _globbed(run, call, args[2:], action == "GLOB_RECURSE"))
     elif action in ("READ", "STRINGS") and len(args) > 2:
-        run.set(args[2], _read(run, args[1], action == "STRINGS"))
+        run.set(args[2], _read(run, call, args[1], action == "STRINGS"))
     elif action == "RELATIVE_PATH" and len(args) > 3:
         run.set(args[1], os.path.relpath(args[3] or "/", args[2] or "/"))
     elif action in ("TO_CMAKE_PATH", "TO_NATIVE_PATH") and len(args) > 2:
@@ -36,7 +37,7 @@ def _file(run: Evaluator, call: Call) -> None:
         run.generated.add(run.binary_path(name))
 
 
-def _globbed(run: Evaluator, words: list[str], recurse: bool) -> list[str]:
+def _globbed(run: Evaluator, call: Call, words: list[str], recurse: bool) -> list[str]:
     relative: str | None = None
     directories = not recurse
     patterns: list[str] = []
@@ -56,19 +57,21 @@ def _globbed(run: Evaluator, words: list[str], recurse: bool) -> list[str]:
     for pattern in patterns:
         path = run.source_path(pattern)
         if not run.is_outside(path):
-            found.extend(glob(path, recurse, directories))
+            found.extend(glob(path, recurse, directories, partial(run.cannot_read, call.command)))
     found = sorted(dict.fromkeys(found))
     return [os.path.relpath(path, relative) for path in found] if relative else found
 
 
-def _read(run: Evaluator, name: str, lines: bool) -> str:
+def _read(run: Evaluator, call: Call, name: str, lines: bool) -> str:
     path = run.source_path(name)
     if run.is_outside(path):
         return ""
     try:
         run.charge(0, os.path.getsize(path))
         text = read_file(path).decode(errors="replace")
-    except OSError:
+    except OSError as error:
+        if os.path.lexists(path):
+            run.cannot_read(call.command, path, error)
         return ""
     return ";".join(line.replace(";", "\\;") for line in text.splitlines() if line) if lines else text
 
@@ -80,7 +83,8 @@ def _aux_source_directory(run: Evaluator, call: Call) -> None:
     folder = run.source_path(call.args[0])
     try:
         names = sorted(os.listdir(folder))
-    except OSError:
+    except OSError as error:
+        run.cannot_read(call.command, folder, error)
         names = []
     sources = [f"{call.args[0]}/{name}" for name in names if os.path.splitext(name)[1] in (".c", ".C", ".cc", ".cpp", ".cxx", ".c++")]
     run.set_list(call.args[1], sources)

@@ -7,6 +7,7 @@ https://wiki.ros.org/dynamic_reconfigure, cmake-qt(7).
 from __future__ import annotations
 
 import os
+from functools import partial
 
 from .cmake_glob import glob
 from .cmake_state import Call
@@ -44,7 +45,8 @@ def _add_interface_files(run: Evaluator, call: Call) -> None:
     words, unparsed = parse_keywords(call.args, ["NOINSTALL"], ["DIRECTORY", "BASE_DIR"], ["FILES"])
     folder = run.source_path((words.get("DIRECTORY") or [extension])[0])
     names = [*words.get("FILES", []), *unparsed]
-    paths = [os.path.join(folder, name) for name in names] if names else glob(f"{folder}/*.{extension}", False, False)
+    unreadable = partial(run.cannot_read, call.command)
+    paths = [os.path.join(folder, name) for name in names] if names else glob(f"{folder}/*.{extension}", False, False, unreadable)
     for path in paths:
         if os.path.isfile(path):
             getattr(run.draft, attribute).append(path)
@@ -155,7 +157,9 @@ def _ament_auto_add(run: Evaluator, call: Call) -> None:
     sources = list(rest)
     for folder in words.get("DIRECTORY", []):
         for extension in ("c", "cc", "cpp", "cxx"):
-            sources.extend(glob(f"{run.source_path(folder)}/**.{extension}".replace("**", "*"), True, False))
+            sources.extend(
+                glob(f"{run.source_path(folder)}/**.{extension}".replace("**", "*"), True, False, partial(run.cannot_read, call.command))
+            )
     kind = EXECUTABLE if call.name.endswith("executable") else SHARED
     target = add_target(run, call, call.args[0], kind, sources)
     include = f"{run.folder}/include"

@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from rosarch.extractor.files import file_name
+from rosarch.extractor.files import file_name, read_file
 
 from . import commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values
 from .cmake_limits import OutOfTime, time_limit
@@ -112,8 +112,11 @@ class _Discovery:
         """The distribution whose conditions a manifest is read with; one that names no ROS 1 tool is for ROS 2."""
         if self.options.ros_distro:
             return self.options.ros_distro
-        text = Path(manifest).read_text(errors="replace")
-        return DEFAULT_DISTRO if "catkin" in text or "ament" not in text else DEFAULT_AMENT_DISTRO
+        try:
+            text = read_file(manifest)
+        except OSError:
+            return DEFAULT_DISTRO  # reported where it is parsed
+        return DEFAULT_DISTRO if b"catkin" in text or b"ament" not in text else DEFAULT_AMENT_DISTRO
 
     def path(self, name: str) -> str | None:
         """The folder of a workspace package."""

@@ -11,6 +11,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn, Protocol
 
+from rosarch.extractor.files import read_file
+
 from . import cmake_loops
 from .cmake_conditions import ConditionError, Surroundings, Word
 from .cmake_conditions import evaluate as condition_holds
@@ -18,7 +20,7 @@ from .cmake_expand import expand, join_list, split_list
 from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_STATEMENTS, MAX_TEXT, MAX_VALUE, OutOfTime, time_limit
 from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
 from .cmake_syntax import Argument, Block, Command, If, Statement, blocks, parse
-from .model import Diagnostic
+from .model import Diagnostic, unreadable, why
 from .options import Options, initial_environment, initial_variables, versions
 
 Handler = Callable[["Evaluator", Call], None]
@@ -162,6 +164,11 @@ class Evaluator:
         """Record a diagnostic at a command."""
         self.diagnostics.append(Diagnostic(kind, Path(self.file), command.line, command.column, message))
 
+    def cannot_read(self, command: Command, path: str, error: OSError) -> None:
+        """Record that a command could not read a file or folder that is there."""
+        shown = os.path.relpath(path, self.directory.source)
+        self.complain(command, "unreadable", f"{command.written}: {shown} cannot be read: {why(error)}")
+
     def charge(self, made: int, length: int = 0) -> None:
         """Count `made` characters that a command makes; give up when these are too many, or a value of `length` is too long."""
         self.characters += max(made, 0)
@@ -197,11 +204,11 @@ class Evaluator:
         except OutOfTime:
             self.stopped(f"not done after {self.options.timeout:g} s")
 
-    def run_file(self, file: str) -> bool:
-        """Evaluate a file in the current scope. False when it cannot be read."""
+    def run_file(self, file: str) -> None:
+        """Evaluate a file in the current scope."""
         statements = self.load(file)
         if statements is None:
-            return False
+            return
         previous, self.file = self.file, file
         self.enter()
         try:
@@ -211,13 +218,13 @@ class Evaluator:
         finally:
             self.file = previous
             self.depth -= 1
-        return True
 
     def load(self, file: str) -> tuple[Statement, ...] | None:
-        """The statements of a file. Bytes that are not UTF-8 become replacement characters, with a diagnostic."""
+        """The statements of a file, None when it cannot be read; bytes that are not UTF-8 are replaced. Both are reported."""
         try:
-            data = Path(file).read_bytes()
-        except OSError:
+            data = read_file(file)
+        except OSError as error:
+            self.diagnostics.append(unreadable(file, error))
             return None
         try:
             text = data.decode()

@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
-from rosarch.extractor.files import file_name, is_folder
+from rosarch.extractor.files import file_name, is_folder, read_file
 
 from .model import Diagnostic, unreadable
 from .options import DEFAULT_DISTRO, initial_environment
@@ -92,7 +92,7 @@ _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 def quick_name(path: str) -> str | None:
     """The package name without parsing: enough to know which manifests are needed."""
     try:
-        text = Path(path).read_text(errors="replace")
+        text = read_file(path).decode(errors="replace")
     except OSError:
         return None
     match = _NAME.search(_COMMENT.sub("", text))
@@ -102,13 +102,15 @@ def quick_name(path: str) -> str | None:
 def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | None, list[Diagnostic]]:
     """Parse a manifest. One that catkin_pkg refuses but that is XML is kept, with the refusal as a diagnostic."""
     try:
-        data = path.read_bytes()
+        data = read_file(path)
         tree = ElementTree.fromstring(data)
     except ElementTree.ParseError as error:
         line, column = error.position
         reason = str(error).partition(": line ")[0]
         return None, [Diagnostic("manifest", path, line, column + 1, f"broken XML: {reason}")]
-    except (OSError, ValueError, LookupError) as error:
+    except OSError as error:
+        return None, [unreadable(path, error)]
+    except (ValueError, LookupError) as error:
         return None, [Diagnostic("manifest", path, 1, 1, f"cannot be read: {error}")]
     name = (tree.findtext("name") or "").strip()
     if tree.tag != "package" or not name:

@@ -32,7 +32,12 @@ class Diagnostic:
 
 def unreadable(path: str | Path, error: OSError) -> Diagnostic:
     """The diagnostic for a file or folder that cannot be read."""
-    return Diagnostic("unreadable", Path(path), 1, 1, f"cannot be read: {(error.strerror or str(error)).lower()}")
+    return Diagnostic("unreadable", Path(path), 1, 1, f"cannot be read: {why(error)}")
+
+
+def why(error: OSError) -> str:
+    """What the system says is wrong with a file, in lower case."""
+    return (error.strerror or str(error)).lower()
 
 
 @dataclass(frozen=True)

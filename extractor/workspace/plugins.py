@@ -12,8 +12,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
 
+from rosarch.extractor.files import read_file
+
 from .manifests import Manifest
-from .model import Diagnostic, PluginClass
+from .model import Diagnostic, PluginClass, unreadable
 
 
 def read_plugins(exports: Iterable[tuple[str, Path]], manifest: Manifest) -> tuple[list[PluginClass], list[Diagnostic]]:
@@ -22,10 +24,13 @@ def read_plugins(exports: Iterable[tuple[str, Path]], manifest: Manifest) -> tup
     problems: list[Diagnostic] = []
     for base_package, path in dict.fromkeys(exports):
         try:
-            text = path.read_text(errors="replace")
-        except OSError:
+            text = read_file(path).decode(errors="replace")
+        except FileNotFoundError:
             message = f"plug-in description {path.name} for {base_package} does not exist"
             problems.append(Diagnostic("missing-plugin-file", manifest.path, 1, 1, message))
+            continue
+        except OSError as error:
+            problems.append(unreadable(path, error))
             continue
         found, problem = parse_plugins(text, path)
         classes.extend(found)
@@ -84,9 +89,9 @@ _MACRO = re.compile(
 def registrations(path: Path) -> list[Registration]:
     """The plug-in classes a source file registers, comments ignored."""
     try:
-        text = path.read_text(errors="replace")
+        text = read_file(path).decode(errors="replace")
     except OSError:
-        return []
+        return []  # reported where it is parsed
     if "_CLASS" not in text and "RCLCPP_COMPONENTS" not in text:
         return []
     text = _CODE_COMMENT.sub(_blank, text)
