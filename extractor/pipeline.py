@@ -18,7 +18,7 @@ from pathlib import Path
 
 from rosarch.extractor.cache import Cache, extractor_version
 from rosarch.extractor.cxx.includes import HeaderFinder
-from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit, unit_key
+from rosarch.extractor.cxx.translation_unit import CompileUnit, Problem, build_prelude, extract_unit, unit_key
 from rosarch.extractor.cxx.unit import file_key, merge
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.files import path_text
@@ -43,7 +43,7 @@ class ComponentFacts:
 
     def rows(self) -> Rows:
         """All facts of the component; message classes that its sources never name are left out."""
-        merged = merge([*(marshal.loads(path.read_bytes()) for path in self.units), self.own])
+        merged = merge([*(marshal.loads(marshal.loads(path.read_bytes())[1]) for path in self.units), self.own])
         classes = {row[0] for row in merged["class"]} | {row[1] for row in merged["type_class"]}
         merged["message_class"] = {row for row in merged["message_class"] if row[0] in classes}
         return merged
@@ -148,20 +148,25 @@ class _UnitReader:
     def _prelude(self) -> Path:
         return self.scratch / "prelude.pch"
 
-    def read(self, unit: CompileUnit) -> tuple[Path, bool]:
-        """The file with the rows of a unit, and whether it was in the cache."""
+    def read(self, unit: CompileUnit) -> tuple[Path, bool, list[Problem]]:
+        """The file with the rows of a unit, whether it was in the cache, and the errors that lost code.
+
+        The file holds the errors and, apart from them, the rows.
+        """
         sys.setrecursionlimit(20_000)
         includes = self.finder.closure(unit.source, unit.include_dirs)
         key = unit_key(unit, self.root, includes, self.finder)
         cache = self.cache if includes.predictable else None
         data = known = cache.load(key) if cache else None
         if data is None:
-            data = marshal.dumps(dict(extract_unit(unit, self.root, self.finder, self._prelude, includes=includes, heal=True)))
+            problems: list[Problem] = []
+            rows = extract_unit(unit, self.root, self.finder, self._prelude, includes=includes, heal=True, problems=problems)
+            data = marshal.dumps((problems, marshal.dumps(dict(rows))))
             if cache:
                 cache.store(key, data)
         path = self.scratch / f"{key}.unit"
         path.write_bytes(data)
-        return path, known is not None
+        return path, known is not None, marshal.loads(data)[0]
 
 
 def _extract_units(
@@ -178,6 +183,7 @@ def _extract_units(
     reader.prepare()
     known = True
     paths = {}
+    lost: set[Diagnostic] = set()  # a header's are found by every source that includes it
     largest = sorted(range(len(units)), key=lambda index: -_size(units[index].source))  # long ones first: even ends
     ordered = [units[index] for index in largest]
     diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in _odd_source(source)]
@@ -185,12 +191,14 @@ def _extract_units(
         if isinstance(outcome, Failure):
             diagnostics.append(Diagnostic("source", ordered[index].source, 1, 1, f"not analysed: {outcome.reason} ({outcome.detail})"))
         else:
-            paths[ordered[index]], was_known = outcome
+            paths[ordered[index]], was_known, problems = outcome
             known &= was_known
+            lost.update(Diagnostic("source", Path(path), *place) for path, *place in problems)
         if progress:
             progress("sources", done + 1, len(units))
     if reader.cache and not known:
         reader.cache.trim()
+    diagnostics += lost
     diagnostics.sort(key=str)
     return paths
 

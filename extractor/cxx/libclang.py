@@ -61,6 +61,7 @@ KEEP_GOING = 0x200
 INCOMPLETE = 0x02
 FOR_SERIALIZATION = 0x10
 DETAILED_PREPROCESSING = 0x01
+FATAL = 4
 
 _lib = ctypes.CDLL(str(next(Path(next(iter(clang.native.__path__))).glob("libclang.*"))))
 _Visitor = ctypes.CFUNCTYPE(c_int, Cursor, Cursor, c_void_p)

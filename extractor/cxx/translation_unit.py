@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,6 +26,8 @@ BASE_ARGUMENTS = (
 )  # fmt: skip
 
 Rows = Mapping[str, set[tuple[str | int, ...]]]
+Problem = tuple[str, int, int, str]
+"""An error in a source: path, line, column, message."""
 
 
 @dataclass(frozen=True)
@@ -56,11 +59,18 @@ def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFi
 
 
 def extract_unit(
-    unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path | None, *, includes: Includes | None = None, heal: bool = False
+    unit: CompileUnit,
+    root: Path,
+    finder: HeaderFinder,
+    prelude: Path | None,
+    *,
+    includes: Includes | None = None,
+    heal: bool = False,
+    problems: list[Problem] | None = None,
 ) -> Rows:
     """Return the rows of one translation unit; `heal` declares what absent headers would have declared.
 
-    `includes` is the closure of the unit's source, where it is known already.
+    `includes` is the closure of the unit's source, where it is known already. `problems` gets the errors that lose code.
     Raises `libclang.ParseError` when clang gives no translation unit at all.
     """
     includes = includes or finder.closure(unit.source, unit.include_dirs)
@@ -70,6 +80,8 @@ def extract_unit(
         arguments += ["-include-pch", str(prelude)]
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts = _facts(root, includes, parsed)
+        if problems is not None:
+            problems += _lost_code(facts, parsed)
         if heal and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
                 again = _facts(root, includes, better) if better else None
@@ -77,6 +89,29 @@ def extract_unit(
                 facts = again
                 without_unknown(facts.rows)
     return facts.rows
+
+
+_LOSING = re.compile(
+    r"bracket nesting level exceeded maximum of \d+|expected '}'|extraneous closing brace \('}'\)|unterminated .*"
+    r"|raw string missing terminating delimiter .*"
+)
+
+
+def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[Problem]:
+    """The first error of each file that makes clang pass over what follows: braces that do not match, comments that do not end.
+
+    Other errors cost a declaration or an expression, and without third-party headers most sources have some.
+    """
+    found: dict[str, list[tuple[int, int, str]]] = {}
+    for severity, message, place in parsed.diagnostics():
+        if severity >= libclang.FATAL or _LOSING.fullmatch(message):
+            file, offset = facts.locate(place)
+            if file.key:
+                found.setdefault(str(file.path), []).append((*file.line_column(offset), message))
+    for path, errors in found.items():
+        line, column, message = errors[0]
+        more = f", and {len(errors) - 1} more such error{'s' * (len(errors) > 2)}" if len(errors) > 1 else ""
+        yield path, line, column, f"code from here on may be missing: {message}{more}"
 
 
 def _facts(root: Path, includes: Includes, parsed: libclang.Unit) -> UnitFacts:

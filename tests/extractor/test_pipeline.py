@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from workspace_builder import package, write
 
+from rosarch.extractor.cache import Cache
 from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.manifest import read_manifest
 from rosarch.extractor.pipeline import ComponentFacts, Extraction, extract
@@ -195,6 +196,37 @@ def test_a_bad_source_is_reported(root: Path, case: str) -> None:
         lines = [str(diagnostic).replace(f"{root}/", "") for diagnostic in extraction.diagnostics]
     column = 7 if case == "not UTF-8" else 1
     assert len([line for line in lines if line.startswith(f"robot/extra.cpp:1:{column}: ")]) == 1
+
+
+LOSING = {
+    "void f() {\n": "2:10: code from here on may be missing: expected '}'",
+    "void f() {}\n}\n": "2:1: code from here on may be missing: extraneous closing brace ('}')",
+    "/* int x;\n": "1:1: code from here on may be missing: unterminated /* comment",
+    "#if 1\n": "1:2: code from here on may be missing: unterminated conditional directive",
+    'auto s = R"x(a)";\n': '1:10: code from here on may be missing: raw string missing terminating delimiter )x"',
+    "void f() "
+    + "{" * 3000
+    + "}" * 3000: "1:2058: code from here on may be missing: bracket nesting level exceeded maximum of 2048, and 2048 more such errors",
+}
+
+
+@pytest.mark.parametrize("text", LOSING)
+def test_errors_that_lose_code_are_told(root: Path, tmp_path: Path, text: str) -> None:
+    write(root, {"robot/extra.cpp": text + "int last;"})
+    cache = Cache(tmp_path / "cache")
+    for _run in range(2):  # the second time from the cache
+        with extract(root, packages=["robot"], jobs=1, cache=cache) as extraction:
+            lines = [str(diagnostic).replace(f"{root}/", "") for diagnostic in extraction.diagnostics]
+        assert [line for line in lines] == [f"robot/extra.cpp:{LOSING[text]}"]
+
+
+def test_harmless_errors_are_not_told(root: Path) -> None:
+    write(
+        root,
+        {"robot/extra.cpp": "#include <QtGui/QFoo.h>\nNS_BEGIN(x)\nclass A : Q::B { Q_OBJECT; void f(Mat m) { m.bar(); } };\nNS_END\n"},
+    )
+    with extract(root, packages=["robot"], jobs=1) as extraction:
+        assert extraction.diagnostics == []
 
 
 def test_progress_counts_the_sources(root: Path) -> None:

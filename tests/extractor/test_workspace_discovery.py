@@ -207,6 +207,7 @@ def test_pipes_do_not_block(tmp_path: Path) -> None:
         os.mkfifo(tmp_path / name)
     workspace = discover(tmp_path)
     assert messages(workspace, tmp_path) == [
+        "one/CMakeLists.txt:4:1: no file A.msg in msg",
         "one/CMakeLists.txt:5:1: file: pipe cannot be read: not a regular file",
         "one/plugins.xml:1:1: cannot be read: not a regular file",
         "two/package.xml:1:1: cannot be read: not a regular file",
