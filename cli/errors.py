@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 from collections.abc import Callable
 from typing import Any
@@ -9,6 +10,8 @@ from typing import Any
 import typer
 
 CLEAN, FINDINGS, USAGE, INTERRUPTED, BROKEN_PIPE = 0, 1, 2, 130, 141
+
+_NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EROFS)
 
 # click's own base class of wrong usage, wherever this version of typer takes click from
 _UsageError: Any = typer.BadParameter.__mro__[1]
@@ -28,13 +31,21 @@ def run(command: Callable[[], Any], traceback: bool = False) -> int:
         return INTERRUPTED
     except InputError as error:
         return _fail(str(error))
+    except OSError as error:
+        if error.errno not in _NO_ROOM and not (error.errno == errno.EIO and error.filename):
+            return _unexpected(error, traceback)
+        return _fail(f"{error.filename or 'disk'}: cannot write ({(error.strerror or str(error)).lower()})")
     except _UsageError as error:
         return _fail(error.format_message(), _usage_hint(error))
     except Exception as error:  # the boundary of the program: nobody above can say more
-        if traceback:
-            raise
-        text = str(error).strip().partition("\n")[0]
-        return _fail(f"unexpected {type(error).__name__}: {text}", "this is a defect of rosarch; --traceback shows where")
+        return _unexpected(error, traceback)
+
+
+def _unexpected(error: Exception, traceback: bool) -> int:
+    if traceback:
+        raise error
+    text = str(error).strip().partition("\n")[0]
+    return _fail(f"unexpected {type(error).__name__}: {text}", "this is a defect of rosarch; --traceback shows where")
 
 
 def _fail(message: str, hint: str = "") -> int:

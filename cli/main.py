@@ -68,7 +68,9 @@ def main(arguments: list[str] | None = None) -> int:
 
 def script() -> int:
     """The entry of the installed command: as `main`, and when it is terminated, worker processes and temporary files go, too."""
-    signal.signal(signal.SIGTERM, lambda number, _frame: sys.exit(128 + number))
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) is not signal.SIG_IGN:  # as `nohup` asks
+            signal.signal(number, lambda number, _frame: sys.exit(128 + number))
     return main()
 
 

@@ -6,9 +6,11 @@ component are the union of those of its units.
 
 from __future__ import annotations
 
+import errno
 import marshal
 import os
 import re
+import shutil
 import sys
 import tempfile
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -28,6 +30,10 @@ from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path
 
 Progress = Callable[[str, int, int], None]
+PRELUDE_BYTES = 64 << 20
+"""More than the precompiled declarations take."""
+PRELUDE_SECONDS = 60.0
+"""A limit for what is done once and takes a second."""
 
 
 @dataclass(frozen=True)
@@ -99,14 +105,14 @@ def extract(
     units_of = {component: _compile_units(workspace, component) for component in found}
     units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
     reader = _UnitReader(workspace.root, HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name)), scratch, cache)
-    paths = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
+    files = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
     classes = {
         (name, row.role or row.kind, _message_type(row))
         for row in message_classes(store)
         for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
     }
     extraction.components = tuple(
-        _component_facts(component, units_of[component], workspace.root, paths, classes)
+        _component_facts(component, units_of[component], workspace.root, files, classes)
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction
@@ -176,22 +182,24 @@ def _extract_units(
     timeout: float,
     progress: Progress | None,
     diagnostics: list[Diagnostic],
-) -> dict[CompileUnit, Path]:
-    """Extract every unit into a file; return the files, leaving out the units that failed."""
+) -> dict[CompileUnit, Path | Failure]:
+    """Extract every unit into a file; return the files, and for units that failed why."""
     if not units:
         return {}
-    reader.prepare()
+    _prepare(reader, timeout)
     known = True
-    paths = {}
+    files: dict[CompileUnit, Path | Failure] = {}
     lost: set[Diagnostic] = set()  # a header's are found by every source that includes it
     largest = sorted(range(len(units)), key=lambda index: -_size(units[index].source))  # long ones first: even ends
     ordered = [units[index] for index in largest]
     diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in _odd_source(source)]
     for done, (index, outcome) in enumerate(run_tasks(reader.read, ordered, jobs=jobs, timeout=timeout)):
         if isinstance(outcome, Failure):
+            _refuse_full_disk(outcome)
             diagnostics.append(Diagnostic("source", ordered[index].source, 1, 1, f"not analysed: {outcome.reason} ({outcome.detail})"))
+            files[ordered[index]] = outcome
         else:
-            paths[ordered[index]], was_known, problems = outcome
+            files[ordered[index]], was_known, problems = outcome
             known &= was_known
             lost.update(Diagnostic("source", Path(path), *place) for path, *place in problems)
         if progress:
@@ -200,7 +208,22 @@ def _extract_units(
         reader.cache.trim()
     diagnostics += lost
     diagnostics.sort(key=str)
-    return paths
+    return files
+
+
+def _prepare(reader: _UnitReader, timeout: float) -> None:
+    """Precompile the declarations, in a worker: without room on the disk, clang ends its process."""
+    for _, outcome in run_tasks(lambda _task: reader.prepare(), [None], jobs=1, timeout=max(timeout, PRELUDE_SECONDS)):
+        if isinstance(outcome, Failure):
+            _refuse_full_disk(outcome)
+            full = shutil.disk_usage(reader.scratch).free < PRELUDE_BYTES
+            raise OSError(errno.ENOSPC if full else errno.EIO, os.strerror(errno.ENOSPC) if full else outcome.detail, str(reader.scratch))
+
+
+def _refuse_full_disk(failure: Failure) -> None:
+    """Facts that cannot be kept are no bad input: going on would lose most of them without a word."""
+    if failure.reason == "disk full":
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), failure.detail)
 
 
 _SELF_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
@@ -246,7 +269,11 @@ def _message_type(row: MessageClass) -> str:
 
 
 def _component_facts(
-    component: Component, units: Sequence[CompileUnit], root: Path, paths: Mapping[CompileUnit, Path], classes: set[tuple[str, str, str]]
+    component: Component,
+    units: Sequence[CompileUnit],
+    root: Path,
+    files: Mapping[CompileUnit, Path | Failure],
+    classes: set[tuple[str, str, str]],
 ) -> ComponentFacts:
     own: dict[str, set[tuple[str | int, ...]]] = {
         "component": {(component.name, component.package, component.kind)},
@@ -263,13 +290,13 @@ def _component_facts(
             origin = "own" if unit.source in component.sources else "library"
             own["source_file"].add((file_key(relative), relative))
             own["component_source"].add((file_key(relative), origin))
-            if unit not in paths:
-                own["source_failed"].add((file_key(relative), "failed"))
+            if isinstance(failure := files[unit], Failure):
+                own["source_failed"].add((file_key(relative), failure.reason))
     return ComponentFacts(
         component.name,
         component.package,
         component.kind,
         tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root)),
-        tuple(paths[unit] for unit in units if unit in paths),
+        tuple(file for unit in units if isinstance(file := files[unit], Path)),
         own,
     )

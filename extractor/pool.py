@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import ctypes
+import errno
 import multiprocessing
 import os
 import signal
+import sys
+import tempfile
 import time
 import traceback
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -18,9 +23,15 @@ Task = TypeVar("Task")
 Result = TypeVar("Result")
 
 
+MEMORY_LIMIT = 4 << 30
+"""Bytes of address space of a worker."""
+_DEATH_SIGNAL = 1
+"""`PR_SET_PDEATHSIG` of prctl(2)."""
+
+
 @dataclass(frozen=True)
 class Failure:
-    """Why a task has no result: `crash`, `time limit` or `error`, with a detail for the reader."""
+    """Why a task has no result: `crash`, `time limit`, `memory`, `disk full` or `error`, with a detail for the reader."""
 
     reason: str
     detail: str
@@ -47,11 +58,12 @@ def run_tasks(
     A worker that dies or works on one task for more than `timeout` seconds is replaced.
     """
     pending = iter(range(len(tasks)))
-    workers = [_start(function) for _ in range(min(jobs, len(tasks)))]
+    workers: list[_Worker[Task]] = []
     busy: list[_Worker[Task]] = []
     try:
-        for worker in workers:
-            _feed(worker, pending, tasks, timeout, busy)
+        for _ in range(min(jobs, len(tasks))):
+            workers.append(_start(function, workers))
+            _feed(workers[-1], pending, tasks, timeout, busy)
         while busy:
             patience = max(0.0, min(worker.deadline for worker in busy) - time.monotonic())
             ready = wait([worker.connection for worker in busy], patience)
@@ -61,7 +73,7 @@ def run_tasks(
                 if not worker.process.is_alive():
                     workers.remove(worker)
                     worker.connection.close()
-                    worker = _start(function)
+                    worker = _start(function, workers)
                     workers.append(worker)
                 _feed(worker, pending, tasks, timeout, busy)
                 yield index, outcome
@@ -72,11 +84,13 @@ def run_tasks(
             worker.connection.close()
 
 
-def _start(function: Callable[[Any], Any]) -> _Worker[Any]:
+def _start(function: Callable[[Any], Any], others: Sequence[_Worker[Any]]) -> _Worker[Any]:
     # fork hands the tables that the task function needs to the workers without copying them
-    context: Any = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
+    forks = "fork" in multiprocessing.get_all_start_methods()
+    context: Any = multiprocessing.get_context("fork" if forks else "spawn")
     ours, theirs = context.Pipe()
-    process = context.Process(target=_work, args=(function, theirs), daemon=True)
+    inherited = [ours, *(worker.connection for worker in others)] if forks else []
+    process = context.Process(target=_work, args=(function, theirs, inherited, os.getpid()), daemon=True)
     process.start()
     theirs.close()
     return _Worker(process, ours)
@@ -104,9 +118,12 @@ def _expire(worker: _Worker[Any], timeout: float) -> Failure:
     return Failure("time limit", f"not done after {timeout:g} s")
 
 
-def _work(function: Callable[[Any], Any], connection: Connection) -> None:
+def _work(function: Callable[[Any], Any], connection: Connection, inherited: Sequence[Connection], parent: int) -> None:
+    for other in inherited:
+        other.close()  # or no worker would see the end of its pipe when the parent is killed
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends its workers
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    _limit(parent)
     while True:
         try:
             task = connection.recv()
@@ -114,7 +131,31 @@ def _work(function: Callable[[Any], Any], connection: Connection) -> None:
             return
         try:
             result = function(task)
+        except MemoryError:
+            result = Failure("memory", f"more than {MEMORY_LIMIT >> 30} GiB")
+        except OSError as error:
+            full = error.errno in (errno.ENOSPC, errno.EDQUOT)  # of what is written on the way; to read needs no space
+            result = Failure("disk full", str(error.filename or tempfile.gettempdir())) if full else _failure(error)
         except Exception as error:  # the boundary of a worker: whatever goes wrong belongs to this task
-            frame = traceback.extract_tb(error.__traceback__)[-1]
-            result = Failure("error", f"{type(error).__name__}: {error}, in {Path(frame.filename).name}:{frame.lineno}")
+            result = _failure(error)
         connection.send(result)
+
+
+def _failure(error: Exception) -> Failure:
+    frame = traceback.extract_tb(error.__traceback__)[-1]
+    return Failure("error", f"{type(error).__name__}: {error}, in {Path(frame.filename).name}:{frame.lineno}")
+
+
+def _limit(parent: int) -> None:
+    """Bound the memory of this process, and end it with its parent, also in the middle of a task."""
+    with suppress(ImportError, OSError, ValueError):
+        import resource
+
+        soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+        limit = min(known for known in (MEMORY_LIMIT, soft, hard) if known != resource.RLIM_INFINITY)
+        resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+    if sys.platform == "linux":
+        with suppress(OSError, AttributeError):
+            ctypes.CDLL(None).prctl(_DEATH_SIGNAL, signal.SIGKILL)
+        if os.getppid() != parent:  # it was killed before
+            os._exit(1)

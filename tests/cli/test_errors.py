@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -165,21 +167,28 @@ def test_interrupt(rosarch: Callable, workspace: Path, monkeypatch: pytest.Monke
     assert rosarch("analyze", "ws").code == 130
 
 
-def test_termination_leaves_nothing_behind(workspace: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
+def test_termination_leaves_nothing_behind(workspace: Path, tmp_path: Path, number: signal.Signals) -> None:
     endless = "template <int N, long M> struct T { T<N - 1, 2 * M> a; T<N - 1, 2 * M + 1> b; };\ntemplate <long M> struct T<0, M> {};\nT<24, 0> t;\n"
-    (workspace / "talker" / "talker.cpp").write_text(endless)
+    cmake = workspace / "talker" / "CMakeLists.txt"
+    cmake.write_text(cmake.read_text() + "add_executable(second second.cpp)\nadd_executable(third third.cpp)\n")
+    for name in ("talker", "second", "third"):
+        (workspace / "talker" / f"{name}.cpp").write_text(endless)
     (tmp_path / "temporary").mkdir()
     environment = {**os.environ, "TMPDIR": str(tmp_path / "temporary")}
-    command = [sys.executable, "-m", "rosarch.cli.main", "analyze", "ws", "--no-cache"]
+    command = [sys.executable, "-m", "rosarch.cli.main", "analyze", "ws", "--no-cache", "--jobs", "2"]
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
     until = time.monotonic() + 60
     while not list((tmp_path / "temporary").glob("*/prelude.pch")) and time.monotonic() < until:
         time.sleep(0.05)
     time.sleep(0.5)  # into the source
-    process.terminate()
+    process.send_signal(number)
     out, err = process.communicate(timeout=30)  # ends when no worker holds the pipes any more
-    assert (process.returncode, out, err) == (128 + signal.SIGTERM, "", "")
-    assert list((tmp_path / "temporary").iterdir()) == []
+    if number is signal.SIGKILL:
+        assert (process.returncode, out, err) == (-number, "", "")
+    else:
+        assert (process.returncode, out, err) == (128 + number, "", "")
+        assert list((tmp_path / "temporary").iterdir()) == []
 
 
 def test_closed_pipe(workspace: Path) -> None:
@@ -235,3 +244,21 @@ def test_two_components_of_one_name(rosarch: Callable, workspace: Path, tmp_path
         "1 diagnostic\n",
     )
     assert [model["component"] for model in json.loads(rosarch("analyze", "facts", "--format", "json").out)] == ["talker", "talker_2"]
+
+
+def test_a_full_disk_ends_the_run(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_arguments: object, **_options: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "/tmp/rosarch-x/y.unit")
+
+    monkeypatch.setattr("rosarch.extractor.pipeline.extract_unit", full)
+    outcome = rosarch("analyze", "ws", "--no-cache")
+    assert (outcome.code, outcome.out) == (2, "")
+    assert outcome.err == "rosarch: error: /tmp/rosarch-x/y.unit: cannot write (no space left on device)\n"
+
+
+def test_no_room_for_the_declarations(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosarch.extractor.pipeline.build_prelude", lambda _path: os.abort())
+    monkeypatch.setattr("rosarch.extractor.pipeline.PRELUDE_BYTES", 1 << 60)
+    outcome = rosarch("analyze", "ws", "--no-cache")
+    assert (outcome.code, outcome.out) == (2, "")
+    assert re.search(r"^rosarch: error: .*/rosarch-\w+: cannot write \(no space left on device\)$", outcome.err, re.MULTILINE)

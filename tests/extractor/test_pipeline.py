@@ -151,7 +151,7 @@ def test_a_crash_in_one_source_costs_itself(root: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(pipeline, "extract_unit", crash_on_extra)
     with extract(root, jobs=1) as extraction:
         right, left = component(extraction, "right").rows(), component(extraction, "left").rows()
-        assert set(right["source_failed"]) == {(file_key("robot/extra.cpp"), "failed")}
+        assert set(right["source_failed"]) == {(file_key("robot/extra.cpp"), "crash")}
         assert "main" in {name for _, name in right["function_name"]}
         assert not left.get("source_failed")
         lines = [str(diagnostic).replace(f"{root}/", "") for diagnostic in extraction.diagnostics]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import signal
@@ -9,7 +10,7 @@ import time
 
 import pytest
 
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.pool import MEMORY_LIMIT, Failure, default_jobs, run_tasks
 
 
 def work(task: object) -> object:
@@ -24,6 +25,14 @@ def work(task: object) -> object:
         time.sleep(60)
     if task == "error":
         raise ValueError("no such thing")
+    if task == "memory":
+        return len(bytearray(MEMORY_LIMIT))
+    if task == "full disk":
+        raise OSError(errno.ENOSPC, "No space left on device", "/tmp/x")
+    if task == "pipes":
+        time.sleep(0.2)  # so that all workers take part
+        kinds = [os.readlink(f"/proc/self/fd/{name}") for name in os.listdir("/proc/self/fd") if os.path.lexists(f"/proc/self/fd/{name}")]
+        return sum(kind.startswith("socket:") for kind in kinds)
     if task == "pid":
         return os.getpid()
     return f"done {task}"
@@ -101,3 +110,15 @@ def test_a_large_result_passes() -> None:
 
 def test_there_is_at_least_one_job() -> None:
     assert default_jobs() >= 1
+
+
+def test_memory_and_disk_have_reasons_of_their_own() -> None:
+    assert outcomes(["memory", "full disk", "a"], jobs=1) == {
+        0: Failure("memory", "more than 4 GiB"), 1: Failure("disk full", "/tmp/x"), 2: "done a",
+    }  # fmt: skip
+
+
+def test_workers_do_not_hold_the_pipes_of_others() -> None:
+    """Each knows the end of the caller's life from its own pipe."""
+    found = outcomes(["pipes"] * 8, jobs=4)
+    assert len(set(found.values())) == 1
