@@ -79,7 +79,7 @@ def run_tasks(
                 yield index, outcome
     finally:
         for worker in workers:
-            worker.process.terminate()
+            worker.process.kill()  # it has nothing to tidy up, and a worker that has just started may not heed anything else
             worker.process.join()
             worker.connection.close()
 
