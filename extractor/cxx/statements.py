@@ -92,10 +92,6 @@ def _condition(body: Body, trees: list[Tree]) -> str | None:
     return lower_expression(body, trees[-1], text=True) if kinds.is_expression(trees[-1].kind) else None
 
 
-def _is_head(tree: Tree) -> bool:
-    return kinds.is_expression(tree.kind) or tree.kind in (kinds.VARIABLE, kinds.DECLARATION_STATEMENT)
-
-
 def _lower_if(body: Body, tree: Tree) -> None:
     parts = tree.children
     heads = 1

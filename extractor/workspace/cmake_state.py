@@ -73,10 +73,6 @@ class TargetDraft:
         """Append to a list property."""
         self.properties.setdefault(name, []).extend(values)
 
-    def prepend(self, name: str, values: Iterable[str]) -> None:
-        """Put in front of a list property."""
-        self.properties[name] = [*values, *self.properties.get(name, [])]
-
 
 @dataclass(frozen=True, slots=True)
 class Procedure:
