@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 from typing import Annotated
@@ -11,7 +10,7 @@ import typer
 
 from rosarch.cli.inputs import check_output, load_analysis, unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose, parse_defines
-from rosarch.cli.terminal import emit, show_diagnostics
+from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
 Out = Annotated[
     Path | None,
@@ -55,7 +54,7 @@ def analyze(
     if output_format or not out:
         from rosarch.reports.table import models_text as table_text
 
-        emit(table_text(analysis.models, parameters=True, terminal=sys.stdout.isatty()))
+        emit(table_text(analysis.models, parameters=True, terminal=is_terminal()))
     from rosarch.reports.summary import summary_line
 
     emit(summary_line(analysis.models, time.perf_counter() - start) + "\n")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import signal
 import sys
 from typing import Annotated
@@ -10,7 +11,7 @@ from typing import Annotated
 import typer
 
 from rosarch.cli import analyze, explain, extract, query, rules, show
-from rosarch.cli.errors import INTERRUPTED, run
+from rosarch.cli.errors import run
 
 app = typer.Typer(
     name="rosarch",
@@ -52,22 +53,22 @@ def root(
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; return its exit code."""
+    if not sys.stderr:
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115 - it lives as long as the process
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")  # what a terminal or a locale cannot show is no reason to fail
     arguments = list(sys.argv[1:] if arguments is None else arguments)
     traceback = "--traceback" in arguments
     command = typer.main.get_command(app)
-    try:
-        return run(
-            lambda: command.main([a for a in arguments if a != "--traceback"], prog_name="rosarch", standalone_mode=False), traceback
-        )
-    except KeyboardInterrupt:
-        return INTERRUPTED
+    return run(lambda: command.main([a for a in arguments if a != "--traceback"], prog_name="rosarch", standalone_mode=False), traceback)
 
 
 def script() -> int:
     """The entry of the installed command: as `main`, and when it is terminated, worker processes and temporary files go, too."""
+    while (descriptor := os.open(os.devnull, os.O_RDWR)) < 3:
+        pass  # closed standard streams would be the next files that are opened
+    os.close(descriptor)
     for number in (signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) is not signal.SIG_IGN:  # as `nohup` asks
             signal.signal(number, lambda number, _frame: sys.exit(128 + number))

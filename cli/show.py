@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated
@@ -25,7 +24,7 @@ from rosarch.cli.options import (
     Verbose,
     parse_defines,
 )
-from rosarch.cli.terminal import emit, show_diagnostics
+from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.models.component import ComponentModel
@@ -65,7 +64,7 @@ def ports(
         from rosarch.reports.summary import summary_line
         from rosarch.reports.table import models_text
 
-        emit(models_text(models, parameters=False, terminal=sys.stdout.isatty()))
+        emit(models_text(models, parameters=False, terminal=is_terminal()))
         emit(summary_line(models, time.perf_counter() - start) + "\n")
 
 

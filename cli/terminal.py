@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from rosarch.cli.errors import BROKEN_PIPE
+from rosarch.cli.errors import BROKEN_PIPE, InputError
 
 if TYPE_CHECKING:
     from rich.progress import TaskID
@@ -24,12 +24,21 @@ REFRESH_SECONDS = 0.1
 
 def emit(text: str) -> None:
     """Write a report to stdout; a reader that went away (`| head`) is no error."""
+    if not sys.stdout:
+        raise InputError("standard output: cannot write (it is closed)")
     try:
         sys.stdout.write(text)
         sys.stdout.flush()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        raise typer.Exit(BROKEN_PIPE) from None
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # what is still in the buffer must not fail again
+        if isinstance(error, BrokenPipeError):
+            raise typer.Exit(BROKEN_PIPE) from None
+        raise InputError(f"standard output: cannot write ({(error.strerror or str(error)).lower()})") from None
+
+
+def is_terminal() -> bool:
+    """Whether the report is read by a person at a terminal."""
+    return bool(sys.stdout) and sys.stdout.isatty()
 
 
 def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool) -> None:

@@ -41,18 +41,17 @@ def extractor_version() -> str:
     return hash_of(parts)
 
 
-def write_whole(path: Path, data: bytes) -> bool:
-    """Write a file so that no reader ever sees half of it; False when it cannot be written."""
+def write_whole(path: Path, data: bytes) -> None:
+    """Write a file so that no reader ever sees half of it; OSError, and no trace, when it cannot be written."""
     temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
+    path.parent.mkdir(parents=True, exist_ok=True)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
         temporary.write_bytes(data)
         temporary.replace(path)
     except OSError:
         with suppress(OSError):
             temporary.unlink(missing_ok=True)
-        return False
-    return True
+        raise
 
 
 @dataclass(frozen=True)
@@ -75,8 +74,9 @@ class Cache:
         return data
 
     def store(self, key: str, data: bytes) -> None:
-        """Keep an entry."""
-        write_whole(self._path(key), hashlib.sha256(data).digest() + data)
+        """Keep an entry; without room, there is none."""
+        with suppress(OSError):
+            write_whole(self._path(key), hashlib.sha256(data).digest() + data)
 
     def trim(self, limit: int = LIMIT) -> None:
         """Remove what was not used for longest until three quarters of `limit` bytes remain, when there are more than `limit`."""

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import rosarch.rules
+from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import file_name
 from rosarch.extractor.workspace.model import Diagnostic
 
@@ -85,7 +86,7 @@ def write_manifest(out: Path, root: Path, entries: Sequence[FactsEntry], sources
         "sources": {source: content_hash(root / source) for source in sorted(set(sources))},
         "diagnostics": [{**asdict(diagnostic), "path": str(diagnostic.path)} for diagnostic in diagnostics],
     }
-    (out / NAME).write_text(json.dumps(data, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    write_whole(out / NAME, (json.dumps(data, indent=1, sort_keys=True) + "\n").encode())
 
 
 def _entry(data: dict[str, Any]) -> FactsEntry:

@@ -8,6 +8,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import path_below
 from rosarch.models.component import ComponentModel, to_json
 
@@ -43,8 +44,7 @@ def write_models(models: Iterable[ComponentModel], out: Path) -> None:
     """Write one document per component to `out`/<package>/<component>.json."""
     for model in models:
         path = path_below(out, model.package, f"{model.component}.json")
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(model_text(model), encoding="utf-8")
+        write_whole(path, model_text(model).encode("utf-8", "backslashreplace"))
 
 
 def _dump(data: object) -> str:

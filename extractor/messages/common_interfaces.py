@@ -6,7 +6,6 @@ per package, `=== msg Name`, `=== srv Name` or `=== action Name` before each def
 
 from __future__ import annotations
 
-import hashlib
 import json
 import re
 from importlib.util import find_spec
@@ -14,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.datalog.cache import cache_folder
-from rosarch.extractor.cache import write_whole
+from rosarch.extractor.cache import Cache, extractor_version, hash_of
 from rosarch.extractor.workspace.model import Diagnostic
 
 from .model import UNBOUNDED, Action, Constant, Field, Message, Service
@@ -52,13 +51,13 @@ def stored_messages() -> dict[str, Message]:
     if origin is None or not origin.is_file():
         return {}
     stat = origin.stat()
-    key = hashlib.sha256(f"1 {origin} {stat.st_size} {stat.st_mtime_ns}".encode()).hexdigest()[:16]
-    path = cache_folder() / f"messages-{key}.json"
-    try:
-        table = json.loads(path.read_bytes())
-    except (OSError, ValueError):
-        table = _store_table()
-        write_whole(path, json.dumps(table, separators=(",", ":")).encode())
+    key = hash_of([extractor_version(), str(origin), str(stat.st_size), str(stat.st_mtime_ns)])
+    cache = Cache(cache_folder() / "messages")
+    data = cache.load(key)
+    if data is None:
+        data = json.dumps(_store_table(), separators=(",", ":")).encode()
+        cache.store(key, data)
+    table = json.loads(data)
     return {name: _message(name, row) for name, row in table.items()}
 
 

@@ -262,3 +262,24 @@ def test_no_room_for_the_declarations(rosarch: Callable, workspace: Path, monkey
     outcome = rosarch("analyze", "ws", "--no-cache")
     assert (outcome.code, outcome.out) == (2, "")
     assert re.search(r"^rosarch: error: .*/rosarch-\w+: cannot write \(no space left on device\)$", outcome.err, re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("redirection", "text"),
+    [
+        (">/dev/full", "rosarch: error: standard output: cannot write (no space left on device)\n"),
+        (">&-", "rosarch: error: standard output: cannot write (it is closed)\n"),
+    ],
+)
+def test_a_report_that_cannot_be_written(workspace: Path, redirection: str, text: str) -> None:
+    done = subprocess.run(
+        f"{sys.executable} -m rosarch.cli.main analyze ws {redirection}", shell=True, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (2, text)
+
+
+def test_closed_error_output(workspace: Path) -> None:
+    (workspace / "broken").mkdir()
+    (workspace / "broken" / "package.xml").write_text("<package")
+    done = subprocess.run(f"{sys.executable} -m rosarch.cli.main analyze ws 2>&-", shell=True, stdout=subprocess.PIPE, text=True, check=False)
+    assert (done.returncode, done.stdout.splitlines()[0]) == (0, "talker/talker  node talker  talker/")

@@ -12,10 +12,12 @@ from rosarch.extractor.facts import SchemaError, schema, validate, write_compone
 GOOD = {"call": {("c1", "go")}, "call_argument": {("c1", 0, "a")}, "location": [("c1", "f", 3, 4)]}
 
 
-def test_good_rows_pass() -> None:
-    validate(GOOD)
-    validate({})
-    validate({"call": ()})
+@pytest.mark.parametrize("rows", [GOOD, {}, {"call": ()}])
+def test_good_rows_are_written_as_they_are(tmp_path: Path, rows: dict[str, set[tuple[str | int, ...]]]) -> None:
+    entry = write_component(tmp_path, "pkg", "node", "node", (), rows)
+    assert {name: count for name, count in entry.rows.items() if count} == {name: len(found) for name, found in rows.items() if found}
+    back = read_facts(tmp_path / "pkg/node", schema())
+    assert {name: set(back[name]) for name in rows} == {name: set(found) for name, found in rows.items()}
 
 
 @pytest.mark.parametrize(
