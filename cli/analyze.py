@@ -9,12 +9,32 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.inputs import check_output, load_analysis, unwritable
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.options import (
+    Cached,
+    Defines,
+    Engine,
+    EngineChoice,
+    Input,
+    Jobs,
+    ModelFormat,
+    Packages,
+    Timeout,
+    Verbose,
+    parse_defines,
+    path_argument,
+)
 from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
 Out = Annotated[
     Path | None,
-    typer.Option("--out", "-o", metavar="OUT", help="Also write each model to OUT/<package>/<component>.json.", show_default=False),
+    typer.Option(
+        "--out",
+        "-o",
+        parser=path_argument,
+        metavar="OUT",
+        help="Also write each model to OUT/<package>/<component>.json.",
+        show_default=False,
+    ),
 ]
 
 

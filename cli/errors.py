@@ -25,6 +25,8 @@ def run(command: Callable[[], Any], traceback: bool = False) -> int:
     """Run `command`; turn every exception into one line on stderr and an exit code."""
     try:
         result = command()
+        if result == INTERRUPTED:  # so typer tells of Ctrl-C
+            raise KeyboardInterrupt
         return result if isinstance(result, int) else CLEAN
     except (KeyboardInterrupt, typer.Abort):
         print("rosarch: interrupted", file=sys.stderr)

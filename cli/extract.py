@@ -8,10 +8,12 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.inputs import check_diagnostics, check_folder, check_output, extraction_cache, unwritable
-from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines, path_argument
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
-Out = Annotated[Path, typer.Option("--out", "-o", metavar="FACTS", help="The folder to write the facts to.", show_default=False)]
+Out = Annotated[
+    Path, typer.Option("--out", "-o", parser=path_argument, metavar="FACTS", help="The folder to write the facts to.", show_default=False)
+]
 
 
 def extract(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import os
-import signal
 import sys
 from typing import Annotated
 
@@ -64,16 +63,7 @@ def main(arguments: list[str] | None = None) -> int:
     return run(lambda: command.main([a for a in arguments if a != "--traceback"], prog_name="rosarch", standalone_mode=False), traceback)
 
 
-def script() -> int:
-    """The entry of the installed command: as `main`, and when it is terminated, worker processes and temporary files go, too."""
-    while (descriptor := os.open(os.devnull, os.O_RDWR)) < 3:
-        pass  # closed standard streams would be the next files that are opened
-    os.close(descriptor)
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) is not signal.SIG_IGN:  # as `nohup` asks
-            signal.signal(number, lambda number, _frame: sys.exit(128 + number))
-    return main()
-
-
 if __name__ == "__main__":
+    from rosarch.cli.__main__ import script
+
     sys.exit(script())

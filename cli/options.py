@@ -44,9 +44,21 @@ class ModelFormat(str, Enum):
     json = "json"
 
 
-Folder = Annotated[Path, typer.Argument(metavar="DIR", help="A folder with ROS packages at any depth.", show_default=False)]
+def path_argument(text: str) -> Path:
+    """A path as it was given; an empty one is a variable that was not set, hardly the current folder."""
+    if not text:
+        raise typer.BadParameter("an empty path")
+    return Path(text)
+
+
+Folder = Annotated[
+    Path, typer.Argument(parser=path_argument, metavar="DIR", help="A folder with ROS packages at any depth.", show_default=False)
+]
 Input = Annotated[
-    Path, typer.Argument(metavar="DIR", help="A folder with ROS packages, or one written by `rosarch extract`.", show_default=False)
+    Path,
+    typer.Argument(
+        parser=path_argument, metavar="DIR", help="A folder with ROS packages, or one written by `rosarch extract`.", show_default=False
+    ),
 ]
 Packages = Annotated[
     list[str] | None,

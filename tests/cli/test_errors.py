@@ -131,6 +131,8 @@ def test_souffle_is_not_installed(rosarch: Callable, workspace: Path, monkeypatc
     [
         (("analyze", ".", "--define", "CUDA"), "--define CUDA: not of the form NAME=VALUE"),
         (("analyze",), "Missing argument 'DIR'. (see rosarch analyze --help)"),
+        (("analyze", ""), "Invalid value for 'DIR': an empty path (see rosarch analyze --help)"),
+        (("extract", ".", "--out="), "Invalid value for '--out' / '-o': an empty path (see rosarch extract --help)"),
         (("extract", "."), "Missing option '--out' / '-o'. (see rosarch extract --help)"),
     ],
 )
@@ -164,7 +166,8 @@ def test_interrupt(rosarch: Callable, workspace: Path, monkeypatch: pytest.Monke
         raise KeyboardInterrupt
 
     monkeypatch.setattr("rosarch.models.analysis.analyze", interrupted)
-    assert rosarch("analyze", "ws").code == 130
+    outcome = rosarch("analyze", "ws")
+    assert (outcome.code, outcome.out, outcome.err) == (130, "", "rosarch: interrupted\n")
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
@@ -281,5 +284,7 @@ def test_a_report_that_cannot_be_written(workspace: Path, redirection: str, text
 def test_closed_error_output(workspace: Path) -> None:
     (workspace / "broken").mkdir()
     (workspace / "broken" / "package.xml").write_text("<package")
-    done = subprocess.run(f"{sys.executable} -m rosarch.cli.main analyze ws 2>&-", shell=True, stdout=subprocess.PIPE, text=True, check=False)
+    done = subprocess.run(
+        f"{sys.executable} -m rosarch.cli.main analyze ws 2>&-", shell=True, stdout=subprocess.PIPE, text=True, check=False
+    )
     assert (done.returncode, done.stdout.splitlines()[0]) == (0, "talker/talker  node talker  talker/")
