@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_diagnostics, check_folder, extraction_cache
+from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, extraction_cache
 from rosarch.cli.options import Engine, parse_defines
 from rosarch.cli.terminal import progress, show_diagnostics
 
@@ -30,6 +30,8 @@ RuleFiles = Annotated[
     ),
 ]
 
+COMPONENT_SECONDS = 300.0
+"""The limit for the rules of one component."""
 Profiled = Annotated[bool, typer.Option("--profile", help="Tell on stderr which rules take the time.")]
 
 
@@ -72,11 +74,13 @@ def selected(
     defines: Sequence[str] | None,
     cached: bool,
     verbose: bool,
+    engine: Engine = Engine.embedded,
 ) -> Iterator[Sequence[SelectedComponent]]:
     """The components below DIR that the options leave; none is an error."""
     from rosarch.extractor.manifest import ManifestError
     from rosarch.models.selection import SelectionError, select
 
+    check_engine(engine)
     variables = parse_defines(list(defines or ()))
     check_folder(folder)
     try:
@@ -112,7 +116,7 @@ def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, 
     """All relations of a component, and its facts; with a profile on stderr if asked for."""
     facts = facts_of(component, program)
     if not profiled:
-        return program.evaluate(facts, engine=engine.value, keep="all"), facts
+        return program.evaluate(facts, engine=engine.value, keep="all", time_limit=COMPONENT_SECONDS), facts
     from rosarch.datalog import profile, profile_text
 
     if engine is not Engine.embedded:

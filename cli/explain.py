@@ -49,7 +49,7 @@ def explain(
         check_goal(program, goal)
         texts = []
         with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
         ) as components:
             title = heading(components)
             for each in components:
@@ -86,7 +86,7 @@ def why_not(
         program = load_rules(rules)
         check_goal(program, goal)
         with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
         ) as components:
             if len(components) > 1:
                 names = ", ".join(c.title for c in components)

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_diagnostics, check_folder, check_output, extraction_cache, unwritable
 from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines, path_argument
 from rosarch.cli.terminal import emit, progress, show_diagnostics
@@ -30,6 +31,7 @@ def extract(
     variables = parse_defines(defines)
     check_folder(folder)
     check_output(out)
+    _refuse_sources(out)
     from rosarch.extractor.pipeline import extract as extract_facts
 
     with progress() as report:
@@ -52,3 +54,13 @@ def extract(
         from rosarch.reports.labels import counted
 
         emit(f"facts of {counted(len(extraction.components), 'component')} in {out}\n")
+
+
+def _refuse_sources(out: Path) -> None:
+    """Facts among sources would be taken for facts, and the sources no longer be read."""
+    from rosarch.extractor.workspace.manifests import find_manifests
+
+    here = out.resolve()
+    inside = next((folder for folder in (here, *here.parents) if (folder / "package.xml").is_file()), None)
+    if inside or find_manifests(here, []):
+        raise InputError(f"{out}: a folder {'in a package' if inside else 'with packages'}; choose another one for the facts")

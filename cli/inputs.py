@@ -64,18 +64,13 @@ def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic
     for diagnostic in diagnostics:
         if diagnostic.kind == "workspace":
             raise InputError(f"{folder}: {diagnostic.message}")
-    broken = [diagnostic for diagnostic in diagnostics if diagnostic.kind == "manifest"]
+    broken = {d.path: d for d in diagnostics if d.path.name == "package.xml" and d.kind in ("manifest", "unreadable")}
     if broken and not found:
-        from rosarch.extractor.workspace.manifests import find_manifests, quick_name
+        from rosarch.extractor.workspace.manifests import find_manifests, read_manifest
         from rosarch.reports.diagnostics import diagnostic_line
 
-        if not any(quick_name(path) for path in find_manifests(folder.absolute(), [])):
-            raise InputError(diagnostic_line(broken[0], Path.cwd()))
-
-
-def is_facts_folder(folder: Path) -> bool:
-    """Whether `rosarch extract` wrote `folder`, complete or not."""
-    return next(folder.glob("*/*/*.facts"), None) is not None
+        if not any(read_manifest(Path(path))[0] for path in find_manifests(folder.absolute(), [])):
+            raise InputError(diagnostic_line(next(iter(broken.values())), Path.cwd()))
 
 
 def load_analysis(
@@ -90,9 +85,11 @@ def load_analysis(
 ) -> Analysis:
     """Analyse a folder of packages or of facts."""
     check_folder(folder)
-    _check_engine(engine)
+    check_engine(engine)
     with progress() as report:
-        if is_facts_folder(folder):
+        from rosarch.extractor.manifest import facts_folder
+
+        if facts_folder(folder):
             return _load_facts(folder, packages, engine, jobs, report)
         from rosarch.models.analysis import analyze
 
@@ -126,7 +123,8 @@ def _load_facts(
     return replace(analysis, models=tuple(model for model in analysis.models if not packages or model.package in packages))
 
 
-def _check_engine(engine: Engine) -> None:
+def check_engine(engine: Engine) -> None:
+    """Refuse an engine that is not installed: better before a long extraction than after it."""
     if engine is Engine.souffle:
         import shutil
 

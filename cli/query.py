@@ -39,7 +39,7 @@ def query(
         program = load_rules(rules)
         check_query(program, text)
         with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
         ) as components:
             answers = []
             for each in components:

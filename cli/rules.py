@@ -71,7 +71,7 @@ def run(
         names = _wanted(program, files, relations or [])
         texts = []
         with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
         ) as components:
             title = heading(components)
             for each in components:

@@ -89,6 +89,41 @@ def write_manifest(out: Path, root: Path, entries: Sequence[FactsEntry], sources
     write_whole(out / NAME, (json.dumps(data, indent=1, sort_keys=True) + "\n").encode())
 
 
+def facts_folder(folder: Path) -> Path | None:
+    """The folder of facts that `folder` is, or is a package's or component's part of; None when it is none.
+
+    A manifest decides; where it is damaged or gone, facts where components have theirs.
+    """
+    if _is_manifest(folder / NAME) or next(folder.glob("*/*/*.facts"), None) is not None:
+        return folder
+    here = folder.resolve()
+    for above in (here.parent, here.parent.parent):
+        if _is_manifest(above / NAME) and any(
+            Path(entry["folder"]).is_relative_to(here.relative_to(above)) for entry in _json(above / NAME)["components"]
+        ):
+            return above
+    return None
+
+
+def entries_below(manifest: Manifest, top: Path, folder: Path) -> list[FactsEntry]:
+    """The components of the facts in `top` that lie in or below `folder`."""
+    part = folder.resolve().relative_to(top.resolve())
+    return [entry for entry in manifest.entries if Path(entry.folder).is_relative_to(part)]
+
+
+def _json(path: Path) -> Any:
+    try:
+        return json.loads(path.read_bytes())
+    except (OSError, ValueError):
+        return None
+
+
+def _is_manifest(path: Path) -> bool:
+    """Whether a file is a manifest of facts, of any format, rather than one of the many other files of this name."""
+    data = _json(path)
+    return isinstance(data, dict) and {"components", "schema", "sources"} <= data.keys() and isinstance(data["components"], list)
+
+
 def _entry(data: dict[str, Any]) -> FactsEntry:
     """An entry as it was written; its names become paths, so that others are refused."""
     entry = FactsEntry(**{**data, "sources": tuple(data["sources"])})

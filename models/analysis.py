@@ -12,7 +12,7 @@ from typing import Any
 from rosarch.datalog import Program, load_program, read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
-from rosarch.extractor.manifest import read_manifest, rules_folder
+from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest, rules_folder
 from rosarch.extractor.pipeline import ComponentFacts, Progress, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import Diagnostic
@@ -74,13 +74,14 @@ def analyze(
 
 
 def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None) -> Analysis:
-    """Analyse a folder of facts that `rosarch extract` wrote.
+    """Analyse a folder of facts that `rosarch extract` wrote, or that of one of its packages or components.
 
     Raises `ManifestError` when the folder is stale or damaged.
     """
     start = time.perf_counter()
-    manifest = read_manifest(folder)
-    stored = [_StoredFacts(e.component, e.package, e.kind, e.sources, folder / e.folder) for e in manifest.entries]
+    top = facts_folder(folder) or folder
+    manifest = read_manifest(top)
+    stored = [_StoredFacts(e.component, e.package, e.kind, e.sources, top / e.folder) for e in entries_below(manifest, top, folder)]
     models, failures = _evaluate(Path(manifest.root).name, stored, folder, engine, jobs, progress)
     return Analysis(
         models, (*manifest.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}

@@ -12,7 +12,7 @@ from typing import Any
 from rosarch.datalog import read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
-from rosarch.extractor.manifest import read_manifest
+from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
 from rosarch.extractor.pipeline import Progress, extract
 from rosarch.extractor.workspace import Diagnostic
 
@@ -67,13 +67,15 @@ def select(
 
     `component` is NAME or PACKAGE/NAME. Facts are read when they are asked for, before the context ends.
     """
-    if is_component_facts(folder):
+    top = facts_folder(folder)
+    if top is None and is_component_facts(folder):  # written by hand
         own = SelectedComponent(folder.resolve().name, folder.resolve().parent.name, folder, lambda: read_facts(folder, schema()))
         yield Selection((own,))
-    elif next(folder.glob("*/*/*.facts"), None) is not None:
-        manifest = read_manifest(folder)
+    elif top is not None:
+        manifest = read_manifest(top)
         root = Path(manifest.root)
-        stored = [SelectedComponent(e.component, e.package, root, _reader(folder / e.folder)) for e in manifest.entries]
+        entries = entries_below(manifest, top, folder)
+        stored = [SelectedComponent(e.component, e.package, root, _reader(top / e.folder)) for e in entries]
         for package in sorted(set(packages or ()) - {c.package for c in stored}):
             raise SelectionError(f"no package {package} among these facts{_hint(package, {c.package for c in stored})}")
         yield Selection(_named([c for c in stored if not packages or c.package in packages], component))

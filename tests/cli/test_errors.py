@@ -288,3 +288,54 @@ def test_closed_error_output(workspace: Path) -> None:
         f"{sys.executable} -m rosarch.cli.main analyze ws 2>&-", shell=True, stdout=subprocess.PIPE, text=True, check=False
     )
     assert (done.returncode, done.stdout.splitlines()[0]) == (0, "talker/talker  node talker  talker/")
+
+
+def test_a_manifest_decides_what_facts_are(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    assert rosarch("extract", "ws", "-o", "facts").code == 0
+    models = rosarch("analyze", "facts", "--format", "json").out
+    for part in ("facts/talker", "facts/talker/talker"):
+        assert rosarch("analyze", part, "--format", "json").out == models
+    (tmp_path / "facts" / "talker" / "talker" / "call.facts").unlink()
+    changed = "rosarch: error: facts/talker/talker: the facts are incomplete or were changed; extract them again\n"
+    for command in (("analyze", "facts"), ("query", "facts", "port(P)")):
+        assert rosarch(*command).err == changed
+    part = rosarch("query", "facts/talker/talker", "port(P)")
+    assert (part.code, part.err) == (2, changed.replace("facts/talker", f"{tmp_path}/facts/talker"))
+    for path in (tmp_path / "facts" / "talker" / "talker").iterdir():
+        path.unlink()
+    assert rosarch("analyze", "facts").err == changed
+    (workspace / "manifest.json").write_text("{}")
+    assert rosarch("analyze", "ws").code == 0
+
+
+@pytest.mark.parametrize(("out", "what"), [("ws", "with packages"), ("ws/talker", "in a package"), ("ws/talker/facts", "in a package")])
+def test_facts_do_not_go_among_sources(rosarch: Callable, workspace: Path, out: str, what: str) -> None:
+    outcome = rosarch("extract", "ws", "-o", out)
+    assert (outcome.code, outcome.err) == (2, f"rosarch: error: {out}: a folder {what}; choose another one for the facts\n")
+
+
+def test_rules_that_never_end(rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosarch.cli.derivations.COMPONENT_SECONDS", 1.0)
+    (tmp_path / "own.dl").write_text(".decl n(x: number)\n.output n\nn(0).\nn(X + 1) :- n(X).\n")
+    outcome = rosarch("rules", "run", "ws", "own.dl")
+    assert outcome.code == 2
+    assert "still running after 1 s" in outcome.err
+
+
+@pytest.mark.parametrize("text", ["<package", "<package><name>talker</name>"])
+def test_one_broken_manifest_is_an_error_whatever_is_guessed(rosarch: Callable, workspace: Path, text: str) -> None:
+    (workspace / "talker" / "package.xml").write_text(text)
+    outcome = rosarch("analyze", "ws")
+    assert (outcome.code, outcome.out, outcome.err.partition("broken XML")[0]) == (
+        2,
+        "",
+        f"rosarch: error: ws/talker/package.xml:1:{outcome.err.split(':')[4]}: ",
+    )
+
+
+@pytest.mark.parametrize("command", [("analyze", "ws"), ("query", "ws", "port(P)")])
+def test_souffle_is_looked_for_first(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch, command: tuple[str, ...]) -> None:
+    monkeypatch.setenv("PATH", "")
+    outcome = rosarch(*command, "--engine", "souffle")
+    text = "rosarch: error: --engine souffle: there is no `souffle` on PATH; the embedded engine needs no installation\n"
+    assert (outcome.code, outcome.err) == (2, text)
