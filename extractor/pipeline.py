@@ -201,7 +201,7 @@ def _extract_units(
         else:
             files[ordered[index]], was_known, problems = outcome
             known &= was_known
-            lost.update(Diagnostic("source", Path(path), *place) for path, *place in problems)
+            lost.update(Diagnostic("source", Path(path), line, column, message) for path, line, column, message in problems)
         if progress:
             progress("sources", done + 1, len(units))
     if reader.cache and not known:
