@@ -150,3 +150,15 @@ def test_classes(tmp_path: Path) -> None:
     assert (request.type, request.kind, request.role, request.owner) == ("std_srvs/EmptyRequest", "message", "request", "std_srvs/Empty")
     assert (found["demo::GoAction_"].kind, found["demo::GoAction_"].owner) == ("action", "demo/Go")
     assert (found["demo::GoGoal_"].kind, found["demo::GoGoal_"].role) == ("message", "goal")
+
+
+@pytest.mark.parametrize("damage", [b"", b"{}", b"[1,2]", b"x" * 100])
+def test_a_damaged_cache_of_common_messages_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: bytes) -> None:
+    monkeypatch.setenv("ROSARCH_CACHE_DIR", str(tmp_path))
+    known = stored_messages()
+    (entry,) = (path for path in tmp_path.rglob("*") if path.is_file())
+    whole = entry.read_bytes()
+    entry.write_bytes(damage)
+    assert stored_messages() == known
+    assert entry.read_bytes() == whole
+    assert "std_msgs/Header" in known

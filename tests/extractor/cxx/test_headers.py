@@ -9,6 +9,7 @@ import pytest
 from clang.cindex import CursorKind, TranslationUnit
 
 import rosarch.extractor.cxx as cxx
+from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.messages.headers import header_index, header_text
 from rosarch.extractor.messages.store import load_messages
 
@@ -230,3 +231,24 @@ def test_a_callback_parameter_has_its_message_type(flags: list[str]) -> None:
     unit = _parse("#include <std_msgs/Bool.h>\nvoid f(const std_msgs::Bool::ConstPtr& m);", flags)
     (function,) = [c for c in unit.cursor.get_children() if c.spelling == "f"]
     assert next(function.get_arguments()).type.get_canonical().spelling == "const boost::shared_ptr<const std_msgs::Bool_> &"
+
+
+@pytest.mark.parametrize(
+    ("text", "predictable"),
+    [
+        ('#include <a.h>\n#  include "b.h"\n#define X \\\n  1\n#ifdef A /* c */\n#endif\n', True),
+        ("#include H\n", False),
+        ("#  \\\ninclude H\n", False),
+        ("#include \\\n H\n", False),
+        ("#inc\\\nlude H\n", False),
+        ("# /* c */ include H\n", False),
+        ("#include/**/H\n", False),
+        ("/* c */ #include H\n", False),
+        ("%:include H\n", False),
+        ("#include_next H\n", False),
+    ],
+)
+def test_includes_that_macros_decide(tmp_path: Path, text: str, predictable: bool) -> None:
+    (tmp_path / "a.cpp").write_text(text)
+    finder = HeaderFinder(tmp_path, tmp_path / "scratch", lambda _name: None)
+    assert finder.closure(tmp_path / "a.cpp", ()).predictable is predictable
