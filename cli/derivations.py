@@ -112,6 +112,12 @@ def facts_of(component: SelectedComponent, program: Program) -> Facts:
     return {name: list(rows) for name, rows in component.load().items() if name in wanted}
 
 
+def check_profile(profiled: bool, engine: Engine) -> None:
+    """Refuse a profile of an engine that is not measured."""
+    if profiled and engine is not Engine.embedded:
+        raise InputError("--profile measures the embedded engine; souffle has a profiler of its own")
+
+
 def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, profiled: bool = False) -> tuple[Result, Facts]:
     """All relations of a component, and its facts; with a profile on stderr if asked for."""
     facts = facts_of(component, program)
@@ -119,8 +125,6 @@ def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, 
         return program.evaluate(facts, engine=engine.value, keep="all", time_limit=COMPONENT_SECONDS), facts
     from rosarch.datalog import profile, profile_text
 
-    if engine is not Engine.embedded:
-        raise InputError("--profile measures the embedded engine; souffle has a profiler of its own")
     found = profile(program, facts)
     sys.stderr.write(f"== {component.title}\n{profile_text(found, shorten=shorten)}")
     return found.result, facts

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, Profiled, RuleFiles, datalog_errors, evaluate, heading, load_rules, selected
+from rosarch.cli.derivations import Component, Profiled, RuleFiles, check_profile, datalog_errors, evaluate, heading, load_rules, selected
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose
 from rosarch.cli.terminal import emit
 
@@ -35,6 +35,7 @@ def query(
     from rosarch.datalog import table_text
     from rosarch.datalog.queries import check_query, table_values
 
+    check_profile(profile, engine)
     with datalog_errors():
         program = load_rules(rules)
         check_query(program, text)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, Profiled, datalog_errors, evaluate, heading, load_rules, selected, shorten
+from rosarch.cli.derivations import Component, Profiled, check_profile, datalog_errors, evaluate, heading, load_rules, selected, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder, hint, unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
@@ -66,6 +66,7 @@ def run(
     """Run rules of your own on each node and nodelet below DIR and print the relations they put out."""
     from rosarch.datalog.queries import relation_table, table_text
 
+    check_profile(profile, engine)
     with datalog_errors():
         program = load_rules(files)
         names = _wanted(program, files, relations or [])

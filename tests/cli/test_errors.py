@@ -180,7 +180,15 @@ def test_termination_leaves_nothing_behind(workspace: Path, tmp_path: Path, numb
     (tmp_path / "temporary").mkdir()
     environment = {**os.environ, "TMPDIR": str(tmp_path / "temporary")}
     command = [sys.executable, "-m", "rosarch.cli.main", "analyze", "ws", "--no-cache", "--jobs", "2"]
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    process = subprocess.Popen(
+        command,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL),
+    )
     until = time.monotonic() + 60
     while not list((tmp_path / "temporary").glob("*/prelude.pch")) and time.monotonic() < until:
         time.sleep(0.05)
