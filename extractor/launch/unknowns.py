@@ -1,0 +1,58 @@
+"""Texts with unknown parts.
+
+While a launch file is composed, each part of a text that cannot be known is one character of Unicode's last private plane. Texts stay plain
+strings: they can be joined, split and used as keys, equal unknowns are equal characters, and `render` puts the `$(...)` of the source
+back. Text that is read is cleaned of this plane first, so that no input can pose as an unknown.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable
+
+_FIRST = 0x100000
+_CAPACITY = 0xFFF0
+_MARK = re.compile("[\U00100000-\U0010ffff]")
+_REPLACEMENT = "\ufffd"
+
+
+def is_known(text: str) -> bool:
+    """Whether `text` has no unknown part."""
+    return _MARK.search(text) is None
+
+
+def cleaned(text: str) -> str:
+    """`text` as read from outside, without characters that mean an unknown here."""
+    return text if text.isascii() else _MARK.sub(_REPLACEMENT, text)
+
+
+class Unknowns:
+    """The unknowns of one composition."""
+
+    def __init__(self) -> None:
+        self._texts: list[str] = []
+        self._marks: dict[Hashable, str] = {}
+        self._numbers: dict[str, int] = {}
+
+    def mark(self, text: str, *identity: Hashable) -> str:
+        """The character for an unknown that the source writes as `text`; the same for the same text and `identity`."""
+        key = (text, *identity)
+        if key not in self._marks:
+            self._marks[key] = self._new(text)
+        return self._marks[key]
+
+    def fresh(self, name: str) -> str:
+        """The character for a new anonymous name; the second one of the same `name` is told apart by its number."""
+        self._numbers[name] = number = self._numbers.get(name, 0) + 1
+        return self._new(f"$(anon {name})" if number == 1 else f"$(anon {name} {number})")
+
+    def _new(self, text: str) -> str:
+        if len(self._texts) < _CAPACITY:
+            self._texts.append(text)
+        return chr(_FIRST + len(self._texts) - 1)
+
+    def render(self, text: str) -> str:
+        """`text` with its unknown parts as the source writes them."""
+        if text.isascii():
+            return text
+        return _MARK.sub(lambda match: self._texts[ord(match[0]) - _FIRST], text)
