@@ -2,9 +2,9 @@
 
     benchmarks/launch.py ORACLE.jsonl ROOT [--oracle-root DIR] [--package-path DIR] [--env NAME=VALUE]
 
-ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, and either what roslaunch had in its memory after loading it with its
-default arguments (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every difference is listed; the exit code is 1 if there is
-one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
+ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, and either what roslaunch had in its memory after loading it with
+its default arguments (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every difference is listed; the exit code is 1 if
+there is one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ import re
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.launch import Composition, Files, PackagePath, compose, record
+from rosarch.extractor.launch import Composition, Files, PackagePath, Problem, compose, record
 
 Record = dict[str, Any]
 _ANONYMOUS = re.compile(r"\$\(anon ([^)\s]+)[^)]*\)")
@@ -30,7 +30,8 @@ CAUSES: tuple[tuple[str, str], ...] = (
     (r"environment variable '(.*?)' is not set", "env"),
     (r"requires the '(.*?)' arg to be set", "arg"),
     (r"arg '(.*?)' is not defined", "arg"),
-    (r"NameError: name '(.*?)' is not defined", "arg eval"),
+    (r"NameError: name '(.*?)' is not defined", "arg"),
+    (r"()NameError: ", "eval"),
     (r"file does not exist \[(.*?)\]", "file"),
     (r"No such file or directory: '(.*?)'", "file"),
     (r"no such command \[\[?'(.*?)'", "command"),
@@ -42,7 +43,8 @@ CAUSES: tuple[tuple[str, str], ...] = (
     (r"()include args must have declared values", "arg-without-value"),
     (r"()RecursionError", "cycle"),
     (r"()Invalid roslaunch XML syntax", "xml"),
-    (r"()[Ii]nvalid YAML|Error within YAML", "yaml"),
+    (r"()[Ii]nvalid YAML|Error within YAML|in \"<unicode string>\", line", "yaml"),
+    (r"()No closing quotation", "command"),
     (r"()'utf-8' codec can't decode", "encoding"),
     (r"()cannot set both 'if' and 'unless'", "condition"),
     (r"()is not a '(?:bool|boolean)' type", "condition param-type"),
@@ -52,7 +54,7 @@ CAUSES: tuple[tuple[str, str], ...] = (
     (r"()one and only one of value/textfile", "param"),
     (r"()one and only one of value/default", "arg-value"),
     (r"XmlParseException: (\w+)\. \n\nMachine xml", "arg"),
-    (r"()missing required|KeyError: ", "attribute"),
+    (r"()missing required|KeyError: |Invalid <arg> tag: '|'name' attribute must be non-empty|tags cannot have", "attribute"),
     (r"()remap (?:from|to)", "remap"),
     (r"()has an empty 'ns' attribute|into a global name", "namespace"),
     (r"()in order to use 'clear_params'|to use 'clear_params'", "clear-params"),
@@ -61,37 +63,42 @@ CAUSES: tuple[tuple[str, str], ...] = (
     (r"()invalid with 'delete' command", "rosparam-delete"),
     (r"()'param' attribute must be set|Cannot load non-dictionary", "rosparam-name"),
     (r"()TypeError: .*(?:concatenate|subscriptable|must be str)", "yaml-key"),
-    (r"()double underscore|SyntaxError|AttributeError", "eval"),
+    (r"()double underscore|SyntaxError|AttributeError|TypeError|ZeroDivisionError|ValueError|IndexError|KeyError", "eval"),
     (r"()[Ss]ubstitution (?:args|command)|command only accepts|must specify|may only specify", "substitution"),
     (r"()respawn and required|node name cannot|must be non-empty|must be one of", "node"),
-    (r"()'name' attribute must be non-empty|tags cannot have", "attribute"),
     (r"ResourceNotFound: The following package was not found in .*?>: (\S+)", "package"),
     (r"()ResourceNotFound: The following package was not found in", "package"),
     (r"ResourceNotFound: (\S+)", "package"),
 )
 
 
-def cause_of(exception: str) -> tuple[str, str]:
-    """The kinds of problem, and its subject if the text tells, of an exception of roslaunch."""
-    for pattern, kinds in CAUSES:
-        match = re.search(pattern, exception, re.DOTALL)
-        if match:
-            return kinds, match[1] or ""
-    return "", ""
+def causes_of(exception: str) -> list[tuple[str, str]]:
+    """The kinds of problem, and the subject if the text tells, that an exception of roslaunch can stand for."""
+    matches = [(re.search(pattern, exception, re.DOTALL), kinds) for pattern, kinds in CAUSES]
+    return [(kind, match[1] or "") for match, kinds in matches if match for kind in kinds.split()]
 
 
 def refusal_difference(exception: str, composition: Composition) -> str | None:
-    """How the refusal of rosarch differs from that of roslaunch. A command that rosarch does not run counts as one that fails."""
-    kinds, subject = cause_of(exception)
-    if not kinds:
+    """How the refusal of rosarch differs from that of roslaunch.
+
+    A command that rosarch does not run counts as one that fails. The text of an exception is cut; of deep includes it only has their names.
+    """
+    causes = causes_of(exception)
+    hidden = "while processing" in exception and not causes
+    if not causes and not hidden:
         return f"roslaunch's reason is not known to this program: {exception!r}"
     for problem in composition.problems:
-        if problem.fatal and not problem.conditions or problem.kind == kinds == "command":
-            if problem.kind in kinds.split() and subject in ("", problem.subject):
-                return None
-            if problem.fatal:
-                return f"roslaunch: {exception!r}, rosarch: {problem}"
+        fatal = problem.fatal and not problem.conditions
+        if (hidden and fatal) or ((fatal or problem.kind == "command") and is_cause(problem, causes)):
+            return None
+        if fatal:
+            return f"roslaunch: {exception!r}, rosarch: {problem}"
     return f"roslaunch: {exception!r}, rosarch: no refusal"
+
+
+def is_cause(problem: Problem, causes: list[tuple[str, str]]) -> bool:
+    """Whether `problem` is one of `causes`."""
+    return any(problem.kind == kind and subject in ("", problem.subject) for kind, subject in causes)
 
 
 def differences(oracle: Record, mine: Record) -> Iterator[str]:
@@ -117,26 +124,26 @@ def _text(value: Any) -> str:
     return json.dumps(value, sort_keys=True)
 
 
-def comparable(oracle: Record, mine: Record, roots: tuple[str, str]) -> tuple[Record, Record]:
-    """Both records with equal texts for what differs between machines: the root folder and anonymous names."""
-    theirs, own = json.dumps(oracle), json.dumps(mine)
-    for name in set(_ANONYMOUS.findall(own)):
+def without_anonymous(text: str, names: Iterable[str]) -> str:
+    """`text` of roslaunch with its random names (`talker_host_123_456789`) as rosarch writes them."""
+    for name in names:
         legal = re.sub(r"[-.:]", "_", name)
-        theirs = re.sub(rf"{re.escape(legal)}_\w+?_\d+_\d{{10,}}", f"$(anon {name})", theirs)
-    own = _ANONYMOUS.sub(r"$(anon \1)", own)
-    return json.loads(theirs.replace(*roots)), json.loads(own)
+        text = re.sub(rf"{re.escape(legal)}_\w+?_\d+_\d{{10,}}", f"$(anon {name})", text)
+    return text
 
 
 def compare_file(oracle: Record, root: Path, files: Files, options: argparse.Namespace) -> list[str]:
-    """The differences for one launch file."""
+    """The differences for one launch file, texts made equal in what differs between machines: the root folder and anonymous names."""
     composition = compose([root / oracle["file"]], files=files, environment=options.environment)
-    roots = (str(options.oracle_root), str(root))
+    mine = json.dumps(record(composition))
+    names = sorted(set(_ANONYMOUS.findall(mine)))
+    theirs = json.loads(without_anonymous(json.dumps(oracle), names).replace(str(options.oracle_root), str(root)))
     if "exception" in oracle:
-        found = refusal_difference(oracle["exception"].replace(*roots), composition)
+        found = refusal_difference(theirs["exception"], composition)
         return [found] if found else []
     if composition.refusal:
         return [f"roslaunch loads it, rosarch refuses: {composition.refusal}"]
-    return list(differences(*comparable(oracle, record(composition), roots)))
+    return list(differences(theirs, json.loads(_ANONYMOUS.sub(r"$(anon \1)", mine))))
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -145,7 +152,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("oracle", type=Path, metavar="ORACLE.jsonl", help="what roslaunch made of them")
     parser.add_argument("root", type=Path, metavar="ROOT", help="the folder they lie in")
     parser.add_argument("--oracle-root", type=Path, metavar="DIR", help="where ROOT was when ORACLE.jsonl was written")
-    parser.add_argument("--package-path", type=Path, action="append", metavar="DIR", help="further packages; EXTRA_PKG and /usr/share by default")
+    parser.add_argument("--package-path", type=Path, action="append", metavar="DIR", help="more packages; default EXTRA_PKG, /usr/share")
     parser.add_argument("--env", action="append", default=[], metavar="NAME=VALUE", help="an environment variable that roslaunch had")
     options = parser.parse_args()
     options.root = options.root.resolve()

@@ -215,7 +215,10 @@ def _rendered(value: Any, state: State) -> Any:
 
 def _rendered_node(node: NodeStart, state: State) -> NodeStart:
     shown = state.unknowns.render
-    texts = {name: getattr(node, name) for name in ("name", "machine", "output", "cwd", "launch_prefix", "test_name")}
+
+    def optional(text: str | None) -> str | None:
+        return None if text is None else shown(text)
+
     return replace(
         node,
         package=shown(node.package),
@@ -224,7 +227,10 @@ def _rendered_node(node: NodeStart, state: State) -> NodeStart:
         args=shown(node.args),
         remaps=tuple(Remap(shown(remap.source), shown(remap.target), remap.place, remap.conditions) for remap in node.remaps),
         environment=tuple((shown(name), shown(value)) for name, value in node.environment),
-        **{name: None if text is None else shown(text) for name, text in texts.items()},
+        name=optional(node.name),
+        machine=optional(node.machine),
+        output=optional(node.output),
+        cwd=optional(node.cwd),
+        launch_prefix=optional(node.launch_prefix),
+        test_name=optional(node.test_name),
     )
-
-

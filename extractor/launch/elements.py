@@ -131,7 +131,7 @@ def rosparam(state: State, element: Element, scope: Scope) -> None:
     full_name = ns_join(scope.namespace, name) if name else scope.namespace
     if command == "delete":
         if file is not None:
-            raise LaunchError("rosparam-delete", file, "<rosparam command=\"delete\"> must not have a file")
+            raise LaunchError("rosparam-delete", file, '<rosparam command="delete"> must not have a file')
         state.deleted.append(state.unknowns.render(full_name))
     elif command == "load":
         setting = ParamSetting(full_name, None, (*scope.lines, state.here), scope.conditions + conditions, file or None)

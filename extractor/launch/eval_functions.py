@@ -95,7 +95,20 @@ BUILTINS: dict[str, Any] = {
     "reversed": lambda items: list(reversed(items)),
 }
 _PLAIN_TEXT = (
-    *("capitalize", "casefold", "count", "endswith", "find", "index", "isalnum", "isalpha", "isdecimal", "isdigit", "isidentifier", "islower"),
+    *(
+        "capitalize",
+        "casefold",
+        "count",
+        "endswith",
+        "find",
+        "index",
+        "isalnum",
+        "isalpha",
+        "isdecimal",
+        "isdigit",
+        "isidentifier",
+        "islower",
+    ),
     *("isnumeric", "isspace", "istitle", "isupper", "lower", "lstrip", "partition", "rfind", "rindex", "rpartition", "rsplit", "rstrip"),
     *("split", "splitlines", "startswith", "strip", "swapcase", "title", "upper"),
 )

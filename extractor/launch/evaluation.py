@@ -7,6 +7,7 @@ more; what is not listed here is `Unsupported` and the text stays unknown. Time 
 from __future__ import annotations
 
 import ast
+import builtins
 import operator
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
@@ -210,7 +211,7 @@ class _Evaluator:
             return value
         if not is_known_value(value):
             raise UnknownInvolved
-        value = {115: str, 114: repr, 97: ascii}.get(node.conversion, lambda same: same)(value)
+        value = _CONVERSIONS[node.conversion](value)
         spec = "" if node.format_spec is None else self.known(node.format_spec)
         return METHODS[str]["format"]("{:" + spec + "}", value)
 
@@ -329,4 +330,5 @@ def _no_name(name: str) -> Any:
     raise KeyError(name)
 
 
-_PYTHON_BUILTINS = frozenset(__builtins__ if isinstance(__builtins__, dict) else dir(__builtins__))
+_PYTHON_BUILTINS = frozenset(dir(builtins))
+_CONVERSIONS: dict[int, Function] = {-1: lambda value: value, ord("s"): str, ord("r"): repr, ord("a"): ascii}

@@ -127,9 +127,9 @@ class Problem:
 class Composition:
     """All that the launch files given start and set.
 
-    `params` has one setting per parameter, and more only where conditions are unknown; `cleared` are namespaces whose parameters are removed
-    first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could not be
-    read sets parameters in; the `source` of each is that file.
+    `params` has one setting per parameter, and more only where conditions are unknown; `cleared` are namespaces whose parameters are
+    removed first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could
+    not be read sets parameters in; the `source` of each is that file.
     """
 
     nodes: tuple[NodeStart, ...]

@@ -60,9 +60,7 @@ def test(state: State, element: Element, scope: Scope) -> None:
     state.tests.append(replace(started, test_name=test_name, output="log"))
 
 
-def namespace_of(
-    state: State, element: Element, scope: Scope, conditions: tuple[Condition, ...], node_name: str | None = None
-) -> Scope:
+def namespace_of(state: State, element: Element, scope: Scope, conditions: tuple[Condition, ...], node_name: str | None = None) -> Scope:
     """The scope within an element with the attributes `ns` and `clear_params`.
 
     Raises:
@@ -202,5 +200,3 @@ def _is_int(text: str) -> bool:
     except ValueError:
         return False
     return True
-
-

@@ -11,9 +11,9 @@ from .values import Binary
 def record(composition: Composition) -> dict[str, Any]:
     """The composition as JSON values.
 
-    `nodes` and `params` are those of roslaunch, texts with unknown parts as the source writes them. `started_by` has the launch lines and
-    unknown conditions of each node, in the order of `nodes`. A parameter that has several values because a condition is unknown has the last
-    one in `params` and all of them in `alternatives`. `refused` is what roslaunch would stop at, `problems` are all.
+    `nodes` and `params` are those of roslaunch, texts with unknown parts as the source writes them. `started_by` has the launch lines
+    and unknown conditions of each node, in the order of `nodes`. A parameter that has several values because a condition is unknown has the
+    last one in `params` and all of them in `alternatives`. `refused` is what roslaunch would stop at, `problems` are all.
     """
     result: dict[str, Any] = {
         "nodes": [_node(node) for node in composition.nodes],

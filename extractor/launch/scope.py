@@ -13,8 +13,8 @@ from .unknowns import is_known
 class Scope:
     """The state within one `<launch>`, `<group>` or `<node>`. A child starts with copies and hands nothing back.
 
-    `private` may be shared with the scope of the including file, as roslaunch shares it: a private parameter set in an included file reaches
-    later nodes of the including one, but only when that had set one before.
+    `private` may be shared with the scope of the including file, as roslaunch shares it: a private parameter set in an included file
+    reaches later nodes of the including one, but only when that had set one before.
     """
 
     namespace: str

@@ -154,9 +154,10 @@ class State:
         if not node.name:
             return
         others = self.named.setdefault(node.full_name, [])
-        if any(not exclusive(node.conditions, other.conditions) for other in others):
-            other = next(other for other in others if not exclusive(node.conditions, other.conditions))
-            self.report(LaunchError("duplicate-node", node.full_name, f"a second node `{node.full_name}`, the first is at {other.lines[-1]}"))
+        other = next((other for other in others if not exclusive(node.conditions, other.conditions)), None)
+        if other is not None:
+            message = f"a second node `{node.full_name}`, the first is at {other.lines[-1]}"
+            self.report(LaunchError("duplicate-node", node.full_name, message))
         others.append(node)
 
 

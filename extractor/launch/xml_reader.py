@@ -104,9 +104,8 @@ class _Builder:
             self.texts[-1].append(data)
 
     def _entity(self, name: str, *_rest: object) -> None:
-        raise XmlError(
-            f"entity `{name}` is declared here; entities are not expanded", self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
-        )
+        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        raise XmlError(f"entity `{name}` is declared here; entities are not expanded", line, column)
 
 
 def _qualified(name: str) -> str:

@@ -1,7 +1,7 @@
 """YAML as `<rosparam>` reads it: plain data, and angles (`rad(pi/2)`, `deg(90)`, `!radians`, `!degrees`).
 
-The loader is PyYAML's safe one, so a tag makes no object. An alias may be used any number of times in a small text, so what aliases unfold to
-is counted, not what is written. Sources: roslaunch.loader, rosparam (angles, `!!binary`).
+The loader is PyYAML's safe one, so a tag makes no object. A small text may use an alias any number of times, so what aliases unfold
+to is counted, not what is written. Sources: roslaunch.loader, rosparam (angles, `!!binary`).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def load_yaml(text: str) -> Any:
         YamlError: the text is not YAML, has a tag that makes an object, or unfolds to too much.
     """
     try:
-        value = yaml.load(text, Loader=_Loader)  # noqa: S506 (a subclass of the safe loader)
+        value = yaml.load(text, Loader=_Loader)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         reason = " ".join(part for part in (error.context, error.problem) if part)
