@@ -30,10 +30,10 @@ CAUSES: tuple[tuple[str, str], ...] = (
     (r"environment variable '(.*?)' is not set", "env"),
     (r"requires the '(.*?)' arg to be set", "arg"),
     (r"arg '(.*?)' is not defined", "arg"),
-    (r"NameError: name '(.*?)' is not defined", "arg"),
-    (r"()NameError: ", "eval"),
-    (r"file does not exist \[(.*?)\]", "file"),
-    (r"No such file or directory: '(.*?)'", "file"),
+    (r"\bname '(.*?)' is not defined", "arg"),
+    (r"()\bname '.*?' is not defined", "eval"),
+    (r"file does not exist \[(.*?)\]\n", "file"),
+    (r"(?:No such file or|Is a|Not a) directory: '(.*?)'", "file"),
     (r"no such command \[\[?'(.*?)'", "command"),
     (r"()command \[.*returned with code", "command"),
     (r"unused args \[(.*?)\] for include", "unused-args"),
@@ -44,13 +44,14 @@ CAUSES: tuple[tuple[str, str], ...] = (
     (r"()RecursionError", "cycle"),
     (r"()Invalid roslaunch XML syntax", "xml"),
     (r"()[Ii]nvalid YAML|Error within YAML|in \"<unicode string>\", line", "yaml"),
-    (r"()No closing quotation", "command"),
+    (r"()No closing quotation|IndexError: list index", "command"),
     (r"()'utf-8' codec can't decode", "encoding"),
+    (r"()'ROSLaunchConfig' object has no attribute", "condition"),
     (r"()cannot set both 'if' and 'unless'", "condition"),
     (r"()is not a '(?:bool|boolean)' type", "condition param-type"),
     (r"()Unknown type|invalid literal for int|could not convert string to float", "param-type machine number"),
     (r"()invalid bool value|bool value for .* must be non-empty", "bool number"),
-    (r"()invalid float value|must be a (?:positive )?number|be a (?:positive )?number", "number"),
+    (r"()invalid float value|'timeout' cannot be empty|must be a (?:positive )?number|be a (?:positive )?number", "number"),
     (r"()one and only one of value/textfile", "param"),
     (r"()one and only one of value/default", "arg-value"),
     (r"XmlParseException: (\w+)\. \n\nMachine xml", "arg"),
@@ -98,7 +99,8 @@ def refusal_difference(exception: str, composition: Composition) -> str | None:
 
 def is_cause(problem: Problem, causes: list[tuple[str, str]]) -> bool:
     """Whether `problem` is one of `causes`."""
-    return any(problem.kind == kind and subject in ("", problem.subject) for kind, subject in causes)
+    about = _ANONYMOUS.sub(r"$(anon \1)", problem.subject)
+    return any(problem.kind == kind and subject in ("", about) for kind, subject in causes)
 
 
 def differences(oracle: Record, mine: Record) -> Iterator[str]:

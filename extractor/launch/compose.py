@@ -18,7 +18,7 @@ from .model import Composition, Condition, Include, LaunchError, NodeStart, Para
 from .names import global_namespace
 from .scope import Scope
 from .state import Exhausted, Handler, State
-from .unknowns import cleaned, is_known
+from .unknowns import cleaned
 from .xml_reader import Element, XmlError
 
 MAX_INCLUDE_DEPTH = 60
@@ -107,11 +107,23 @@ class _Composer:
             raise LaunchError("cycle", path, f"includes nested more than {MAX_INCLUDE_DEPTH} deep")
         self.stack.append(key)
         try:
+            self.check_launch(path, launch, scope)
             if launch.attributes.get("deprecated"):
                 self.state.warn("deprecated", path, f"{path} is deprecated: {launch.attributes['deprecated']}")
             self.content(launch, scope)
         finally:
             self.stack.pop()
+
+    def check_launch(self, path: str, launch: Element, scope: Scope) -> None:
+        """Report an `if` of `<launch>` itself: roslaunch evaluates it, without arguments, but leaves nothing out."""
+        self.state.here = Place(path, launch.line, launch.column)
+        if any("$" in launch.attributes.get(name, "") for name in ("if", "unless")):
+            self.state.report(LaunchError("condition", "launch", "a condition of <launch> must not have substitution arguments"))
+            return
+        try:
+            self.state.conditions(launch, scope)
+        except LaunchError as error:
+            self.state.report(error)
 
     def content(self, parent: Element, scope: Scope) -> None:
         """Compose the children of a `<launch>` or `<group>`."""
@@ -145,7 +157,7 @@ class _Composer:
         path = state.required(element, "file", scope)
         inner, here = self.passed(element, scope, conditions), state.here
         inner.filename, inner.lines = path, (*scope.lines, here)
-        launch = self.parse(path) if is_known(path) else None
+        launch = None if state.unknowns.is_open(path) else self.parse(path)
         state.includes.append(Include(path, path if launch else None, inner.lines, inner.conditions))
         if launch is None:
             return

@@ -77,8 +77,8 @@ def param(state: State, element: Element, scope: Scope, *, private: bool = False
 def _param_value(state: State, source: str, text: str, kind: str) -> Any:
     if source == "value":
         return _converted(text.strip(), kind)
-    if not is_known(text):
-        return text if source == "command" else state.unknowns.mark(f"$({source} {state.unknowns.render(text)})", text)
+    if state.unknowns.is_open(text):
+        return state.unknowns.mark(f"$({source} {state.unknowns.render(text)})", text)
     if source == "command":
         return _command_value(state, text, kind)
     try:
@@ -94,7 +94,12 @@ def _param_value(state: State, source: str, text: str, kind: str) -> Any:
 def _command_value(state: State, command: str, kind: str) -> Any:
     """What a command prints; it is not run, so most stay unknown."""
     words = words_of(command)
-    printed = output(words, state.files, state.resolver.environment)
+    try:
+        printed = output(words, state.files, state.resolver.environment)
+    except LaunchError as error:
+        if error.kind not in ("outside", "size"):
+            raise LaunchError("command", words[0], f"command `{words[0]}` would fail: {error.message}") from None
+        printed = None
     if printed is None:
         state.warn("command", words[0], f"command `{words[0]}` is not run, what it prints is unknown")
         return state.unknowns.mark(f"$(command {command})")
@@ -144,7 +149,7 @@ def rosparam(state: State, element: Element, scope: Scope) -> None:
 
 def _yaml_text(state: State, file: str) -> str | None:
     """The text of a YAML file; None, with a report, when it cannot be read."""
-    if not is_known(file):
+    if state.unknowns.is_open(file):
         return None
     try:
         if not state.files.is_file(file):

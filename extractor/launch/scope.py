@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from .model import Condition, LaunchError, ParamSetting, Place, Remap
 from .names import canonical, global_namespace, is_legal, ns_join
-from .unknowns import is_known
+from .unknowns import with_unknowns_as
 
 
 @dataclass
@@ -82,7 +82,7 @@ class Scope:
         if not source or not target:
             raise LaunchError("remap", f"{remap.source}:={remap.target}", "from and to of a remapping must not be empty")
         for name, role in ((source, "from"), (target, "to")):
-            if is_known(name) and not is_legal(name):
+            if not is_legal(with_unknowns_as("x", name)):
                 raise LaunchError("remap", name, f"`{name}` is no legal name to remap {role}")
         if not remap.conditions:
             self.remaps[:] = [other for other in self.remaps if other.source != source]

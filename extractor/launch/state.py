@@ -10,7 +10,7 @@ from .model import Condition, Include, LaunchError, NodeStart, ParamSetting, Pla
 from .names import canonical, parents
 from .scope import Scope, settle
 from .substitution import Resolver
-from .unknowns import Unknowns, is_known
+from .unknowns import Unknowns
 from .values import boolean
 from .xml_reader import Element
 
@@ -38,7 +38,7 @@ class State:
         self.read: dict[str, None] = {}
         self.cleared: list[str] = []
         self.deleted: list[str] = []
-        self.machines: dict[str, tuple[object, ...]] = {}
+        self.machines: dict[str, tuple[object, ...]] = {"": ("this computer",)}
         self.default_machine: str | None = None
         self.named: dict[str, list[NodeStart]] = {}
         self.here = Place("", 1)
@@ -93,7 +93,7 @@ class State:
 
     def flag(self, text: str | None, label: str) -> bool:
         """A `true` or `false` attribute; what is neither is reported and taken for false."""
-        if text is None or not is_known(text):
+        if text is None or self.unknowns.is_open(text):
             return False
         if text.lower() not in ("true", "false"):
             self.report(LaunchError("bool", label, f"`{text}` is not true or false, which `{label}` must be"))
@@ -118,7 +118,7 @@ class State:
             raise LaunchError("condition", "if unless", f"<{element.tag}> has both `if` and `unless`")
         holds = texts[0] is not None
         text = texts[0] if texts[0] is not None else texts[1] or ""
-        if not is_known(text):
+        if self.unknowns.is_open(text):
             return self._unknown_condition(text, holds, scope)
         try:
             return () if boolean(text) is holds else None

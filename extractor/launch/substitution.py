@@ -44,6 +44,8 @@ class Resolver:
             return self._eval(text[7:-1], scope)
         for command in collect(text):
             name, *words = _words(command)
+            if name not in COMMANDS:
+                raise _malformed(f"unknown substitution command $({command}), known are {', '.join(COMMANDS)}")
             if name != "find":
                 text = _bounded(text.replace(f"$({command})", self._command(command, name, words, scope)))
         for command in collect(text):
@@ -154,15 +156,11 @@ def collect(text: str) -> list[str]:
             state = "out"
         elif state == "open":
             state, start = "in", index
-    for command in commands:
-        words = _words(command)
-        if not words or words[0] not in COMMANDS:
-            raise _malformed(f"unknown substitution command $({command}), known are {', '.join(COMMANDS)}")
     return commands
 
 
 def _words(command: str) -> list[str]:
-    return [word for word in command.split(" ") if word]
+    return [word for word in command.split(" ") if word] or [""]
 
 
 def _missing(name: str, scope: Scope) -> str:

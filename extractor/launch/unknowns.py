@@ -21,6 +21,11 @@ def is_known(text: str) -> bool:
     return _MARK.search(text) is None
 
 
+def with_unknowns_as(replacement: str, text: str) -> str:
+    """`text` with each unknown part replaced."""
+    return _MARK.sub(replacement, text)
+
+
 def cleaned(text: str) -> str:
     """`text` as read from outside, without characters that mean an unknown here."""
     return text if text.isascii() else _MARK.sub(_REPLACEMENT, text)
@@ -33,6 +38,7 @@ class Unknowns:
         self._texts: list[str] = []
         self._marks: dict[Hashable, str] = {}
         self._numbers: dict[str, int] = {}
+        self._names: set[str] = set()
 
     def mark(self, text: str, *identity: Hashable) -> str:
         """The character for an unknown that the source writes as `text`; the same for the same text and `identity`."""
@@ -44,7 +50,13 @@ class Unknowns:
     def fresh(self, name: str) -> str:
         """The character for a new anonymous name; the second one of the same `name` is told apart by its number."""
         self._numbers[name] = number = self._numbers.get(name, 0) + 1
-        return self._new(f"$(anon {name})" if number == 1 else f"$(anon {name} {number})")
+        mark = self._new(f"$(anon {name})" if number == 1 else f"$(anon {name} {number})")
+        self._names.add(mark)
+        return mark
+
+    def is_open(self, text: str) -> bool:
+        """Whether `text` may turn out to be any text: it has an unknown part that is no anonymous name."""
+        return not text.isascii() and any(mark not in self._names for mark in _MARK.findall(text))
 
     def _new(self, text: str) -> str:
         if len(self._texts) < _CAPACITY:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 MAX_DEPTH = 150  # elements within elements; far above any launch file, far below what the interpreter's stack holds
-_SEPARATOR = "\x1f"  # between namespace, name and prefix; no XML document can contain it
+_SEPARATOR = " "  # between namespace, name and prefix; expat refuses a namespace that contains it
 
 
 @dataclass(eq=False)
