@@ -2,9 +2,9 @@
 
     benchmarks/launch.py ORACLE.jsonl ROOT [--oracle-root DIR] [--package-path DIR] [--env NAME=VALUE]
 
-ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, and either what roslaunch had in its memory after loading it with
-its default arguments (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every difference is listed; the exit code is 1 if
-there is one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
+ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, the `arguments` it was loaded with, if any (a list of `name:=value`), and
+either what roslaunch then had in its memory (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every difference is listed;
+the exit code is 1 if there is one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.extractor.launch import Composition, Files, PackagePath, Problem, compose, record
+from rosarch.extractor.launch.names import mapping
 
 Record = dict[str, Any]
 _ANONYMOUS = re.compile(r"\$\(anon ([^)\s]+)[^)]*\)")
@@ -136,7 +137,9 @@ def without_anonymous(text: str, names: Iterable[str]) -> str:
 
 def compare_file(oracle: Record, root: Path, files: Files, options: argparse.Namespace) -> list[str]:
     """The differences for one launch file, texts made equal in what differs between machines: the root folder and anonymous names."""
-    composition = compose([root / oracle["file"]], files=files, environment=options.environment)
+    arguments = dict(pair for word in oracle.get("arguments", ()) if (pair := mapping(word)))
+    namespace = arguments.pop("__ns", None)
+    composition = compose([root / oracle["file"]], arguments, files=files, environment=options.environment, namespace=namespace)
     mine = json.dumps(record(composition))
     names = sorted(set(_ANONYMOUS.findall(mine)))
     theirs = json.loads(without_anonymous(json.dumps(oracle), names).replace(str(options.oracle_root), str(root)))

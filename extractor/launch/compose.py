@@ -22,6 +22,7 @@ from .unknowns import cleaned
 from .xml_reader import Element, XmlError
 
 MAX_INCLUDE_DEPTH = 60
+MAX_INCLUDES = 20_000
 
 
 def compose(
@@ -155,6 +156,8 @@ class _Composer:
             return
         state.check_attributes(element, ("file", "ns", "clear_params", "pass_all_args"))
         path = state.required(element, "file", scope)
+        if len(state.includes) >= MAX_INCLUDES:
+            raise Exhausted(f"more than {MAX_INCLUDES} includes, the rest is left out")
         inner, here = self.passed(element, scope, conditions), state.here
         inner.filename, inner.lines = path, (*scope.lines, here)
         launch = None if state.unknowns.is_open(path) else self.parse(path)
@@ -163,7 +166,7 @@ class _Composer:
             return
         names = list(inner.args)
         self.enter_file(path, launch, inner)
-        state.at(element, scope)
+        state.at(element, scope, conditions)
         unused = [name for name in names if name not in inner.declared]
         if unused and not inner.passes_all:
             raise LaunchError("unused-args", ", ".join(unused), f"{path} does not declare what is passed to it: {', '.join(unused)}")
@@ -186,7 +189,7 @@ class _Composer:
                     state.warn("unknown-element", child.tag, f"<{child.tag}> in <include> is ignored")
             except LaunchError as error:
                 state.report(error)
-        state.at(element, scope)
+        state.at(element, scope, conditions)
         for name in sorted(inner.declared - set(passed)):
             state.report(LaunchError("arg-without-value", name, f"argument `{name}` is passed without a value"))
         inner.args, inner.declared, inner.maybe_declared, inner.anonymous = passed, set(), {}, {}

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from .commands import output, words_of
 from .model import LaunchError, ParamSetting, Remap
 from .names import canonical, ns_join
 from .scope import Scope
-from .state import State
+from .state import YAML_COST, State
 from .unknowns import is_known
 from .values import Binary, convert
 from .xml_reader import Element
@@ -85,6 +86,7 @@ def _param_value(state: State, source: str, text: str, kind: str) -> Any:
         if source == "binfile":
             return Binary(state.files.read(text))
         content = state.files.read_text(text)
+        state.spend(len(content))
     except LaunchError as error:
         state.report(error, fatal=error.kind not in ("outside", "size"))
         return state.unknowns.mark(f"$({source} {text})")
@@ -142,7 +144,7 @@ def rosparam(state: State, element: Element, scope: Scope) -> None:
         setting = ParamSetting(full_name, None, (*scope.lines, state.here), scope.conditions + conditions, file or None)
         text = element.text if file is None else _yaml_text(state, file)
         if text is None:
-            state.unread.append(setting)
+            state.unread.append(replace(setting, name=canonical(full_name)))
         else:
             _load(state, element, state.resolver.resolve(text, scope) if substituted else text, name, setting)
 
@@ -162,6 +164,7 @@ def _yaml_text(state: State, file: str) -> str | None:
 
 def _load(state: State, element: Element, text: str, name: str, setting: ParamSetting) -> None:
     """Set what a YAML text says; `name` is empty when parameters go to the scope's namespace."""
+    state.spend(YAML_COST * len(text))
     try:
         data = load_yaml(text)
     except YamlError as error:
@@ -229,9 +232,9 @@ def machine(state: State, element: Element, scope: Scope) -> None:
     """
     if state.conditions(element, scope) is None:
         return
-    for name in ("ros-root", "ros-package-path", "ros-ip", "ros-hostname"):
-        if state.text(element, name, scope):
-            raise LaunchError("machine", name, f"<machine> has no attribute `{name}` since ROS Fuerte; use env-loader")
+    old = {name: state.text(element, name, scope) for name in ("ros-root", "ros-package-path", "ros-ip", "ros-hostname")}
+    for name in filter(old.get, old):
+        raise LaunchError("machine", name, f"<machine> has no attribute `{name}` since ROS Fuerte; use env-loader")
     state.check_attributes(element, _MACHINE_ATTRIBUTES)
     name, address = state.required(element, "name", scope), state.required(element, "address", scope)
     loader, port, user, password, default, timeout = (state.text(element, key, scope) for key in _MACHINE_ATTRIBUTES[2:])
@@ -244,7 +247,7 @@ def machine(state: State, element: Element, scope: Scope) -> None:
         if child.tag == "env":
             raise LaunchError("machine", "env", "<env> in <machine> is not supported since ROS Fuerte; use env-loader")
         state.warn("unknown-element", child.tag, f"<{child.tag}> in <machine> is ignored")
-    _check_positive(timeout, "timeout")
+    _check_positive(state, timeout, "timeout")
     content = (default != "never", address, loader, int(port or "22") if is_known(port or "") else port, user or None, password, timeout)
     if default == "true":
         state.default_machine = name
@@ -252,8 +255,8 @@ def machine(state: State, element: Element, scope: Scope) -> None:
         raise LaunchError("machine", name, f"machine `{name}` is declared twice, with different settings")
 
 
-def _check_positive(number: str | None, label: str) -> None:
-    if number is None or not is_known(number):
+def _check_positive(state: State, number: str | None, label: str) -> None:
+    if number is None or state.unknowns.is_open(number):
         return
     try:
         positive = float(number) > 0

@@ -7,8 +7,9 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-MAX_CHARACTERS = 1_000_000
-MAX_ITEMS = 100_000
+from .unknowns import cleaned
+
+MAX_SIZE = 200_000  # characters of a text, or of all texts and items of a list
 MAX_BITS = 20_000
 MAX_ARGUMENT = 10_000  # of functions whose result grows fast with their argument: range, factorial, a width
 
@@ -19,17 +20,27 @@ class TooLarge(Exception):
     """A value that is too large to be worth computing."""
 
 
-def bounded(value: Any) -> Any:
-    """`value`, when it is of a size that a launch file may need."""
-    if isinstance(value, (str, bytes)):
-        fits = len(value) <= MAX_CHARACTERS
-    elif isinstance(value, int):
-        fits = value.bit_length() <= MAX_BITS
-    else:
-        fits = not isinstance(value, (list, tuple, set, dict, range)) or len(value) <= MAX_ITEMS
-    if not fits:
-        raise TooLarge("the value is too large")
-    return value
+def size_of(value: Any) -> int:
+    """About how many characters and items a value has, those within it included.
+
+    Raises:
+        TooLarge: more than a launch file may need.
+    """
+    size, stack = 0, [value]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, (str, bytes, range)):
+            size += len(item)
+        elif isinstance(item, int):
+            size += item.bit_length() * MAX_SIZE // MAX_BITS
+        elif isinstance(item, (list, tuple, set, dict)):
+            size += len(item)
+            if size <= MAX_SIZE:
+                stack.extend(item.values() if isinstance(item, dict) else item)
+                stack.extend(item if isinstance(item, dict) else ())
+        if size > MAX_SIZE:
+            raise TooLarge("the value is too large")
+    return size
 
 
 def _small(function: Function) -> Function:
@@ -51,8 +62,7 @@ def format_text(text: str, values: Any) -> str:
     """`text % values`, without widths that take the memory."""
     if _WIDE.search(text):
         raise TooLarge("the width is too large")
-    result: str = text % values
-    return result
+    return cleaned(text % values)
 
 
 def _format(text: str, *values: Any, **named: Any) -> str:
@@ -62,7 +72,7 @@ def _format(text: str, *values: Any, **named: Any) -> str:
             raise TooLarge(f"the format field `{field}` is not evaluated")
     if _WIDE.search(text):
         raise TooLarge("the width is too large")
-    return text.format(*values, **named)
+    return cleaned(text.format(*values, **named))
 
 
 def _power(base: Any, exponent: Any, *modulus: Any) -> Any:
@@ -83,9 +93,10 @@ MATH: dict[str, Any] = {
     "false": False,
 }
 BUILTINS: dict[str, Any] = {
-    **{f.__name__: f for f in (abs, all, any, bool, chr, dict, divmod, float, hex, int, len, list, max, min, oct, ord, repr)},
+    **{f.__name__: f for f in (abs, all, any, bool, dict, divmod, float, hex, int, len, list, max, min, oct, ord, repr)},
     **{f.__name__: f for f in (set, sorted, str, sum, tuple)},
     "bin": bin,
+    "chr": lambda number: cleaned(chr(number)),
     "map": lambda function, *items: [function(*each) for each in zip(*items, strict=False)],
     "pow": _power,
     "range": _small(range),
@@ -135,12 +146,12 @@ METHODS: dict[type, dict[str, Function]] = {
 
 def _joinable(text: str, items: Any) -> list[Any]:
     parts = list(items)
-    if sum(len(part) for part in parts) + len(text) * len(parts) > MAX_CHARACTERS:
+    if sum(len(part) for part in parts) + len(text) * len(parts) > MAX_SIZE:
         raise TooLarge("the text is too large")
     return parts
 
 
 def _replace(text: str, old: str, new: str, *count: Any) -> str:
-    if (text.count(old) + 1) * len(new) + len(text) > MAX_CHARACTERS:
+    if (text.count(old) + 1) * len(new) + len(text) > MAX_SIZE:
         raise TooLarge("the text is too large")
     return text.replace(old, new, *count)

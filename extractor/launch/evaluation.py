@@ -12,8 +12,8 @@ import operator
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from .eval_functions import BUILTINS, MATH, METHODS, TooLarge, bounded, format_text
-from .unknowns import is_known
+from .eval_functions import BUILTINS, MATH, METHODS, TooLarge, format_text, size_of
+from .unknowns import cleaned, is_known
 
 MAX_LENGTH = 10_000
 MAX_STEPS = 100_000
@@ -111,9 +111,11 @@ class _Evaluator:
         if method is None:
             raise Unsupported(f"{type(node).__name__} is not evaluated")
         try:
-            return bounded(method(node))
+            value = method(node)
         except _PYTHON_ERRORS as error:
             raise EvalFailed(f"{type(error).__name__}: {error}") from None
+        self.steps += size_of(value) // 16
+        return value
 
     def known(self, node: ast.expr) -> Any:
         """The value of an expression that must have no unknown part."""
@@ -123,7 +125,7 @@ class _Evaluator:
         return value
 
     def _constant(self, node: ast.Constant) -> Any:
-        return node.value
+        return cleaned(node.value) if isinstance(node.value, str) else node.value
 
     def _name(self, node: ast.Name) -> Any:
         if node.id in self.local:

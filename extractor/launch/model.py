@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
+
+from rosarch.extractor.workspace import Diagnostic
 
 
 @dataclass(frozen=True, order=True)
@@ -146,6 +149,13 @@ class Composition:
     def refusal(self) -> Problem | None:
         """What roslaunch would stop at."""
         return next((problem for problem in self.problems if problem.fatal and not problem.conditions), None)
+
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """The problems, as other parts of the extractor report theirs."""
+        return tuple(
+            Diagnostic(f"launch-{problem.kind}", Path(problem.place.path), problem.place.line, problem.place.column, problem.message)
+            for problem in self.problems
+        )
 
 
 class LaunchError(Exception):

@@ -10,7 +10,7 @@ from .model import Condition, LaunchError, NodeStart, ParamSetting
 from .names import global_namespace, is_legal, ns_join
 from .scope import Scope
 from .state import State
-from .unknowns import is_known
+from .unknowns import with_unknowns_as
 from .xml_reader import Element
 
 _NODE_ATTRIBUTES = (
@@ -32,7 +32,7 @@ def node(state: State, element: Element, scope: Scope) -> None:
     state.check_attributes(element, _NODE_ATTRIBUTES)
     name = state.required(element, "name", scope)
     started = _start(state, element, scope, name, conditions)
-    state.at(element, scope)
+    state.at(element, scope, conditions)
     state.add_node(started)
 
 
@@ -52,9 +52,9 @@ def test(state: State, element: Element, scope: Scope) -> None:
             raise LaunchError("attribute", attribute, f"<test> must not have an attribute `{attribute}`")
     test_name = state.required(element, "test-name", scope)
     limit, retry = state.text(element, "time-limit", scope), state.text(element, "retry", scope)
-    if limit and is_known(limit) and not _is_positive(limit):
+    if limit and not state.unknowns.is_open(limit) and not _is_positive(limit):
         raise LaunchError("number", "time-limit", f"`{limit}` is not a positive number, which `time-limit` must be")
-    if retry and is_known(retry) and not _is_int(retry):
+    if retry and not state.unknowns.is_open(retry) and not _is_int(retry):
         raise LaunchError("number", "retry", f"`{retry}` is not a number, which `retry` must be")
     started = _start(state, element, scope, name or test_name, conditions)
     state.tests.append(replace(started, test_name=test_name, output="log"))
@@ -76,7 +76,10 @@ def namespace_of(state: State, element: Element, scope: Scope, conditions: tuple
         if node_name == "":
             raise LaunchError("clear-params", element.tag, f"<{element.tag}> needs an attribute `name` for `clear_params`")
         cleared = child.namespace if node_name is None else ns_join(child.namespace, node_name)
-        state.cleared.append(state.unknowns.render(global_namespace(cleared)))
+        try:
+            state.cleared.append(state.unknowns.render(global_namespace(cleared)))
+        except ValueError as error:
+            raise LaunchError("namespace", cleared, str(error)) from None
     return child
 
 
@@ -93,7 +96,7 @@ class _Attributes:
 
 
 def _start(state: State, element: Element, scope: Scope, name: str, conditions: tuple[Condition, ...]) -> NodeStart:
-    if is_known(name) and not is_legal(name):
+    if not is_legal(with_unknowns_as("x", name)):
         state.warn("illegal-name", name, f"`{name}` is no legal name of a node")
     outer = namespace_of(state, element, scope, conditions, name)
     inner = outer.child(name)
@@ -103,10 +106,10 @@ def _start(state: State, element: Element, scope: Scope, name: str, conditions: 
     below = replace(scope.child(None, conditions), lines=lines)
     inner.lines = lines
     _children(state, element, scope, inner, below)
+    state.at(element, scope, conditions)
     for setting in (*scope.private, *inner.private):
         key = inner.namespace + setting.name.removeprefix("~")
         state.set_param(ParamSetting(key, setting.value, setting.lines, _joined(inner.conditions, setting.conditions), setting.source))
-    state.at(element, scope)
     namespace = "/" + "/".join([*filter(None, outer.namespace.split("/")), ""]) if outer.namespace.strip("/") else "/"
     started = NodeStart(
         package=found.package,
@@ -136,7 +139,7 @@ def _attributes(state: State, element: Element, scope: Scope) -> _Attributes:
     optional = {name: state.text(element, name, scope) for name in names}
     required, respawn = state.flag(optional["required"], "required"), state.flag(optional["respawn"], "respawn")
     delay = optional["respawn_delay"]
-    if delay is not None and is_known(delay) and not _is_float(delay):
+    if delay is not None and not state.unknowns.is_open(delay) and not _is_float(delay):
         state.report(LaunchError("number", "respawn_delay", f"`{delay}` is not a number, which `respawn_delay` must be"))
     seconds = float(delay) if delay is not None and _is_float(delay) else 0.0
     return _Attributes(package, kind, optional, required, respawn, seconds)
@@ -160,7 +163,6 @@ def _children(state: State, element: Element, scope: Scope, inner: Scope, below:
                 state.warn("unknown-element", child.tag, f"<{child.tag}> in <{element.tag}> is ignored")
         except LaunchError as error:
             state.report(error)
-    state.at(element, scope)
 
 
 def _joined(outer: tuple[Condition, ...], inner: tuple[Condition, ...]) -> tuple[Condition, ...]:
@@ -176,9 +178,9 @@ def _check(state: State, started: NodeStart) -> None:
     for value, label in ((started.package, "pkg"), (started.type, "type")):
         if not value.strip():
             state.report(LaunchError("node", label, f"`{label}` of a node must not be empty"))
-    if started.output not in ("log", "screen", None) and is_known(started.output):
+    if started.output not in ("log", "screen", None) and not state.unknowns.is_open(started.output):
         state.report(LaunchError("node", "output", f"`output` must be log or screen, not `{started.output}`"))
-    if started.cwd not in ("ROS_HOME", "node", None) and is_known(started.cwd):
+    if started.cwd not in ("ROS_HOME", "node", None) and not state.unknowns.is_open(started.cwd):
         state.report(LaunchError("node", "cwd", f"`cwd` must be ROS_HOME or node, not `{started.cwd}`"))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .model import Composition, NodeStart, ParamSetting
+from .model import Composition, NodeStart, ParamSetting, Place
 from .values import Binary
 
 
@@ -13,7 +13,8 @@ def record(composition: Composition) -> dict[str, Any]:
 
     `nodes` and `params` are those of roslaunch, texts with unknown parts as the source writes them. `started_by` has the launch lines
     and unknown conditions of each node, in the order of `nodes`. A parameter that has several values because a condition is unknown has the
-    last one in `params` and all of them in `alternatives`. `refused` is what roslaunch would stop at, `problems` are all.
+    last one in `params` and all of them in `alternatives`. `not_read` are the files that would add to this but are not there or not known.
+    `refused` is what roslaunch would stop at, `problems` are all.
     """
     result: dict[str, Any] = {
         "nodes": [_node(node) for node in composition.nodes],
@@ -26,6 +27,12 @@ def record(composition: Composition) -> dict[str, Any]:
     if conditional:
         names = {setting.name for setting in conditional}
         result["alternatives"] = [_alternative(setting) for setting in composition.params if setting.name in names]
+    missing = [
+        *({"include": include.text, "lines": _lines(include.lines)} for include in composition.includes if include.file is None),
+        *({"rosparam": setting.source, "namespace": setting.name, "lines": _lines(setting.lines)} for setting in composition.unread),
+    ]
+    if missing:
+        result["not_read"] = missing
     if composition.refusal:
         result["refused"] = str(composition.refusal)
     return result
@@ -48,10 +55,14 @@ def _node(node: NodeStart) -> dict[str, Any]:
 
 
 def _origin(node: NodeStart) -> dict[str, Any]:
-    origin: dict[str, Any] = {"node": node.full_name, "lines": [str(place) for place in node.lines]}
+    origin: dict[str, Any] = {"node": node.full_name, "lines": _lines(node.lines)}
     if node.conditions:
         origin["conditions"] = [str(condition) for condition in node.conditions]
     return origin
+
+
+def _lines(lines: tuple[Place, ...]) -> list[str]:
+    return [str(place) for place in lines]
 
 
 def _alternative(setting: ParamSetting) -> dict[str, Any]:

@@ -16,6 +16,8 @@ from .xml_reader import Element
 
 MAX_ELEMENTS = 500_000  # processed in one composition, included files counted each time
 MAX_PARAMS = 500_000
+MAX_CHARACTERS = 64 * 1024 * 1024  # of all texts resolved and read
+YAML_COST = 16  # reading YAML takes as long as resolving so many times its text
 
 
 class Exhausted(Exception):
@@ -28,7 +30,7 @@ class State:
     def __init__(self, files: Files, environment: Mapping[str, str]) -> None:
         self.files = files
         self.unknowns = Unknowns()
-        self.resolver = Resolver(files.packages, environment, self.unknowns, self.report)
+        self.resolver = Resolver(files.packages, environment, self.unknowns, self)
         self.nodes: list[NodeStart] = []
         self.tests: list[NodeStart] = []
         self.params: dict[str, list[ParamSetting]] = {}
@@ -43,8 +45,10 @@ class State:
         self.named: dict[str, list[NodeStart]] = {}
         self.here = Place("", 1)
         self.scope = Scope("/", "")
+        self.own_conditions: tuple[Condition, ...] = ()
         self.elements = 0
         self.settings = 0
+        self.characters = 0
 
     def enter(self, element: Element, scope: Scope) -> None:
         """Make `element` the one that reports are about.
@@ -57,9 +61,19 @@ class State:
             raise Exhausted(f"more than {MAX_ELEMENTS} elements, the rest is left out")
         self.at(element, scope)
 
-    def at(self, element: Element, scope: Scope) -> None:
-        """Report what follows at `element`."""
-        self.here, self.scope = Place(self.path_of(scope), element.line, element.column), scope
+    def spend(self, characters: int) -> None:
+        """Count a text that was made.
+
+        Raises:
+            Exhausted: all of them together are too long.
+        """
+        self.characters += characters
+        if self.characters > MAX_CHARACTERS:
+            raise Exhausted(f"more than {MAX_CHARACTERS // 2**20} Mi characters of text, the rest is left out")
+
+    def at(self, element: Element, scope: Scope, conditions: tuple[Condition, ...] = ()) -> None:
+        """Report what follows at `element`, which has unknown `conditions` of its own."""
+        self.here, self.scope, self.own_conditions = Place(self.path_of(scope), element.line, element.column), scope, conditions
 
     def path_of(self, scope: Scope) -> str:
         """The file that `scope` is in, as it is shown."""
@@ -68,7 +82,9 @@ class State:
     def report(self, error: LaunchError, fatal: bool = True) -> None:
         """Note a problem at the present element, once."""
         render = self.unknowns.render
-        problem = Problem(error.kind, render(error.subject), render(error.message), self.here, fatal, self.scope.conditions)
+        problem = Problem(
+            error.kind, render(error.subject), render(error.message), self.here, fatal, self.scope.conditions + self.own_conditions
+        )
         self.problems.setdefault(problem)
 
     def warn(self, kind: str, subject: str, message: str) -> None:
@@ -131,7 +147,8 @@ class State:
         for outer in scope.conditions:
             if outer.key == condition.key:
                 return () if outer.holds == holds else None
-        return (condition,)
+        self.own_conditions = (condition,)
+        return self.own_conditions
 
     def set_param(self, setting: ParamSetting) -> None:
         """Set a parameter.

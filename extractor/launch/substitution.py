@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, Protocol
 
 from .evaluation import EvalFailed, UnknownInvolved, Unsupported, evaluate, is_known_value
 from .model import LaunchError
@@ -20,17 +20,26 @@ from .values import automatic
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 MAX_TEXT = 8 * 1024 * 1024  # characters of one resolved text: arguments that double each other grow without bound
 
-Report = Callable[[LaunchError, bool], None]
+
+class Composing(Protocol):
+    """Who is told what was absent, and how much text was made."""
+
+    def report(self, error: LaunchError, fatal: bool = True) -> None:
+        """Note a problem."""
+
+    def spend(self, characters: int) -> None:
+        """Count characters of a text that was made."""
 
 
 class Resolver:
-    """Resolves texts of one composition. What is absent is reported to `report` and stays an unknown part of the text."""
+    """Resolves texts of one composition. What is absent is reported and stays an unknown part of the text."""
 
-    def __init__(self, packages: PackagePath, environment: Mapping[str, str], unknowns: Unknowns, report: Report) -> None:
+    def __init__(self, packages: PackagePath, environment: Mapping[str, str], unknowns: Unknowns, composing: Composing) -> None:
         self.packages = packages
         self.environment = {name: cleaned(value) for name, value in environment.items()}
         self.unknowns = unknowns
-        self.report = report
+        self.composing = composing
+        self.report = composing.report
 
     def resolve(self, text: str, scope: Scope) -> str:
         """`text` with its substitution arguments replaced.
@@ -47,11 +56,17 @@ class Resolver:
             if name not in COMMANDS:
                 raise _malformed(f"unknown substitution command $({command}), known are {', '.join(COMMANDS)}")
             if name != "find":
-                text = _bounded(text.replace(f"$({command})", self._command(command, name, words, scope)))
+                text = self._bounded(text.replace(f"$({command})", self._command(command, name, words, scope)))
         for command in collect(text):
             name, *words = _words(command)
             if name == "find":
-                text = _bounded(self._find(text, command, words))
+                text = self._bounded(self._find(text, command, words))
+        return text
+
+    def _bounded(self, text: str) -> str:
+        self.composing.spend(len(text))
+        if len(text) > MAX_TEXT:
+            raise LaunchError("size", "text", f"a text of more than {MAX_TEXT // 2**20} Mi characters after substitution")
         return text
 
     def _command(self, command: str, name: str, words: list[str], scope: Scope) -> str:
@@ -114,9 +129,9 @@ class Resolver:
         try:
             value = evaluate(expression, lambda name: self._eval_name(name, scope), functions)
         except EvalFailed as error:
-            raise LaunchError("eval", expression, f"$(eval {expression}): {error}") from None
+            raise LaunchError("eval", expression, f"$(eval {_short(expression)}): {error}") from None
         except Unsupported as error:
-            self.report(LaunchError("eval-unsupported", expression, f"$(eval {expression}) stays unknown: {error}"), False)
+            self.report(LaunchError("eval-unsupported", expression, f"$(eval {_short(expression)}) stays unknown: {error}"), False)
         except UnknownInvolved:
             pass
         else:
@@ -181,12 +196,6 @@ def _folder(filename: str) -> str:
 
 def _malformed(message: str) -> LaunchError:
     return LaunchError("substitution", message, message)
-
-
-def _bounded(text: str) -> str:
-    if len(text) > MAX_TEXT:
-        raise LaunchError("size", "text", f"a text of more than {MAX_TEXT // 2**20} Mi characters after substitution")
-    return text
 
 
 def _short(text: str) -> str:

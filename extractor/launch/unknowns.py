@@ -13,6 +13,7 @@ from collections.abc import Hashable
 _FIRST = 0x100000
 _CAPACITY = 0xFFF0
 _MARK = re.compile("[\U00100000-\U0010ffff]")
+_UNUSABLE = re.compile("[\ud800-\udfff\U00100000-\U0010ffff]")  # marks, and bytes that were no UTF-8
 _REPLACEMENT = "\ufffd"
 
 
@@ -27,8 +28,8 @@ def with_unknowns_as(replacement: str, text: str) -> str:
 
 
 def cleaned(text: str) -> str:
-    """`text` as read from outside, without characters that mean an unknown here."""
-    return text if text.isascii() else _MARK.sub(_REPLACEMENT, text)
+    """`text` as read from outside, without characters that mean an unknown here or cannot be written."""
+    return text if text.isascii() else _UNUSABLE.sub(_REPLACEMENT, text)
 
 
 class Unknowns:
@@ -67,4 +68,8 @@ class Unknowns:
         """`text` with its unknown parts as the source writes them."""
         if text.isascii():
             return text
-        return _MARK.sub(lambda match: self._texts[ord(match[0]) - _FIRST], text)
+        return _MARK.sub(lambda match: self._text(match[0]), text)
+
+    def _text(self, mark: str) -> str:
+        index = ord(mark) - _FIRST
+        return self._texts[index] if index < len(self._texts) else _REPLACEMENT

@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
+from .unknowns import cleaned
+
 MAX_DEPTH = 150  # elements within elements; far above any launch file, far below what the interpreter's stack holds
 _SEPARATOR = " "  # between namespace, name and prefix; expat refuses a namespace that contains it
 
@@ -88,7 +90,7 @@ class _Builder:
         line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
         if len(self.open) >= MAX_DEPTH:
             raise XmlError(f"elements nested more than {MAX_DEPTH} deep", line, column)
-        element = Element(_qualified(name), {_qualified(key): value for key, value in attributes.items()}, line, column)
+        element = Element(_qualified(name), {_qualified(key): cleaned(value) for key, value in attributes.items()}, line, column)
         if self.open:
             self.open[-1].children.append(element)
         else:
@@ -97,7 +99,7 @@ class _Builder:
         self.texts.append([])
 
     def _end(self, _name: str) -> None:
-        self.open.pop().text = "".join(self.texts.pop())
+        self.open.pop().text = cleaned("".join(self.texts.pop()))
 
     def _characters(self, data: str) -> None:
         if self.texts:

@@ -17,6 +17,7 @@ from .evaluation import EvalFailed, Unsupported, radians
 from .values import Binary
 
 MAX_VALUES = 1_000_000  # scalars, lists and maps of one document after aliases are unfolded
+_ESCAPED_MARK = re.compile(r"\\U0010[0-9A-Fa-f]{4}")  # would pose as an unknown (see unknowns.py)
 _MAX_MERGED = 100_000  # keys of one map after `<<` is resolved
 
 
@@ -35,7 +36,7 @@ def load_yaml(text: str) -> Any:
         YamlError: the text is not YAML, has a tag that makes an object, or unfolds to too much.
     """
     try:
-        value = yaml.load(text, Loader=_Loader)
+        value = yaml.load(_ESCAPED_MARK.sub(r"\\uFFFD", text), Loader=_Loader)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         reason = " ".join(part for part in (error.context, error.problem) if part)
