@@ -2,8 +2,8 @@
 
     benchmarks/launch.py ORACLE.jsonl ROOT [--oracle-root DIR] [--package-path DIR] [--env NAME=VALUE]
 
-ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, the `arguments` it was loaded with, if any (a list of `name:=value`), and
-either what roslaunch then had in its memory (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every difference is listed;
+ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, the `arguments` it was loaded with, if any (a list of
+`name:=value`), and either what roslaunch then had in its memory (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every difference is listed;
 the exit code is 1 if there is one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
 """
 
@@ -24,6 +24,7 @@ from rosarch.extractor.launch import Composition, Files, PackagePath, Problem, c
 from rosarch.extractor.launch.names import mapping
 
 Record = dict[str, Any]
+CUT = 300  # characters of an exception's text that the records have
 _ANONYMOUS = re.compile(r"\$\(anon ([^)\s]+)[^)]*\)")
 
 # What an exception of roslaunch says, the kind of problem that this is for rosarch, and the group that holds its subject.
@@ -80,18 +81,20 @@ def causes_of(exception: str) -> list[tuple[str, str]]:
     return [(kind, match[1] or "") for match, kinds in matches if match for kind in kinds.split()]
 
 
-def refusal_difference(exception: str, composition: Composition) -> str | None:
+def refusal_difference(exception: str, composition: Composition, cut: bool = False) -> str | None:
     """How the refusal of rosarch differs from that of roslaunch.
 
-    A command that rosarch does not run counts as one that fails. The text of an exception is cut; of deep includes it only has their names.
+    A command that rosarch does not run counts as one that fails. With `cut`, the text of the exception may end before the cause; then
+    rosarch must refuse something after entering the files whose names are left.
     """
     causes = causes_of(exception)
-    hidden = "while processing" in exception and not causes
+    through = re.findall(r"while processing (\S+):\n", exception)
+    hidden = cut and bool(through) and set(through) <= {*composition.files, *(problem.subject for problem in composition.problems)}
     if not causes and not hidden:
         return f"roslaunch's reason is not known to this program: {exception!r}"
     for problem in composition.problems:
         fatal = problem.fatal and not problem.conditions
-        if (hidden and fatal) or ((fatal or problem.kind == "command") and is_cause(problem, causes)):
+        if (fatal or problem.kind == "command") and (hidden or is_cause(problem, causes)):
             return None
         if fatal:
             return f"roslaunch: {exception!r}, rosarch: {problem}"
@@ -144,7 +147,8 @@ def compare_file(oracle: Record, root: Path, files: Files, options: argparse.Nam
     names = sorted(set(_ANONYMOUS.findall(mine)))
     theirs = json.loads(without_anonymous(json.dumps(oracle), names).replace(str(options.oracle_root), str(root)))
     if "exception" in oracle:
-        found = refusal_difference(theirs["exception"], composition)
+        cut = len(oracle["exception"].partition(": ")[2]) >= CUT
+        found = refusal_difference(theirs["exception"], composition, cut)
         return [found] if found else []
     if composition.refusal:
         return [f"roslaunch loads it, rosarch refuses: {composition.refusal}"]
