@@ -3,8 +3,8 @@
     benchmarks/launch.py ORACLE.jsonl ROOT [--oracle-root DIR] [--package-path DIR] [--env NAME=VALUE]
 
 ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, the `arguments` it was loaded with, if any (a list of
-`name:=value`), and either what roslaunch then had in its memory (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every difference is listed;
-the exit code is 1 if there is one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
+`name:=value`), and either what roslaunch then had in its memory (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every
+difference is listed; the exit code is 1 if there is one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`rosarch launch`: what a launch file starts and sets."""
+"""`rosarch launch`: what launch files start and set."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.errors import FINDINGS
-from rosarch.cli.launch_inputs import compose_files
+from rosarch.cli.launch_inputs import compose_folder, compose_words, is_folder
 from rosarch.cli.options import Verbose
 from rosarch.cli.terminal import emit, show_diagnostics
 
@@ -16,7 +16,11 @@ from rosarch.cli.terminal import emit, show_diagnostics
 def launch(
     words: Annotated[
         list[str],
-        typer.Argument(metavar="FILE... [NAME:=VALUE ...]", help="Launch files, and values for their arguments.", show_default=False),
+        typer.Argument(
+            metavar="FILE... [NAME:=VALUE ...]",
+            help="Launch files that are started together, and values for their arguments; or a folder, for an overview.",
+            show_default=False,
+        ),
     ],
     package_path: Annotated[
         list[Path] | None,
@@ -34,10 +38,16 @@ def launch(
     verbose: Verbose = False,
 ) -> None:
     """Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything."""
-    composition = compose_files(words, package_path, environment)
-    show_diagnostics(composition.diagnostics(), verbose)
-    from rosarch.reports.launch_table import composition_json, composition_text
+    from rosarch.reports import launch_table
 
-    emit(composition_json(composition) if as_json else composition_text(composition, Path.cwd()))
-    if composition.refusal:
+    if is_folder(words):
+        compositions = compose_folder(words, package_path, environment)
+        refused = any(composition.refusal for composition in compositions.values())
+        emit(launch_table.overview_json(compositions) if as_json else launch_table.overview_text(compositions, Path.cwd()))
+    else:
+        composition = compose_words(words, package_path, environment)
+        refused = composition.refusal is not None
+        show_diagnostics(composition.diagnostics(), verbose)
+        emit(launch_table.composition_json(composition) if as_json else launch_table.composition_text(composition, Path.cwd()))
+    if refused:
         raise typer.Exit(FINDINGS)

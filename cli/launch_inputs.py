@@ -16,7 +16,25 @@ if TYPE_CHECKING:
 _WORKSPACE_MARKS = (".catkin_workspace", ".catkin_tools", ".git", ".rosinstall")
 
 
-def compose_files(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> Composition:
+def is_folder(words: Sequence[str]) -> bool:
+    """Whether a folder was given, and no file."""
+    return len(words) == 1 and Path(words[0]).is_dir()
+
+
+def compose_folder(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> dict[str, Composition]:
+    """Compose each launch file below a folder that no other includes."""
+    from rosarch.extractor.launch import Files, PackagePath, compose, launch_files, top_level
+
+    folder = check_folder(Path(words[0]))
+    variables = _variables(environment)
+    files = Files(PackagePath(_package_path(package_path, [folder], variables)))
+    paths = top_level(launch_files(os.path.abspath(folder)), files, variables)
+    if not paths:
+        raise InputError(f"{folder}: no launch file below this folder")
+    return {path: compose([path], files=files, environment=variables) for path in paths}
+
+
+def compose_words(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> Composition:
     """Compose the launch files among `words`; the others are arguments, `name:=value`."""
     from rosarch.extractor.launch import Files, PackagePath, compose
 
@@ -24,12 +42,10 @@ def compose_files(words: Sequence[str], package_path: Sequence[Path] | None, env
     arguments, namespace = _arguments([word for word in words if ":=" in word])
     if not names:
         raise InputError("no launch file given")
-    for name in names:
-        check_file(Path(name))
-    variables = {**os.environ, **dict(map(_variable, environment or ()))}
-    folders = [check_folder(folder) for folder in package_path] if package_path else _default_path(Path(names[0]), variables)
-    launch_files = [os.path.abspath(name) for name in names]
-    composition = compose(launch_files, arguments, files=Files(PackagePath(folders)), environment=variables, namespace=namespace)
+    launch_files = [os.path.abspath(check_file(Path(name))) for name in names]
+    variables = _variables(environment)
+    files = Files(PackagePath(_package_path(package_path, _default_path(Path(names[0]), variables), variables)))
+    composition = compose(launch_files, arguments, files=files, environment=variables, namespace=namespace)
     for problem in composition.problems:
         if problem.kind == "xml" and problem.subject in launch_files:
             raise InputError(str(problem).removeprefix(f"{Path.cwd()}/"))
@@ -63,17 +79,28 @@ def _arguments(words: Sequence[str]) -> tuple[dict[str, str], str | None]:
     return pairs, namespace
 
 
-def _variable(text: str) -> tuple[str, str]:
-    name, equals, value = text.partition("=")
-    if not (name and equals):
-        raise InputError(f"--env {text}: not of the form NAME=VALUE")
-    return name, value
+def _variables(given: Sequence[str] | None) -> dict[str, str]:
+    """The environment of this process, with the variables given. roslaunch does not run without ROS_MASTER_URI."""
+    variables = {"ROS_MASTER_URI": "http://localhost:11311", **os.environ}
+    for text in given or ():
+        name, equals, value = text.partition("=")
+        if not (name and equals):
+            raise InputError(f"--env {text}: not of the form NAME=VALUE")
+        variables[name] = value
+    return variables
+
+
+def _package_path(given: Sequence[Path] | None, default: list[Path], variables: dict[str, str]) -> list[Path]:
+    """Where packages are looked for; launch files see the same in ROS_PACKAGE_PATH."""
+    folders = [check_folder(folder) for folder in given or default]
+    variables["ROS_PACKAGE_PATH"] = ":".join(map(os.path.abspath, folders))
+    return folders
 
 
 def _default_path(file: Path, variables: dict[str, str]) -> list[Path]:
     """The folders of ROS_PACKAGE_PATH; without it, the workspace that `file` lies in."""
     if variables.get("ROS_PACKAGE_PATH"):
-        return [Path(folder) for folder in variables["ROS_PACKAGE_PATH"].split(":") if folder]
+        return [Path(folder) for folder in variables["ROS_PACKAGE_PATH"].split(":") if os.path.isdir(folder)]
     above = file.resolve().parents
     package = next((folder for folder in above if (folder / "package.xml").is_file()), above[0])
     for folder in package.parents:

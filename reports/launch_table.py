@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from rosarch.extractor.launch import Composition, Condition, NodeStart, ParamSetting, Place, record
@@ -17,6 +17,28 @@ MAX_VALUE = 60  # characters of a value that are shown
 def composition_json(composition: Composition) -> str:
     """The record of a composition."""
     return json.dumps(record(composition), indent=2, ensure_ascii=False) + "\n"
+
+
+def overview_json(compositions: Mapping[str, Composition]) -> str:
+    """The records of several launch files, each started by itself."""
+    records = [{"file": path, **record(composition)} for path, composition in compositions.items()]
+    return json.dumps(records, indent=2, ensure_ascii=False) + "\n"
+
+
+def overview_text(compositions: Mapping[str, Composition], base: Path) -> str:
+    """A line per launch file: how much it starts and sets, and what roslaunch would stop at."""
+    rows = [
+        (_shown(path, base), counted(len(found.nodes), "node"), counted(len(found.params), "parameter"), found.refusal)
+        for path, found in compositions.items()
+    ]
+    widths = [max(len(str(row[column])) for row in rows) for column in range(3)]
+    lines = []
+    for *texts, refusal in rows:
+        cells = [f"{text!s:{width}}" for text, width in zip(texts, widths, strict=True)]
+        lines.append("  ".join([*cells, f"refused: {refusal.message}" if refusal else ""]))
+    refused = sum(1 for row in rows if row[3])
+    lines += ["", f"{counted(len(rows), 'launch file')} that no other includes, {refused} of them refused with their default arguments"]
+    return "".join(line.rstrip() + "\n" for line in lines)
 
 
 def composition_text(composition: Composition, base: Path) -> str:

@@ -12,6 +12,7 @@ from .files import Files
 from .model import Composition, Condition, NodeStart, ParamSetting, Place, Problem, Remap
 from .packages import PackagePath
 from .record import record
+from .top_level import launch_files, top_level
 
 __all__ = [
     "Composition",
@@ -24,5 +25,7 @@ __all__ = [
     "Problem",
     "Remap",
     "compose",
+    "launch_files",
     "record",
+    "top_level",
 ]

@@ -166,7 +166,7 @@ def _load(state: State, element: Element, text: str, name: str, setting: ParamSe
     """Set what a YAML text says; `name` is empty when parameters go to the scope's namespace."""
     state.spend(YAML_COST * len(text))
     try:
-        data = load_yaml(text)
+        data = state.files.yaml(text)
     except YamlError as error:
         line = error.line if setting.source else element.line + error.line - 1
         path = setting.source or state.here.path

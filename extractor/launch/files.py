@@ -9,11 +9,13 @@ from __future__ import annotations
 import os
 import stat
 from pathlib import Path
+from typing import Any
 
 from .model import LaunchError
 from .packages import PackagePath
 from .unknowns import cleaned
 from .xml_reader import Element, read_launch
+from .yaml_values import load_yaml
 
 MAX_BYTES = 32 * 1024 * 1024  # of one file
 
@@ -28,6 +30,7 @@ class Files:
         self._beside: set[str] = set()
         self._contents: dict[str, bytes] = {}
         self._launches: dict[str, Element] = {}
+        self._values: dict[str, Any] = {}
 
     def allow_beside(self, launch_file: str) -> None:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
@@ -69,6 +72,16 @@ class Files:
         if full not in self._launches:
             self._launches[full] = read_launch(self.read(path))
         return self._launches[full]
+
+    def yaml(self, text: str) -> Any:
+        """The value of a YAML text, parsed once: the same file is often loaded for many nodes. It must not be changed.
+
+        Raises:
+            YamlError: it is no YAML for parameters.
+        """
+        if text not in self._values:
+            self._values[text] = load_yaml(text)
+        return self._values[text]
 
     def _read(self, full: str, path: str) -> bytes:
         try:
