@@ -101,7 +101,7 @@ def _default_path(file: Path, variables: dict[str, str]) -> list[Path]:
     """The folders of ROS_PACKAGE_PATH; without it, the workspace that `file` lies in."""
     if variables.get("ROS_PACKAGE_PATH"):
         return [Path(folder) for folder in variables["ROS_PACKAGE_PATH"].split(":") if os.path.isdir(folder)]
-    above = file.resolve().parents
+    above = Path(os.path.abspath(file)).parents
     package = next((folder for folder in above if (folder / "package.xml").is_file()), above[0])
     for folder in package.parents:
         if folder.name == "src" or any((folder / mark).exists() for mark in _WORKSPACE_MARKS):
