@@ -49,7 +49,7 @@ def _packages_below(top: str) -> Iterator[tuple[str, str]]:
                 entries = sorted(scan, key=lambda entry: entry.name, reverse=True)
         except OSError:
             continue
-        names = {entry.name for entry in entries if not _is_folder(entry)}
+        names = {entry.name for entry in entries if _is_file(entry)}
         if "CATKIN_IGNORE" in names:
             continue
         if "package.xml" in names and not _is_metapackage(f"{folder}/package.xml"):
@@ -74,6 +74,14 @@ def _packages_below(top: str) -> Iterator[tuple[str, str]]:
 def _is_folder(entry: os.DirEntry[str]) -> bool:
     try:
         return entry.is_dir()
+    except OSError:
+        return False
+
+
+def _is_file(entry: os.DirEntry[str]) -> bool:
+    """Whether this is a regular file: reading another kind might never end."""
+    try:
+        return entry.is_file()
     except OSError:
         return False
 

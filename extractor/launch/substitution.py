@@ -135,7 +135,7 @@ class Resolver:
         except UnknownInvolved:
             pass
         else:
-            if isinstance(value, str) or is_known_value(value):
+            if isinstance(value, str) or (is_known_value(value) and not isinstance(value, set)):  # the text of a set has no order
                 return str(value)
         return self.unknowns.mark(f"$(eval {self.unknowns.render(expression)})", scope.filename, tuple(sorted(scope.args.items())))
 
