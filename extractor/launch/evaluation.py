@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import builtins
 import operator
+import warnings
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -84,14 +85,20 @@ def evaluate(expression: str, lookup: Callable[[str], Any], functions: Mapping[s
     if len(expression) > MAX_LENGTH:
         raise Unsupported(f"more than {MAX_LENGTH} characters")
     try:
-        tree = ast.parse(expression.lstrip(" \t"), mode="eval")
-        return _Evaluator(lookup, functions).value(tree.body)
+        return _Evaluator(lookup, functions).value(_parsed(expression.lstrip(" \t")).body)
     except (SyntaxError, ValueError) as error:
         raise EvalFailed(error.msg if isinstance(error, SyntaxError) else str(error)) from None
     except (RecursionError, MemoryError):
         raise Unsupported("nested too deeply") from None
     except TooLarge as error:
         raise Unsupported(str(error)) from None
+
+
+def _parsed(expression: str) -> ast.Expression:
+    """The tree of an expression, without Python's warnings (of an escape that is none, which it takes as it is written)."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return ast.parse(expression, mode="eval")
 
 
 class _Evaluator:
@@ -302,7 +309,7 @@ def radians(expression: str) -> float:
         Unsupported: it is one that is not evaluated here.
     """
     try:
-        tree = ast.parse(expression.replace("pi", "math.pi").strip(), mode="eval")
+        tree = _parsed(expression.replace("pi", "math.pi").strip())
         names = _MathNames()
         plain = names.visit(tree)
         return float(evaluate(ast.unparse(plain), _no_name, {name: MATH[name] for name in names.used}))
