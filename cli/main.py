@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli import analyze, explain, extract, query, rules, show
+from rosarch.cli import analyze, explain, extract, launch, query, rules, show
 from rosarch.cli.errors import run
 
 app = typer.Typer(
@@ -23,6 +23,7 @@ app = typer.Typer(
 app.command("extract")(extract.extract)
 app.command("analyze")(analyze.analyze)
 app.add_typer(show.app, name="show")
+app.command("launch")(launch.launch)
 app.command("query")(query.query)
 app.command("explain")(explain.explain)
 app.command("why-not")(explain.why_not)

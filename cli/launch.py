@@ -1,0 +1,53 @@
+"""`rosarch launch`: what launch files start and set."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rosarch.cli.errors import FINDINGS
+from rosarch.cli.launch_inputs import compose_folder, compose_words, is_folder
+from rosarch.cli.options import Verbose
+from rosarch.cli.terminal import emit, show_diagnostics
+
+
+def launch(
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="FILE... [NAME:=VALUE ...]",
+            help="Launch files that are started together, and values for their arguments; or a folder, for an overview.",
+            show_default=False,
+        ),
+    ],
+    package_path: Annotated[
+        list[Path] | None,
+        typer.Option(
+            metavar="DIR",
+            help="Where packages are looked for; may be repeated. By default ROS_PACKAGE_PATH, or the workspace of the first FILE.",
+            show_default=False,
+        ),
+    ] = None,
+    environment: Annotated[
+        list[str] | None,
+        typer.Option("--env", metavar="NAME=VALUE", help="An environment variable of the robot; may be repeated.", show_default=False),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print what roslaunch would have in its memory, as JSON.")] = False,
+    verbose: Verbose = False,
+) -> None:
+    """Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything."""
+    from rosarch.reports import launch_table
+
+    if is_folder(words):
+        compositions = compose_folder(words, package_path, environment)
+        refused = any(composition.refusal for composition in compositions.values())
+        emit(launch_table.overview_json(compositions) if as_json else launch_table.overview_text(compositions, Path.cwd()))
+    else:
+        composition = compose_words(words, package_path, environment)
+        refused = composition.refusal is not None
+        show_diagnostics(composition.diagnostics(), verbose)
+        emit(launch_table.composition_json(composition) if as_json else launch_table.composition_text(composition, Path.cwd()))
+    if refused:
+        raise typer.Exit(FINDINGS)

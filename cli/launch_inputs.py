@@ -1,0 +1,109 @@
+"""What `rosarch launch` works on: files, arguments, the package path, the environment."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_folder
+
+if TYPE_CHECKING:
+    from rosarch.extractor.launch import Composition
+
+_WORKSPACE_MARKS = (".catkin_workspace", ".catkin_tools", ".git", ".rosinstall")
+
+
+def is_folder(words: Sequence[str]) -> bool:
+    """Whether a folder was given, and no file."""
+    return len(words) == 1 and Path(words[0]).is_dir()
+
+
+def compose_folder(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> dict[str, Composition]:
+    """Compose each launch file below a folder that no other includes."""
+    from rosarch.extractor.launch import Files, PackagePath, compose, launch_files, top_level
+
+    folder = check_folder(Path(words[0]))
+    variables = _variables(environment)
+    files = Files(PackagePath(_package_path(package_path, [folder], variables)))
+    paths = top_level(launch_files(os.path.abspath(folder)), files, variables)
+    if not paths:
+        raise InputError(f"{folder}: no launch file below this folder")
+    return {path: compose([path], files=files, environment=variables) for path in paths}
+
+
+def compose_words(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> Composition:
+    """Compose the launch files among `words`; the others are arguments, `name:=value`."""
+    from rosarch.extractor.launch import Files, PackagePath, compose
+
+    names = [word for word in words if ":=" not in word]
+    arguments, namespace = _arguments([word for word in words if ":=" in word])
+    if not names:
+        raise InputError("no launch file given")
+    launch_files = [os.path.abspath(check_file(Path(name))) for name in names]
+    variables = _variables(environment)
+    files = Files(PackagePath(_package_path(package_path, _default_path(Path(names[0]), variables), variables)))
+    composition = compose(launch_files, arguments, files=files, environment=variables, namespace=namespace)
+    for problem in composition.problems:
+        if problem.kind == "xml" and problem.subject in launch_files:
+            raise InputError(str(problem).removeprefix(f"{Path.cwd()}/"))
+    return composition
+
+
+def check_file(file: Path) -> Path:
+    """`file`, when it is one that can be read."""
+    if not file.exists():
+        raise InputError(f"{file}: no such file")
+    if not file.is_file():
+        raise InputError(f"{file}: not a file")
+    if not os.access(file, os.R_OK):
+        raise InputError(f"{file}: no permission to read this file")
+    return file
+
+
+def _arguments(words: Sequence[str]) -> tuple[dict[str, str], str | None]:
+    """The values of launch arguments, and the namespace of `__ns:=`."""
+    from rosarch.extractor.launch.names import mapping
+
+    pairs: dict[str, str] = {}
+    for word in words:
+        pair = mapping(word)
+        if pair is None:
+            raise InputError(f"{word}: not of the form NAME:=VALUE")
+        pairs[pair[0]] = pair[1]
+    namespace = pairs.pop("__ns", None)
+    if namespace is not None and namespace.startswith("~"):
+        raise InputError(f"__ns:={namespace}: a namespace cannot be a private name")
+    return pairs, namespace
+
+
+def _variables(given: Sequence[str] | None) -> dict[str, str]:
+    """The environment of this process, with the variables given. roslaunch does not run without ROS_MASTER_URI."""
+    variables = {"ROS_MASTER_URI": "http://localhost:11311", **os.environ}
+    for text in given or ():
+        name, equals, value = text.partition("=")
+        if not (name and equals):
+            raise InputError(f"--env {text}: not of the form NAME=VALUE")
+        variables[name] = value
+    return variables
+
+
+def _package_path(given: Sequence[Path] | None, default: list[Path], variables: dict[str, str]) -> list[Path]:
+    """Where packages are looked for; launch files see the same in ROS_PACKAGE_PATH."""
+    folders = [check_folder(folder) for folder in given or default]
+    variables["ROS_PACKAGE_PATH"] = ":".join(map(os.path.abspath, folders))
+    return folders
+
+
+def _default_path(file: Path, variables: dict[str, str]) -> list[Path]:
+    """The folders of ROS_PACKAGE_PATH; without it, the workspace that `file` lies in."""
+    if variables.get("ROS_PACKAGE_PATH"):
+        return [Path(folder) for folder in variables["ROS_PACKAGE_PATH"].split(":") if os.path.isdir(folder)]
+    above = Path(os.path.abspath(file)).parents
+    package = next((folder for folder in above if (folder / "package.xml").is_file()), above[0])
+    for folder in package.parents:
+        if folder.name == "src" or any((folder / mark).exists() for mark in _WORKSPACE_MARKS):
+            return [folder]
+    return [package.parent if (package / "package.xml").is_file() else package]

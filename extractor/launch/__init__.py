@@ -1,0 +1,31 @@
+"""Launch files: what roslaunch would start and set, without running anything.
+
+`compose` reads a launch file as roslaunch's loader does and gives the nodes it would start, the parameters it would set and
+everything that it would refuse or that cannot be known, with the launch lines of each. What cannot be known (an environment variable that
+is not set, a package that is not there) stays in the texts as the `$(...)` that was not resolved.
+
+Sources: the roslaunch XML format (wiki.ros.org/roslaunch/XML) and the behaviour of roslaunch 1.15.
+"""
+
+from .compose import compose
+from .files import Files
+from .model import Composition, Condition, NodeStart, ParamSetting, Place, Problem, Remap
+from .packages import PackagePath
+from .record import record
+from .top_level import launch_files, top_level
+
+__all__ = [
+    "Composition",
+    "Condition",
+    "Files",
+    "NodeStart",
+    "PackagePath",
+    "ParamSetting",
+    "Place",
+    "Problem",
+    "Remap",
+    "compose",
+    "launch_files",
+    "record",
+    "top_level",
+]

@@ -1,0 +1,251 @@
+"""From launch files to a `Composition`: groups, includes, and what goes on when something is refused.
+
+The steps and their order are those of roslaunch.xmlloader, so that the first problem is the one roslaunch stops at. Here composition goes
+on: an element that is refused costs that element, a value that is absent stays unknown.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from . import elements, nodes
+from .files import Files
+from .model import Composition, Condition, Include, LaunchError, NodeStart, ParamSetting, Place, Remap
+from .names import global_namespace
+from .scope import Scope
+from .state import Exhausted, Handler, State
+from .unknowns import cleaned
+from .xml_reader import Element, XmlError
+
+MAX_INCLUDE_DEPTH = 60
+MAX_INCLUDES = 20_000
+
+
+def compose(
+    launch_files: Sequence[Path | str],
+    arguments: Mapping[str, str] | None = None,
+    *,
+    files: Files,
+    environment: Mapping[str, str] | None = None,
+    namespace: str | None = None,
+) -> Composition:
+    """What roslaunch would make of `launch_files`, loaded one after the other.
+
+    Args:
+        launch_files: the files given to roslaunch.
+        arguments: values of their arguments (`name:=value` of the command line).
+        files: reads files and knows the packages.
+        environment: the environment variables that `$(env)` and `$(optenv)` see.
+        namespace: `__ns:=` of the command line; otherwise `ROS_NAMESPACE` counts.
+    """
+    variables = dict(environment or {})
+    state = State(files, variables)
+    root = global_namespace(namespace if namespace is not None else variables.get("ROS_NAMESPACE") or "/")
+    values = {name: cleaned(value) for name, value in (arguments or {}).items()}
+    for path in launch_files:
+        _Composer(state).top(str(path), Scope(namespace=root, filename=str(path), args=dict(values)))
+    return _finished(state)
+
+
+class _Composer:
+    """Processes one launch file given, with all that it includes."""
+
+    def __init__(self, state: State) -> None:
+        self.state = state
+        self.stack: list[tuple[str, str, frozenset[tuple[str, str]]]] = []
+        self.handlers: dict[str, Handler] = {
+            "arg": elements.arg,
+            "group": self.group,
+            "node": nodes.node,
+            "test": nodes.test,
+            "param": elements.param,
+            "remap": lambda state, element, scope: elements.remap(state, element, scope, scope),
+            "machine": elements.machine,
+            "rosparam": elements.rosparam,
+            "include": self.include,
+            "env": elements.env,
+            "master": lambda state, element, scope: state.warn("master", "master", "<master> is ignored"),
+        }
+
+    def top(self, path: str, scope: Scope) -> None:
+        """Compose a file that was given."""
+        state = self.state
+        state.here, state.scope = Place(path, 1), scope
+        state.files.allow_beside(path)
+        try:
+            launch = self.parse(path)
+            if launch is not None:
+                self.enter_file(path, launch, scope)
+        except (Exhausted, RecursionError) as error:
+            reason = str(error) if isinstance(error, Exhausted) else "elements and includes nested too deeply, the rest is left out"
+            state.report(LaunchError("size", path, reason))
+
+    def parse(self, path: str) -> Element | None:
+        """The `<launch>` of a file; None, with a report, when it cannot be read."""
+        try:
+            launch = self.state.files.launch(path)
+        except LaunchError as error:
+            self.state.report(error, fatal=error.kind not in ("outside", "size"))
+            return None
+        except XmlError as error:
+            before, self.state.here = self.state.here, Place(path, error.line, error.column)
+            self.state.report(LaunchError("xml", path, error.message))
+            self.state.here = before
+            return None
+        self.state.read.setdefault(path)
+        return launch
+
+    def enter_file(self, path: str, launch: Element, scope: Scope) -> None:
+        """Compose the content of a file, unless that would never end."""
+        key = (os.path.realpath(os.path.join(self.state.files.folder, path)), scope.namespace, frozenset(scope.args.items()))
+        if key in self.stack:
+            raise LaunchError("cycle", path, f"{path} includes itself")
+        if len(self.stack) >= MAX_INCLUDE_DEPTH:
+            raise LaunchError("cycle", path, f"includes nested more than {MAX_INCLUDE_DEPTH} deep")
+        self.stack.append(key)
+        try:
+            self.check_launch(path, launch, scope)
+            if launch.attributes.get("deprecated"):
+                self.state.warn("deprecated", path, f"{path} is deprecated: {launch.attributes['deprecated']}")
+            self.content(launch, scope)
+        finally:
+            self.stack.pop()
+
+    def check_launch(self, path: str, launch: Element, scope: Scope) -> None:
+        """Report an `if` of `<launch>` itself: roslaunch evaluates it, without arguments, but leaves nothing out."""
+        self.state.here = Place(path, launch.line, launch.column)
+        if any("$" in launch.attributes.get(name, "") for name in ("if", "unless")):
+            self.state.report(LaunchError("condition", "launch", "a condition of <launch> must not have substitution arguments"))
+            return
+        try:
+            self.state.conditions(launch, scope)
+        except LaunchError as error:
+            self.state.report(error)
+
+    def content(self, parent: Element, scope: Scope) -> None:
+        """Compose the children of a `<launch>` or `<group>`."""
+        for element in parent.children:
+            self.state.enter(element, scope)
+            handler = self.handlers.get(element.tag)
+            try:
+                if handler is None:
+                    self.state.warn("unknown-element", element.tag, f"<{element.tag}> in <{parent.tag}> is ignored")
+                else:
+                    handler(self.state, element, scope)
+            except LaunchError as error:
+                self.state.report(error)
+
+    def group(self, state: State, element: Element, scope: Scope) -> None:
+        """`<group>`: a scope of its own."""
+        conditions = state.conditions(element, scope)
+        if conditions is None:
+            return
+        state.check_attributes(element, ("ns", "clear_params"))
+        inner = nodes.namespace_of(state, element, scope, conditions)
+        inner.private = list(inner.private)
+        self.content(element, inner)
+
+    def include(self, state: State, element: Element, scope: Scope) -> None:
+        """`<include>`: another launch file, with the arguments it is passed."""
+        conditions = state.conditions(element, scope)
+        if conditions is None:
+            return
+        state.check_attributes(element, ("file", "ns", "clear_params", "pass_all_args"))
+        path = state.required(element, "file", scope)
+        if len(state.includes) >= MAX_INCLUDES:
+            raise Exhausted(f"more than {MAX_INCLUDES} includes, the rest is left out")
+        inner, here = self.passed(element, scope, conditions), state.here
+        inner.filename, inner.lines = path, (*scope.lines, here)
+        launch = None if state.unknowns.is_open(path) else self.parse(path)
+        state.includes.append(Include(path, path if launch else None, inner.lines, inner.conditions))
+        if launch is None:
+            return
+        names = list(inner.args)
+        self.enter_file(path, launch, inner)
+        state.at(element, scope, conditions)
+        unused = [name for name in names if name not in inner.declared]
+        if unused and not inner.passes_all:
+            raise LaunchError("unused-args", ", ".join(unused), f"{path} does not declare what is passed to it: {', '.join(unused)}")
+
+    def passed(self, element: Element, scope: Scope, conditions: tuple[Condition, ...]) -> Scope:
+        """The scope for an included file, with the arguments that are passed to it."""
+        state = self.state
+        passes_all = state.flag(state.text(element, "pass_all_args", scope), "pass_all_args")
+        inner = nodes.namespace_of(state, element, scope, conditions)
+        passed = dict(scope.args) if passes_all else {}
+        inner.declared, inner.passes_all = set(passed), passes_all
+        for child in element.children:
+            state.enter(child, inner)
+            try:
+                if child.tag.lower() == "arg":
+                    elements.arg(state, child, inner, passed)
+                elif child.tag.lower() == "env":
+                    elements.env(state, child, inner)
+                else:
+                    state.warn("unknown-element", child.tag, f"<{child.tag}> in <include> is ignored")
+            except LaunchError as error:
+                state.report(error)
+        state.at(element, scope, conditions)
+        for name in sorted(inner.declared - set(passed)):
+            state.report(LaunchError("arg-without-value", name, f"argument `{name}` is passed without a value"))
+        inner.args, inner.declared, inner.maybe_declared, inner.anonymous = passed, set(), {}, {}
+        return inner
+
+
+def _finished(state: State) -> Composition:
+    """The result, with unknown parts of texts as the source writes them."""
+    shown = state.unknowns.render
+    return Composition(
+        nodes=tuple(_rendered_node(node, state) for node in state.nodes),
+        tests=tuple(_rendered_node(node, state) for node in state.tests),
+        params=tuple(_rendered_param(setting, state) for settings in state.params.values() for setting in settings),
+        includes=tuple(replace(include, text=shown(include.text)) for include in state.includes),
+        problems=tuple(state.problems),
+        files=tuple(state.read),
+        cleared=tuple(dict.fromkeys(state.cleared)),
+        deleted=tuple(dict.fromkeys(state.deleted)),
+        unread=tuple(_rendered_param(setting, state) for setting in state.unread),
+    )
+
+
+def _rendered_param(setting: ParamSetting, state: State) -> ParamSetting:
+    shown = state.unknowns.render
+    source = None if setting.source is None else shown(setting.source)
+    return replace(setting, name=shown(setting.name), value=_rendered(setting.value, state), source=source)
+
+
+def _rendered(value: Any, state: State) -> Any:
+    if isinstance(value, str):
+        return state.unknowns.render(value)
+    if isinstance(value, list):
+        return [_rendered(item, state) for item in value]
+    if isinstance(value, dict):
+        return {_rendered(key, state): _rendered(item, state) for key, item in value.items()}
+    return value
+
+
+def _rendered_node(node: NodeStart, state: State) -> NodeStart:
+    shown = state.unknowns.render
+
+    def optional(text: str | None) -> str | None:
+        return None if text is None else shown(text)
+
+    return replace(
+        node,
+        package=shown(node.package),
+        type=shown(node.type),
+        namespace=shown(node.namespace),
+        args=shown(node.args),
+        remaps=tuple(Remap(shown(remap.source), shown(remap.target), remap.place, remap.conditions) for remap in node.remaps),
+        environment=tuple((shown(name), shown(value)) for name, value in node.environment),
+        name=optional(node.name),
+        machine=optional(node.machine),
+        output=optional(node.output),
+        cwd=optional(node.cwd),
+        launch_prefix=optional(node.launch_prefix),
+        test_name=optional(node.test_name),
+    )

@@ -1,0 +1,108 @@
+"""The files that a launch file may read, and no others.
+
+Launch files name files freely (`textfile="/etc/shadow"`). What is read ends up in a report, so only regular files below the package path,
+in a package that was found there, or beside the launch file itself are read; links are followed before that is decided.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+from typing import Any
+
+from .model import LaunchError
+from .packages import PackagePath
+from .unknowns import cleaned
+from .xml_reader import Element, read_launch
+from .yaml_values import load_yaml
+
+MAX_BYTES = 32 * 1024 * 1024  # of one file
+
+
+class Files:
+    """Reads files, each once. Relative names are below `folder`, as they are below roslaunch's working folder."""
+
+    def __init__(self, packages: PackagePath, folder: str | None = None) -> None:
+        self.packages = packages
+        self.folder = folder or os.getcwd()
+        self._roots: set[str] | None = None
+        self._beside: set[str] = set()
+        self._contents: dict[str, bytes] = {}
+        self._launches: dict[str, Element] = {}
+        self._values: dict[str, Any] = {}
+
+    def allow_beside(self, launch_file: str) -> None:
+        """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
+        folder = Path(os.path.realpath(os.path.join(self.folder, launch_file))).parent
+        package = next((above for above in (folder, *folder.parents) if (above / "package.xml").is_file()), folder)
+        self._beside.add(str(package))
+
+    def is_file(self, path: str) -> bool:
+        """Whether there is such a file, be it readable here or not."""
+        return os.path.isfile(os.path.join(self.folder, path))
+
+    def read(self, path: str) -> bytes:
+        """The content of a file.
+
+        Raises:
+            LaunchError: there is no such file, it must not be read, or it is too large.
+        """
+        full = os.path.join(self.folder, path)
+        if full not in self._contents:
+            self._contents[full] = self._read(full, path)
+        return self._contents[full]
+
+    def read_text(self, path: str) -> str:
+        """The content of a UTF-8 file, with line ends as Python's text files have them."""
+        try:
+            text = self.read(path).decode()
+        except UnicodeDecodeError as error:
+            raise LaunchError("encoding", path, f"{path} is not UTF-8 (byte {error.start})") from None
+        return cleaned(text.replace("\r\n", "\n").replace("\r", "\n"))
+
+    def launch(self, path: str) -> Element:
+        """The `<launch>` of a file, parsed once.
+
+        Raises:
+            LaunchError: the file cannot be read.
+            XmlError: it is no launch file.
+        """
+        full = os.path.join(self.folder, path)
+        if full not in self._launches:
+            self._launches[full] = read_launch(self.read(path))
+        return self._launches[full]
+
+    def yaml(self, text: str) -> Any:
+        """The value of a YAML text, parsed once: the same file is often loaded for many nodes. It must not be changed.
+
+        Raises:
+            YamlError: it is no YAML for parameters.
+        """
+        if text not in self._values:
+            self._values[text] = load_yaml(text)
+        return self._values[text]
+
+    def _read(self, full: str, path: str) -> bytes:
+        try:
+            status = os.stat(full)
+        except (FileNotFoundError, NotADirectoryError):
+            raise LaunchError("file", path, f"no such file: {path}") from None
+        except (OSError, ValueError) as error:
+            raise LaunchError("file", path, f"{path} cannot be read: {getattr(error, 'strerror', None) or error}") from None
+        if not stat.S_ISREG(status.st_mode):
+            raise LaunchError("file", path, f"{path} is not a regular file")
+        if not self._is_allowed(os.path.realpath(full)):
+            raise LaunchError("outside", path, f"{path} is outside the package path and not read")
+        if status.st_size > MAX_BYTES:
+            raise LaunchError("size", path, f"{path} has more than {MAX_BYTES // 2**20} MiB and is not read")
+        try:
+            return Path(full).read_bytes()
+        except OSError as error:
+            raise LaunchError("file", path, f"{path} cannot be read: {error.strerror or error}") from None
+
+    def _is_allowed(self, real: str) -> bool:
+        if self._roots is None:
+            folders = (*self.packages.folders, *self.packages.packages.values())
+            self._roots = {os.path.realpath(folder) for folder in folders}
+        return any(real == root or real.startswith(root.rstrip("/") + "/") for root in (*self._beside, *self._roots))

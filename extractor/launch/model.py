@@ -1,0 +1,166 @@
+"""What a launch file comes to, as plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rosarch.extractor.workspace import Diagnostic
+
+
+@dataclass(frozen=True, order=True)
+class Place:
+    """A line of a launch file."""
+
+    path: str
+    line: int
+    column: int = 1
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.line}"
+
+
+@dataclass(frozen=True)
+class Condition:
+    """An `if` (`holds`) or `unless` whose value cannot be known: what carries it is there in one of two alternatives.
+
+    `key` is equal for conditions that have the same value, `text` is what is shown.
+    """
+
+    text: str
+    holds: bool
+    place: Place
+    key: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return f"{'if' if self.holds else 'unless'} {self.text}"
+
+    def excludes(self, other: Condition) -> bool:
+        """Whether both cannot hold at once."""
+        return self.key == other.key and self.holds != other.holds
+
+
+def exclusive(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> bool:
+    """Whether two things with these conditions are never there at once."""
+    return any(mine.excludes(theirs) for mine in one for theirs in other)
+
+
+@dataclass(frozen=True)
+class Remap:
+    """One remapping, with names as written; `conditions` are those of the `<remap>` itself, not of the node that has it."""
+
+    source: str
+    target: str
+    place: Place
+    conditions: tuple[Condition, ...] = ()
+
+
+@dataclass(frozen=True)
+class NodeStart:
+    """A `<node>` or `<test>` that is started. `lines` lead from the launch file given to the line of the node.
+
+    `namespace` begins and ends with a slash; `respawn_delay` is in seconds.
+    """
+
+    package: str
+    type: str
+    name: str | None
+    namespace: str
+    lines: tuple[Place, ...]
+    remaps: tuple[Remap, ...] = ()
+    args: str = ""
+    respawn: bool = False
+    respawn_delay: float = 0.0
+    required: bool = False
+    machine: str | None = None
+    output: str | None = None
+    cwd: str | None = None
+    launch_prefix: str | None = None
+    environment: tuple[tuple[str, str], ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    test_name: str | None = None
+
+    @property
+    def full_name(self) -> str:
+        """The node's name in its namespace."""
+        return self.namespace + (self.name or "")
+
+
+@dataclass(frozen=True)
+class ParamSetting:
+    """A parameter and the value it is set to. `lines` lead to the element that sets it, `source` is the file the value is from."""
+
+    name: str
+    value: Any
+    lines: tuple[Place, ...]
+    conditions: tuple[Condition, ...] = ()
+    source: str | None = None
+
+
+@dataclass(frozen=True)
+class Include:
+    """A launch file that is included; `file` is None when it is not known or cannot be read."""
+
+    text: str
+    file: str | None
+    lines: tuple[Place, ...]
+    conditions: tuple[Condition, ...] = ()
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something that roslaunch refuses (`fatal`) or that is not as it should be.
+
+    `kind` and `subject` say what it is about (`package`, the name of a package), `message` says it to a reader.
+    """
+
+    kind: str
+    subject: str
+    message: str
+    place: Place
+    fatal: bool = True
+    conditions: tuple[Condition, ...] = ()
+
+    def __str__(self) -> str:
+        return f"{self.place.path}:{self.place.line}:{self.place.column}: {self.message}"
+
+
+@dataclass(frozen=True)
+class Composition:
+    """All that the launch files given start and set.
+
+    `params` has one setting per parameter, and more only where conditions are unknown; `cleared` are namespaces whose parameters are
+    removed first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could
+    not be read sets parameters in; the `source` of each is that file.
+    """
+
+    nodes: tuple[NodeStart, ...]
+    tests: tuple[NodeStart, ...]
+    params: tuple[ParamSetting, ...]
+    includes: tuple[Include, ...]
+    problems: tuple[Problem, ...]
+    files: tuple[str, ...]
+    cleared: tuple[str, ...] = ()
+    deleted: tuple[str, ...] = ()
+    unread: tuple[ParamSetting, ...] = ()
+
+    @property
+    def refusal(self) -> Problem | None:
+        """What roslaunch would stop at."""
+        return next((problem for problem in self.problems if problem.fatal and not problem.conditions), None)
+
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """The problems, as other parts of the extractor report theirs."""
+        return tuple(
+            Diagnostic(f"launch-{problem.kind}", Path(problem.place.path), problem.place.line, problem.place.column, problem.message)
+            for problem in self.problems
+        )
+
+
+class LaunchError(Exception):
+    """An element that is refused; becomes a `Problem` at the element's place."""
+
+    def __init__(self, kind: str, subject: str, message: str) -> None:
+        super().__init__(message)
+        self.kind, self.subject, self.message = kind, subject, message

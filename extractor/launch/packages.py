@@ -1,0 +1,94 @@
+"""Where packages lie: the crawl of rospkg, which answers `$(find package)`.
+
+This differs from the crawl of `extractor.workspace`, which follows the build tools: here only CATKIN_IGNORE hides, metapackages are no
+packages, and a `manifest.xml` makes its folder a package of the folder's name. Sources: rospkg.rospack; roslaunch finds what rospkg finds.
+Where rospkg depends on the order in which the file system lists folders, the alphabetical one counts.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from pathlib import Path
+
+from rosarch.extractor.workspace.manifests import quick_name
+
+_METAPACKAGE = re.compile(r"<metapackage\s*/?>")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+
+
+class PackagePath:
+    """The packages below some folders; the first folder that has a package wins."""
+
+    def __init__(self, folders: Sequence[Path | str]) -> None:
+        self.folders = tuple(os.path.abspath(folder) for folder in folders)
+
+    @cached_property
+    def packages(self) -> dict[str, str]:
+        """The folder of each package."""
+        found: dict[str, str] = {}
+        for folder in self.folders:
+            for name, path in _packages_below(folder):
+                found.setdefault(name, path)
+        return found
+
+    def find(self, name: str) -> str | None:
+        """The folder of package `name`."""
+        return self.packages.get(name)
+
+
+def _packages_below(top: str) -> Iterator[tuple[str, str]]:
+    visited = {os.path.realpath(top)}
+    stack = [top]
+    while stack:
+        folder = stack.pop()
+        try:
+            with os.scandir(folder) as scan:
+                entries = sorted(scan, key=lambda entry: entry.name, reverse=True)
+        except OSError:
+            continue
+        names = {entry.name for entry in entries if _is_file(entry)}
+        if "CATKIN_IGNORE" in names:
+            continue
+        if "package.xml" in names and not _is_metapackage(f"{folder}/package.xml"):
+            name = quick_name(f"{folder}/package.xml")
+            if name:
+                yield name, folder
+        elif "manifest.xml" in names:
+            yield os.path.basename(folder), folder
+        if names & {"package.xml", "manifest.xml", "rospack_nosubdirs"} or folder.startswith("/usr/share/"):
+            continue
+        for entry in entries:
+            if entry.name.startswith(".") or not _is_folder(entry):
+                continue
+            if entry.is_symlink():
+                real = os.path.realpath(entry.path)
+                if real in visited or f"{folder}/".startswith(real + "/"):
+                    continue
+                visited.add(real)
+            stack.append(entry.path)
+
+
+def _is_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:
+        return False
+
+
+def _is_file(entry: os.DirEntry[str]) -> bool:
+    """Whether this is a regular file: reading another kind might never end."""
+    try:
+        return entry.is_file()
+    except OSError:
+        return False
+
+
+def _is_metapackage(manifest: str) -> bool:
+    try:
+        text = Path(manifest).read_text(errors="replace")
+    except OSError:
+        return False
+    return _METAPACKAGE.search(_COMMENT.sub("", text)) is not None

@@ -1,0 +1,89 @@
+"""The record of a composition: what roslaunch has in its memory after loading, as JSON values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .model import Composition, NodeStart, ParamSetting, Place
+from .values import Binary
+
+
+def record(composition: Composition) -> dict[str, Any]:
+    """The composition as JSON values.
+
+    `nodes` and `params` are those of roslaunch, texts with unknown parts as the source writes them. `started_by` has the launch lines
+    and unknown conditions of each node, in the order of `nodes`. A parameter that has several values because a condition is unknown has the
+    last one in `params` and all of them in `alternatives`. `not_read` are the files that would add to this but are not there or not known.
+    `refused` is what roslaunch would stop at, `problems` are all.
+    """
+    result: dict[str, Any] = {
+        "nodes": [_node(node) for node in composition.nodes],
+        "params": {setting.name: plain(setting.value) for setting in composition.params},
+        "tests": len(composition.tests),
+        "started_by": [_origin(node) for node in composition.nodes],
+        "problems": [str(problem) for problem in composition.problems],
+    }
+    conditional = [setting for setting in composition.params if setting.conditions]
+    if conditional:
+        names = {setting.name for setting in conditional}
+        result["alternatives"] = [_alternative(setting) for setting in composition.params if setting.name in names]
+    missing = [
+        *({"include": include.text, "lines": _lines(include.lines)} for include in composition.includes if include.file is None),
+        *({"rosparam": setting.source, "namespace": setting.name, "lines": _lines(setting.lines)} for setting in composition.unread),
+    ]
+    if missing:
+        result["not_read"] = missing
+    if composition.refusal:
+        result["refused"] = str(composition.refusal)
+    return result
+
+
+def _node(node: NodeStart) -> dict[str, Any]:
+    return {
+        "package": node.package,
+        "type": node.type,
+        "name": node.name,
+        "namespace": node.namespace,
+        "remap": [[remap.source, remap.target] for remap in node.remaps],
+        "args": node.args,
+        "respawn": node.respawn,
+        "required": node.required,
+        "machine": node.machine,
+        "output": node.output,
+        "launch_prefix": node.launch_prefix,
+    }
+
+
+def _origin(node: NodeStart) -> dict[str, Any]:
+    origin: dict[str, Any] = {"node": node.full_name, "lines": _lines(node.lines)}
+    if node.conditions:
+        origin["conditions"] = [str(condition) for condition in node.conditions]
+    return origin
+
+
+def _lines(lines: tuple[Place, ...]) -> list[str]:
+    return [str(place) for place in lines]
+
+
+def _alternative(setting: ParamSetting) -> dict[str, Any]:
+    return {
+        "param": setting.name,
+        "value": plain(setting.value),
+        "conditions": [str(condition) for condition in setting.conditions],
+        "line": str(setting.lines[-1]),
+    }
+
+
+def plain(value: Any) -> Any:
+    """A parameter's value as the record has it: bytes as Latin-1 text, and what JSON does not have as text."""
+    return "None" if value is None else _json(value)
+
+
+def _json(value: Any) -> Any:
+    if isinstance(value, Binary):
+        return value.decode("latin-1")
+    if isinstance(value, dict):
+        return {str(key): _json(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_json(item) for item in value]
+    return value if value is None or isinstance(value, (str, int, float, bool)) else str(value)

@@ -1,0 +1,66 @@
+"""The launch files that are started by themselves: those that no other includes."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+
+from .compose import compose
+from .files import Files
+from .model import LaunchError
+from .xml_reader import XmlError
+
+_SUFFIXES = (".launch", ".launch.xml")
+_UNKNOWN = re.compile(r"\$\([^()]*\)")
+_FIND = re.compile(r"\$\(find ([^()$]+)\)")
+
+
+def launch_files(folder: Path | str) -> list[str]:
+    """The launch files below a folder, sorted; hidden folders are left out."""
+    found: list[str] = []
+    for here, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        found += [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES)]
+    return found
+
+
+def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str] | None = None) -> list[str]:
+    """Those of `paths` that none of them includes: not with its default arguments, and not in a branch these leave out either.
+
+    An unknown part of an included name (`$(arg base)/base.launch`) stands for any one name of a folder or file.
+    """
+    paths = list(paths)
+    real = {path: os.path.realpath(path) for path in paths}
+    included: set[str] = set()
+    patterns: dict[str, None] = {}
+    for path in paths:
+        composition = compose([path], files=files, environment=environment)
+        written = {*(include.file or include.text for include in composition.includes), *_written(path, files)}
+        included |= {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
+        patterns.update(dict.fromkeys(sorted(name for name in written if "$(" in name)))
+    for pattern in filter(None, map(_pattern, patterns)):
+        included |= {name for name in real.values() if pattern.fullmatch(name)}
+    return [path for path in paths if real[path] not in included]
+
+
+def _pattern(name: str) -> re.Pattern[str] | None:
+    """What a file name with unknown parts can stand for; None when it begins with one, and so could be any file."""
+    if not name.startswith("/"):
+        return None
+    known, *others = _UNKNOWN.split(os.path.normpath(name))
+    return re.compile("[^/]*".join([re.escape(os.path.realpath(known) + known[len(known.rstrip("/")) :]), *map(re.escape, others)]))
+
+
+def _written(path: str, files: Files) -> Iterator[str]:
+    """The files that the text of a launch file includes under any condition, as far as they can be told without arguments."""
+    try:
+        launch = files.launch(path)
+    except (LaunchError, XmlError):
+        return
+    for element in launch.walk():
+        text = element.attributes.get("file")
+        if element.tag == "include" and text:
+            text = _FIND.sub(lambda match: files.packages.find(match[1].strip()) or match[0], text)
+            yield text.replace("$(dirname)", os.path.dirname(os.path.abspath(path)))

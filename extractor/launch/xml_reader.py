@@ -1,0 +1,116 @@
+"""Launch XML as elements with positions.
+
+A document may come from anyone: entity declarations are refused, nothing outside the text is read, and depth is bounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from xml.parsers import expat
+
+from .unknowns import cleaned
+
+MAX_DEPTH = 150  # elements within elements; far above any launch file, far below what the interpreter's stack holds
+_SEPARATOR = " "  # between namespace, name and prefix; expat refuses a namespace that contains it
+
+
+@dataclass(eq=False)
+class Element:
+    """One element. `text` is its own character data, without that of its children; `line` and `column` count from 1."""
+
+    tag: str
+    attributes: dict[str, str]
+    line: int
+    column: int
+    children: list[Element] = field(default_factory=list)
+    text: str = ""
+
+    def walk(self) -> Iterator[Element]:
+        """This element and all below it, in document order."""
+        stack = [self]
+        while stack:
+            element = stack.pop()
+            yield element
+            stack.extend(reversed(element.children))
+
+
+class XmlError(Exception):
+    """A document that cannot be read, and where."""
+
+    def __init__(self, message: str, line: int, column: int) -> None:
+        super().__init__(message)
+        self.message, self.line, self.column = message, line, column
+
+
+def read_launch(data: bytes) -> Element:
+    """The one `<launch>` element of a document; roslaunch looks for it at any depth.
+
+    Raises:
+        XmlError: the document is malformed, declares entities, is too deep, or has no or several `<launch>`.
+    """
+    root = _Builder().read(data)
+    found = [element for element in root.walk() if element.tag == "launch"]
+    if not found:
+        raise XmlError(f"root element is <{root.tag}>, not <launch>", root.line, root.column)
+    if len(found) > 1:
+        raise XmlError("a second <launch> in this file", found[1].line, found[1].column)
+    return found[0]
+
+
+class _Builder:
+    """The handlers that make elements of what expat reports. Names keep their prefixes, as in the text."""
+
+    def __init__(self) -> None:
+        self.parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
+        self.parser.namespace_prefixes = True
+        self.parser.buffer_text = True
+        self.parser.StartElementHandler = self._start
+        self.parser.EndElementHandler = self._end
+        self.parser.CharacterDataHandler = self._characters
+        self.parser.EntityDeclHandler = self._entity
+        self.root: Element | None = None
+        self.open: list[Element] = []
+        self.texts: list[list[str]] = []
+
+    def read(self, data: bytes) -> Element:
+        """Parse a whole document."""
+        try:
+            self.parser.Parse(data, True)
+        except expat.ExpatError as error:
+            reason = expat.ErrorString(error.code)
+            raise XmlError(f"broken XML: {reason}", error.lineno, error.offset + 1) from None
+        except (ValueError, LookupError) as error:  # an encoding that Python does not know
+            raise XmlError(f"broken XML: {error}", 1, 1) from None
+        if self.root is None:
+            raise XmlError("broken XML: no element found", 1, 1)
+        return self.root
+
+    def _start(self, name: str, attributes: dict[str, str]) -> None:
+        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        if len(self.open) >= MAX_DEPTH:
+            raise XmlError(f"elements nested more than {MAX_DEPTH} deep", line, column)
+        element = Element(_qualified(name), {_qualified(key): cleaned(value) for key, value in attributes.items()}, line, column)
+        if self.open:
+            self.open[-1].children.append(element)
+        else:
+            self.root = element
+        self.open.append(element)
+        self.texts.append([])
+
+    def _end(self, _name: str) -> None:
+        self.open.pop().text = cleaned("".join(self.texts.pop()))
+
+    def _characters(self, data: str) -> None:
+        if self.texts:
+            self.texts[-1].append(data)
+
+    def _entity(self, name: str, *_rest: object) -> None:
+        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        raise XmlError(f"entity `{name}` is declared here; entities are not expanded", line, column)
+
+
+def _qualified(name: str) -> str:
+    """`prefix:name` of expat's `namespace name prefix`."""
+    parts = name.split(_SEPARATOR)
+    return f"{parts[2]}:{parts[1]}" if len(parts) == 3 else parts[-1]

@@ -1,0 +1,111 @@
+"""YAML as `<rosparam>` reads it: plain data, and angles (`rad(pi/2)`, `deg(90)`, `!radians`, `!degrees`).
+
+The loader is PyYAML's safe one, so a tag makes no object. A small text may use an alias any number of times, so what aliases unfold
+to is counted, not what is written. Sources: roslaunch.loader, rosparam (angles, `!!binary`).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import yaml
+
+from .evaluation import EvalFailed, Unsupported, radians
+from .values import Binary
+
+MAX_VALUES = 1_000_000  # scalars, lists and maps of one document after aliases are unfolded
+_ESCAPED_MARK = re.compile(r"\\U0010[0-9A-Fa-f]{4}")  # would pose as an unknown (see unknowns.py)
+_MAX_MERGED = 100_000  # keys of one map after `<<` is resolved
+
+
+class YamlError(Exception):
+    """A text that is no YAML for parameters; `line` and `column` count from 1 within the text."""
+
+    def __init__(self, message: str, line: int = 1, column: int = 1) -> None:
+        super().__init__(message)
+        self.message, self.line, self.column = message, line, column
+
+
+def load_yaml(text: str) -> Any:
+    """The value of a document.
+
+    Raises:
+        YamlError: the text is not YAML, has a tag that makes an object, or unfolds to too much.
+    """
+    try:
+        value = yaml.load(_ESCAPED_MARK.sub(r"\\uFFFD", text), Loader=_Loader)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        reason = " ".join(part for part in (error.context, error.problem) if part)
+        raise YamlError(reason, mark.line + 1 if mark else 1, mark.column + 1 if mark else 1) from None
+    except yaml.YAMLError as error:
+        raise YamlError(" ".join(str(error).split())) from None
+    except RecursionError:
+        raise YamlError("nested too deeply") from None
+    except (ValueError, LookupError, TypeError, OverflowError) as error:  # e.g. the date 2000-99-99
+        raise YamlError(str(error)) from None
+    _check_size(value)
+    return value
+
+
+class _Loader(yaml.SafeLoader):
+    """The safe loader with rosparam's angles and binaries."""
+
+    def flatten_mapping(self, node: yaml.MappingNode) -> None:
+        super().flatten_mapping(node)
+        if len(node.value) > _MAX_MERGED:
+            raise yaml.constructor.ConstructorError(None, None, f"more than {_MAX_MERGED} merged keys", node.start_mark)
+
+
+def _radians(loader: _Loader, node: yaml.Node) -> float:
+    text = str(loader.construct_scalar(node)).strip()  # type: ignore[arg-type]
+    expression = text[4:-1] if text.startswith("rad(") else text
+    try:
+        return radians(expression)
+    except (EvalFailed, Unsupported):
+        raise yaml.constructor.ConstructorError(None, None, f"invalid radian expression: {text}", node.start_mark) from None
+
+
+def _degrees(loader: _Loader, node: yaml.Node) -> float:
+    text = str(loader.construct_scalar(node))  # type: ignore[arg-type]
+    number = text.strip()[4:-1] if text.startswith("deg(") else text
+    try:
+        return float(number) * math.pi / 180.0
+    except ValueError:
+        raise yaml.constructor.ConstructorError(None, None, f"invalid degree value: {text}", node.start_mark) from None
+
+
+def _binary(loader: _Loader, node: yaml.Node) -> Binary:
+    return Binary(loader.construct_yaml_binary(node))  # type: ignore[arg-type]
+
+
+for _tag, _constructor in (("!radians", _radians), ("!degrees", _degrees), ("tag:yaml.org,2002:binary", _binary)):
+    _Loader.add_constructor(_tag, _constructor)
+for _tag, _name in (("!degrees", "deg"), ("!radians", "rad")):
+    _Loader.add_implicit_resolver(_tag, re.compile(rf"^{_name}\([^\)]*\)$"), list(_name + "("))
+
+
+def _check_size(value: Any) -> None:
+    """Refuse what aliases unfold to more than `MAX_VALUES`, or to something without end."""
+    sizes: dict[int, int] = {}
+    opened: set[int] = set()
+
+    def size(item: Any) -> int:
+        if not isinstance(item, (dict, list, set, tuple)):
+            return 1
+        if id(item) in opened:
+            raise YamlError("a value that contains itself")
+        if id(item) not in sizes:
+            opened.add(id(item))
+            sizes[id(item)] = 1 + sum(map(size, item.values() if isinstance(item, Mapping) else item))
+            opened.discard(id(item))
+        return sizes[id(item)]
+
+    try:
+        if size(value) > MAX_VALUES:
+            raise YamlError(f"more than {MAX_VALUES} values when aliases are unfolded")
+    except RecursionError:
+        raise YamlError("nested too deeply") from None

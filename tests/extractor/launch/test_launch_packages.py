@@ -1,0 +1,59 @@
+"""Packages are found as rospkg finds them, and the crawl ends."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from rosarch.extractor.launch import PackagePath
+
+
+def package(folder: Path, name: str, more: str = "") -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "package.xml").write_text(f"<package><name>{name}</name>{more}</package>")
+    return folder
+
+
+def test_first_folder_wins(tmp_path: Path) -> None:
+    overlay = package(tmp_path / "overlay" / "a", "a")
+    package(tmp_path / "underlay" / "a", "a")
+    other = package(tmp_path / "underlay" / "b", "b")
+    path = PackagePath([tmp_path / "overlay", tmp_path / "underlay", tmp_path / "missing"])
+    assert (path.find("a"), path.find("b"), path.find("c")) == (str(overlay), str(other), None)
+
+
+def test_first_name_wins_within_a_folder(tmp_path: Path) -> None:
+    package(tmp_path / "z", "a")
+    first = package(tmp_path / "deep" / "er", "a")
+    assert PackagePath([tmp_path]).packages == {"a": str(first)}
+
+
+def test_what_is_no_package(tmp_path: Path) -> None:
+    package(tmp_path / "meta", "meta", "<export><metapackage/></export>")
+    package(tmp_path / "commented", "commented", "<!-- <metapackage/> -->")
+    package(tmp_path / "ignored", "ignored")
+    (tmp_path / "ignored" / "CATKIN_IGNORE").touch()
+    package(tmp_path / ".hidden", "hidden")
+    package(tmp_path / "commented" / "inner", "inner")
+    package(tmp_path / "stop" / "below", "below")
+    (tmp_path / "stop" / "rospack_nosubdirs").touch()
+    (tmp_path / "nameless").mkdir()
+    (tmp_path / "nameless" / "package.xml").write_text("<package/>")
+    (tmp_path / "dry").mkdir()
+    (tmp_path / "dry" / "manifest.xml").write_text("<package/>")
+    (tmp_path / "colcon").mkdir()
+    package(tmp_path / "colcon" / "kept", "kept")
+    (tmp_path / "colcon" / "COLCON_IGNORE").touch()
+    assert sorted(PackagePath([tmp_path]).packages) == ["commented", "dry", "kept"]
+
+
+def test_links_and_special_files(tmp_path: Path) -> None:
+    elsewhere = package(tmp_path / "elsewhere" / "linked", "linked")
+    workspace = tmp_path / "workspace"
+    workspace.mkdir()
+    (workspace / "link").symlink_to(elsewhere)
+    (workspace / "loop").symlink_to(workspace)
+    (workspace / "dangling").symlink_to(tmp_path / "none")
+    (workspace / "fifo").mkdir()
+    os.mkfifo(workspace / "fifo" / "package.xml")
+    assert PackagePath([workspace]).packages == {"linked": str(workspace / "link")}

@@ -1,0 +1,66 @@
+"""Launch files that no other includes, and the meaning of a node's `args`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosarch.extractor.launch import Files, NodeStart, PackagePath, Place, Remap, launch_files, top_level
+from rosarch.extractor.launch.arguments import NodeArguments, node_arguments
+
+
+def test_top_level(tmp_path: Path) -> None:
+    texts = {
+        "main.launch": '<launch><include file="$(find p)/used.launch"/><include file="$(find p)/off.launch" if="false"/></launch>',
+        "used.launch": '<launch><include file="$(dirname)/parts/inner.launch.xml"/></launch>',
+        "off.launch": "<launch/>",
+        "parts/inner.launch.xml": "<launch/>",
+        "parts/front_laser.launch": "<launch/>",
+        "parts/deep/front_laser.launch": "<launch/>",
+        "choose.launch": '<launch><arg name="side"/><include file="$(find p)/parts/$(arg side)_laser.launch"/></launch>',
+        "anything.launch": '<launch><arg name="file"/><include file="$(arg file)"/><include file="$(dirname)/anything.launch" if="false"/></launch>',
+        "broken.launch": "<launch>",
+        ".hidden/x.launch": "<launch/>",
+    }
+    for name, text in {**texts, "package.xml": "<package><name>p</name></package>"}.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    found = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])), {})
+    assert [path.removeprefix(f"{tmp_path}/") for path in found] == [
+        "anything.launch",
+        "broken.launch",
+        "choose.launch",
+        "main.launch",
+        "parts/deep/front_laser.launch",
+    ]
+
+
+def started(args: str, *remaps: tuple[str, str]) -> NodeStart:
+    place = Place("a.launch", 1)
+    return NodeStart("p", "t", "n", "/", (place,), tuple(Remap(source, target, place) for source, target in remaps), args)
+
+
+@pytest.mark.parametrize(
+    ("node", "expected"),
+    [
+        (started(""), NodeArguments((), (), (), ())),
+        (started("load p/Filter manager"), NodeArguments(("load", "p/Filter", "manager"), ("load", "p/Filter", "manager"), (), ())),
+        (
+            started("--rate 10 a:=b _p:=1 __name:=other __ns:=/left c:='d e'"),
+            NodeArguments(
+                ("--rate", "10", "a:=b", "_p:=1", "__name:=other", "__ns:=/left", "c:=d e"),
+                ("--rate", "10"),
+                (("a", "b"), ("c", "d e")),
+                (("p", "1"),),
+                "/left",
+            ),
+        ),
+        (started("a:=b a:=c x:=y", ("x", "z")), NodeArguments(("a:=b", "a:=c", "x:=y"), (), (("a", "c"),), ())),
+        (started("open 'quote"), NodeArguments(("open 'quote",), ("open 'quote",), (), ())),
+        (started(":=a"), NodeArguments((":=a",), (":=a",), (), ())),
+    ],
+)
+def test_node_arguments(node: NodeStart, expected: NodeArguments) -> None:
+    assert node_arguments(node) == expected
