@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import time
 import types as python_types
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableSequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -13,8 +13,7 @@ from .compile import Code, Member, Rule, Stratum
 from .errors import DatalogError, Diagnostic
 from .runtime import NAMES, EvaluationError, State, ordered
 
-Slots = list[Any]
-Functions = Mapping[str, Callable[[Slots, State], None]]
+Functions = Mapping[str, Callable[..., None]]
 
 
 def load_functions(code: python_types.CodeType) -> dict[str, Any]:
@@ -57,109 +56,157 @@ def _collector_paused() -> Iterator[None]:
             gc.enable()
 
 
+class Evaluation:
+    """One evaluation of a program: its relations and indexes, each in a slot, and the strata that fill them."""
+
+    def __init__(self, code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], control: Control) -> None:
+        self.code = code
+        self.functions = functions
+        self.control = control
+        self.state = State()
+        self.slots: list[Any] = [set(code.facts.get(name, ())) for name in code.relation_slot]
+        self.slots += [None] * len(code.indexes)
+        for name, rows in facts.items():
+            self.slots[code.relation_slot[name]].update(_loaded(name, rows, code.arity[name]))
+        if code.uses_ordinals:
+            self._number_symbols()
+
+    def run(self, keep: Collection[str]) -> dict[str, Collection[Any]]:
+        """Run all strata; the rows of the `keep` relations."""
+        kept = {self.code.relation_slot[name] for name in keep}
+        for stratum in self.code.strata:
+            self._run_stratum(stratum)
+            for _, dead in stratum.drops:
+                for slot in dead:
+                    if slot not in kept:
+                        self.slots[slot] = None
+        return {name: self.slots[self.code.relation_slot[name]] for name in keep}
+
+    def call(self, rule: Rule, delta: Collection[Any] | None, new: Any, growing: Collection[int] = ()) -> None:
+        """Call the function of a rule, unless a relation it needs is empty; builds the indexes it asks for."""
+        slots = self.slots
+        for slot in rule.required:
+            if not slots[slot]:
+                return
+        for slot in rule.indexes:
+            if slots[slot] is None:
+                index = self.code.indexes[slot - len(self.code.relation_slot)]
+                slots[slot] = index.build(slots[index.relation], index.relation in growing)
+        try:
+            self.functions[rule.function](
+                self.state, slots[self.code.relation_slot[rule.target]], delta, new,
+                *[slots[slot] for slot in rule.relations], *[slots[slot] for slot in rule.indexes],
+            )  # fmt: skip
+        except EvaluationError as error:
+            raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
+        if self.control.active:
+            self.control.check(rule, len(slots[self.code.relation_slot[rule.target]]) + (len(new) if isinstance(new, set) else 0))
+
+    def _number_symbols(self) -> None:
+        """Number all input symbols in sorted order, so that `ord` does not depend on the order of rows."""
+        found: set[str] = set()
+        for slot in self.code.relation_slot.values():
+            for row in self.slots[slot]:
+                found.update(v for v in (row if isinstance(row, tuple) else (row,)) if isinstance(v, str))
+        self.state.ordinals.preload(sorted(found))
+
+    def _run_stratum(self, stratum: Stratum) -> None:
+        fresh: dict[str, set[Any]] = {m.name: set() for m in stratum.members} if stratum.chooses else {}
+        for rule in stratum.base:
+            self.call(rule, None, fresh.get(rule.target))
+        if stratum.staged and (stratum.loop or fresh or any(m.subsumption for m in stratum.members)):
+            self._run_rounds(stratum, fresh)
+        elif stratum.loop:
+            self._run_loop(stratum)
+
+    def _run_loop(self, stratum: Stratum) -> None:
+        """Semi-naive iteration: rules see the rows that were new in the previous round as `delta`."""
+        slots, growing = self.slots, {m.full for m in stratum.members}
+        deltas: dict[str, MutableSequence[Any]] = {m.name: list(slots[m.full]) for m in stratum.members}
+        while any(deltas.values()):
+            self.state.iteration += 1
+            new: dict[str, MutableSequence[Any]] = {m.name: [] for m in stratum.members}
+            for rule in stratum.loop:
+                if deltas[rule.delta]:
+                    self.call(rule, deltas[rule.delta], new[rule.target], growing)
+            for member in stratum.members:
+                if new[member.name]:
+                    self._extend_indexes(member, new[member.name])
+            deltas = new
+        self.state.iteration = 0
+
+    def _extend_indexes(self, member: Member, rows: Collection[Any]) -> None:
+        first = len(self.code.relation_slot)
+        for slot in member.indexes:
+            if self.slots[slot] is not None:
+                self.code.indexes[slot - first].grow(self.slots[slot], rows)
+
+    # -- strict rounds: choice domains, subsumption, counters -----------------------------------------
+
+    def _run_rounds(self, stratum: Stratum, fresh: dict[str, set[Any]]) -> None:
+        """Iteration in which the rows of a round become visible together at its end."""
+        slots, growing = self.slots, {m.full for m in stratum.members}
+        deltas: dict[str, set[Any]] = {}
+        for member in stratum.members:
+            if stratum.chooses:
+                given = fresh[member.name] | slots[member.full]
+                slots[member.full] = set()
+                deltas[member.name] = self._merge(member, given)
+            else:
+                deltas[member.name] = set(slots[member.full])
+                self._subsume(member, deltas[member.name])
+        while any(deltas.values()):
+            self.state.iteration += 1
+            new: dict[str, set[Any]] = {m.name: set() for m in stratum.members}
+            for rule in stratum.loop:
+                if deltas[rule.delta]:
+                    self.call(rule, deltas[rule.delta], new[rule.target], growing)
+            deltas = {m.name: self._merge(m, new[m.name]) for m in stratum.members}
+        self.state.iteration = 0
+
+    def _merge(self, member: Member, new: set[Any]) -> set[Any]:
+        """Add the new rows of a relation to it and to its indexes; the rows that stay."""
+        full = self.slots[member.full]
+        if member.choices:
+            new = _choose(member, full, new)
+        if not new:
+            return new
+        full |= new
+        self._extend_indexes(member, new)
+        self._subsume(member, new)
+        return new
+
+    def _subsume(self, member: Member, delta: set[Any]) -> None:
+        """Remove rows that another row dominates."""
+        if not member.subsumption:
+            return
+        rejected: set[Any] = set()
+        for rule in member.subsumption:
+            if delta:
+                self.call(rule, delta, rejected, (member.full,))
+        if rejected:
+            self.slots[member.full] -= rejected
+            delta -= rejected
+            for slot in member.indexes:
+                self.slots[slot] = None
+
+
 def evaluate(
-    code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], *, keep: Collection[str],
-    limit_rows: int | None = None, time_limit: float | None = None,
+    code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], *, keep: Collection[str], control: Control,
+    kind: type[Evaluation] = Evaluation,
 ) -> dict[str, Collection[Any]]:  # fmt: skip
     """The rows of the `keep` relations; rows of unary relations are bare values."""
-    slots: Slots = [None] * code.slots
-    for name, slot in code.relation_slot.items():
-        slots[slot] = set(code.facts.get(name, ()))
-    state = State()
-    for name, rows in facts.items():
-        slots[code.relation_slot[name]].update(_loaded(name, list(rows), code.arity[name]))
-    if code.uses_ordinals:
-        _number_symbols(slots, code, state)
-    control = Control(limit_rows, time_limit)
-    kept = set(keep)
     with _collector_paused():
-        for stratum in code.strata:
-            _run_stratum(stratum, slots, state, functions, control)
-            for name, dead in stratum.drops:
-                for slot in dead:
-                    if slot != code.relation_slot[name] or name not in kept:
-                        slots[slot] = None
-    return {name: slots[code.relation_slot[name]] for name in keep}
+        return kind(code, functions, facts, control).run(keep)
 
 
-def _loaded(name: str, rows: list[tuple[Any, ...]], arity: int) -> list[Any]:
+def _loaded(name: str, rows: Iterable[tuple[Any, ...]], arity: int) -> Iterable[Any]:
     """Rows as relations store them, after a check of their length."""
+    rows = rows if isinstance(rows, Collection) else list(rows)
     if set(map(len, rows)) - {arity}:
         wrong = next(row for row in rows if len(row) != arity)
         raise DatalogError(f"facts of `{name}`: expected {arity} column{'s' * (arity != 1)}, given {wrong!r}")
     return [row[0] for row in rows] if arity == 1 else rows
-
-
-def _number_symbols(slots: Slots, code: Code, state: State) -> None:
-    """Number all input symbols in sorted order, so that `ord` does not depend on the order of rows."""
-    found: set[str] = set()
-    for slot in code.relation_slot.values():
-        for row in slots[slot]:
-            found.update(v for v in (row if isinstance(row, tuple) else (row,)) if isinstance(v, str))
-    state.ordinals.preload(sorted(found))
-
-
-def _call(rule: Rule, slots: Slots, state: State, functions: Functions) -> None:
-    try:
-        functions[rule.function](slots, state)
-    except EvaluationError as error:
-        raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
-
-
-def _run_stratum(stratum: Stratum, slots: Slots, state: State, functions: Functions, control: Control) -> None:
-    members = {m.name: m for m in stratum.members}
-    if stratum.staged:
-        for member in stratum.members:
-            slots[member.new] = set()
-    for rule in stratum.base:
-        _call(rule, slots, state, functions)
-        if control.active:
-            control.check(rule, len(slots[members[rule.target].full]))
-    if stratum.loop or stratum.staged or any(m.subsumption for m in stratum.members):
-        _run_loop(stratum, members, slots, state, functions, control)
-
-
-def _run_loop(stratum: Stratum, members: dict[str, Member], slots: Slots, state: State, functions: Functions, control: Control) -> None:
-    """Semi-naive iteration: rules see the rows that were new in the previous round as `delta`."""
-    for member in stratum.members:
-        if stratum.staged:
-            for row in slots[member.full]:
-                slots[member.new].add(row)
-            slots[member.full] = set()
-            _merge(member, slots, state, functions)
-        else:
-            slots[member.delta] = set(slots[member.full])
-            _subsume(member, slots, state, functions)
-    while any(slots[m.delta] for m in stratum.members):
-        state.iteration += 1
-        for member in stratum.members:
-            slots[member.new] = set()
-        for rule in stratum.loop:
-            _call(rule, slots, state, functions)
-            if control.active:
-                member = members[rule.target]
-                control.check(rule, len(slots[member.full]) + len(slots[member.new]))
-        for member in stratum.members:
-            _merge(member, slots, state, functions)
-    state.iteration = 0
-    for member in stratum.members:
-        slots[member.delta] = slots[member.new] = None
-
-
-def _merge(member: Member, slots: Slots, state: State, functions: Functions) -> None:
-    """Move the new rows of a relation into it, into its indexes and into its delta."""
-    new = slots[member.new]
-    if member.choices:
-        new = _choose(member, slots[member.full], new)
-    slots[member.delta] = new
-    if not new:
-        return
-    slots[member.full] |= new
-    for slot, grow in member.indexes:
-        if slots[slot] is not None:
-            functions[grow](slots[slot], new)
-    if member.subsumption:
-        _subsume(member, slots, state, functions)
 
 
 def _choose(member: Member, full: set[Any], new: set[Any]) -> set[Any]:
@@ -178,18 +225,3 @@ def _choose(member: Member, full: set[Any], new: set[Any]) -> set[Any]:
 
 def _key(row: Any, columns: tuple[int, ...]) -> Any:
     return tuple(row[c] for c in columns) if isinstance(row, tuple) else row
-
-
-def _subsume(member: Member, slots: Slots, state: State, functions: Functions) -> None:
-    """Remove rows that another row dominates."""
-    if not member.subsumption:
-        return
-    rejected: set[Any] = set()
-    slots[member.delta + 1] = rejected
-    for rule in member.subsumption:
-        _call(rule, slots, state, functions)
-    if rejected:
-        slots[member.full] -= rejected
-        slots[member.delta] -= rejected
-        for slot, _ in member.indexes:
-            slots[slot] = None

@@ -1,23 +1,19 @@
 """`profile`: where an evaluation by the embedded engine spends its time, by rule and by relation.
 
-The functions of the rules are wrapped for one evaluation; without a profile nothing is measured.
+Without a profile nothing is measured.
 """
 
 from __future__ import annotations
 
-import marshal
 import time
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from . import engine
 from .compile import Rule
+from .engine import Evaluation
 from .program import Program, Result
-
-_Function = Callable[[Any, Any], None]
-
 
 @dataclass(slots=True)
 class RuleProfile:
@@ -54,20 +50,29 @@ def profile(
     program: Program, facts: Mapping[str, Iterable[tuple[Any, ...]]] | Path, *, keep: Collection[str] | str | None = "all"
 ) -> Profile:
     """Evaluate with the embedded engine and measure every rule."""
-    functions = engine.load_functions(marshal.loads(program.bytecode))
     found: dict[str, RuleProfile] = {}
     for stratum in program.code.strata:
-        slots = {m.name: (m.full, m.new) for m in stratum.members}
-        rules = [*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)]
-        for rule in rules:
-            entry = found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
-            functions[rule.function] = _measured(functions[rule.function], entry, slots[rule.target])
-    known, program._functions = program._functions, functions
+        for rule in (*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)):
+            found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
+
+    class Measured(Evaluation):
+        """An evaluation that measures the calls of its rules, with the indexes that are built for them."""
+
+        def call(self, rule: Rule, delta: Any, new: Any, growing: Collection[int] = ()) -> None:
+            entry = found[_family(rule)]
+            target = self.code.relation_slot[rule.target]
+            staged = isinstance(new, set)
+            before = len(new) if staged else len(self.slots[target])
+            start = time.perf_counter()
+            try:
+                super().call(rule, delta, new, growing)
+            finally:
+                entry.seconds += time.perf_counter() - start
+                entry.calls += 1
+                entry.rows += (len(new) if staged else len(self.slots[target])) - before
+
     start = time.perf_counter()
-    try:
-        result = program.evaluate(facts, keep=keep)
-    finally:
-        program._functions = known
+    result = program.evaluate_as(Measured, facts, keep)
     seconds = time.perf_counter() - start
     by_time = sorted(found.values(), key=lambda r: (-r.seconds, r.place))
     return Profile(result, seconds, tuple(by_time), _relations(by_time, result))
@@ -76,22 +81,6 @@ def profile(
 def _family(rule: Rule) -> str:
     """What the versions of one recursive rule, one for each delta, have in common."""
     return "_".join(rule.function.split("_")[:2])
-
-
-def _measured(function: _Function, entry: RuleProfile, slots: tuple[int, int]) -> _Function:
-    full, new = slots
-
-    def run(data: Any, state: Any) -> None:
-        before = len(data[full] or ()) + len(data[new] or ())
-        start = time.perf_counter()
-        try:
-            function(data, state)
-        finally:
-            entry.seconds += time.perf_counter() - start
-            entry.calls += 1
-            entry.rows += len(data[full] or ()) + len(data[new] or ()) - before
-
-    return run
 
 
 def _relations(rules: Iterable[RuleProfile], result: Result) -> tuple[RelationProfile, ...]:

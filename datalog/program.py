@@ -121,29 +121,37 @@ class Program:
         `limit_rows`, `time_limit`: raise DatalogError once a relation has more rows, or after so many seconds.
         """
         kept = self._kept(keep)
-        if isinstance(facts, (str, Path)):
-            facts = self.read_facts(Path(facts))
-        self._check_facts(facts)
+        facts = self._given(facts)
         if engine == "souffle":
             from .souffle import evaluate_with_souffle
 
             rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, facts, kept, time_limit)
         elif engine == "embedded":
-            rows = self._evaluate_embedded(facts, kept, limit_rows, time_limit)
+            rows = self._evaluate_embedded(facts, kept, limit_rows=limit_rows, time_limit=time_limit)
         else:
             raise DatalogError(f"unknown engine `{engine}`, expected `embedded` or `souffle`")
         return Result(rows, self.code.arity)
 
+    def evaluate_as(
+        self, kind: type[engine.Evaluation], facts: Mapping[str, Iterable[Row]] | Path, keep: Collection[str] | str | None
+    ) -> Result:  # fmt: skip
+        """Derive everything from the facts by an evaluation that does more than derive."""
+        return Result(self._evaluate_embedded(self._given(facts), self._kept(keep), kind=kind), self.code.arity)
+
     def _evaluate_embedded(
-        self,
-        facts: Mapping[str, Iterable[Row]],
-        kept: Collection[str],
-        limit_rows: int | None,
-        time_limit: float | None,
-    ) -> Mapping[str, Collection[Any]]:
+        self, facts: Mapping[str, Iterable[Row]], kept: Collection[str], *,
+        limit_rows: int | None = None, time_limit: float | None = None, kind: type[engine.Evaluation] = engine.Evaluation,
+    ) -> Mapping[str, Collection[Any]]:  # fmt: skip
         if self._functions is None:
             self._functions = engine.load_functions(marshal.loads(self.bytecode))
-        return engine.evaluate(self.code, self._functions, facts, keep=kept, limit_rows=limit_rows, time_limit=time_limit)
+        control = engine.Control(limit_rows, time_limit)
+        return engine.evaluate(self.code, self._functions, facts, keep=kept, control=control, kind=kind)
+
+    def _given(self, facts: Mapping[str, Iterable[Row]] | Path) -> Mapping[str, Iterable[Row]]:
+        """Facts by relation, those of a folder read, after a check that they are facts of input relations."""
+        found = self.read_facts(Path(facts)) if isinstance(facts, (str, Path)) else facts
+        self._check_facts(found)
+        return found
 
     def _kept(self, keep: Collection[str] | str | None) -> list[str]:
         if keep is None:
