@@ -36,6 +36,15 @@ class Storage:
         return self.indexes.setdefault(key, len(self.indexes))
 
 
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """All keys that a rule asks an index for have in `column` a value of another column, which may be few."""
+
+    column: int
+    relation: str
+    values: int  # the other column
+
+
 def local(relation: str) -> str:
     """The Python name of a relation inside functions."""
     return f"r_{re.sub('[^A-Za-z0-9_]', '_', relation)}"
@@ -64,7 +73,8 @@ class Emitter:
         self.loops = 0
         self.temporaries = 0
         self.relations: set[str] = set()
-        self.indexes: set[int] = set()
+        self.indexes: dict[int, tuple[Origin, ...]] = {}
+        self.origins: dict[str, tuple[str, int]] = {}  # of a Python name: the relation and column whose values it takes
         self.names: dict[str, str] = {}
         self.functions: list[int] = []  # depths of open nested functions
 
@@ -198,7 +208,7 @@ class Emitter:
             key = row_of([self.expressions.write(a, bound) for a in atom.args]) if columns else ""
             return f"{key} in {local(atom.name)}" if columns else local(atom.name)
         index, key = self._index(atom, columns, bound)
-        return f"{key} in {self._index_name(index)}"
+        return f"{key} in {self._index_name(index, atom, bound)}"
 
     def _index(self, atom: Atom, columns: Sequence[int], bound: dict[str, str]) -> tuple[IndexKey, str]:
         """The index for these bound columns of an atom, and the expression of the key to ask it for."""
@@ -209,10 +219,12 @@ class Emitter:
         keyed = tuple(i for i in columns if i not in fixed)
         return (atom.name, keyed, constants), row_of([self.expressions.write(atom.args[i], bound) for i in keyed])
 
-    def _index_name(self, key: IndexKey) -> str:
+    def _index_name(self, key: IndexKey, atom: Atom, bound: dict[str, str]) -> str:
         """The Python name of an index, which the function takes as an argument."""
         number = self.storage.index(key)
-        self.indexes.add(number)
+        keyed = ((i, bound[a.name]) for i in key[1] if isinstance(a := atom.args[i], Variable))
+        origins = tuple(Origin(i, *self.origins[name]) for i, name in keyed if name in self.origins)
+        self.indexes[number] = origins if self.indexes.get(number, origins) == origins else ()
         return f"i{number}"
 
     def _assign(self, step: Step, pending: list[Step], bound: dict[str, str]) -> bool:
@@ -324,6 +336,8 @@ class Emitter:
                 tests.append(f"{targets[-1]} != {self.expressions.write(arg, bound | fresh)}")
         self.open_loop(f"for {self._loop_target(targets, columns)} in {self._source(atom, columns, bound, is_delta)}:")
         bound.update(fresh)
+        if not is_delta:
+            self.origins.update((fresh[a.name], (atom.name, i)) for i, a in enumerate(atom.args) if isinstance(a, Variable) and a.name in fresh)
         for test in tests:
             self.fail_if(test)
 
@@ -345,7 +359,7 @@ class Emitter:
         else:
             key, value = self._index(atom, columns, bound)
             self.storage.listed.add(key)
-            source = f"{self._index_name(key)}.get({value}, EMPTY)"
+            source = f"{self._index_name(key, atom, bound)}.get({value}, EMPTY)"
         return f"ordered({source})" if self.ordered else source
 
     # -- aggregates ---------------------------------------------------------------------------------

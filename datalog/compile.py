@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from .codegen import Emitter, Storage, local, row_of
+from .codegen import Emitter, Origin, Storage, local, row_of
 from .expressions import Expressions, number_value
 from .ground import grounded_variables, is_bound
 from .indexes import Index
@@ -42,7 +42,7 @@ class Rule:
     delta: str  # the relation whose delta it scans, if any
     required: tuple[int, ...]  # relations without which it derives nothing
     relations: tuple[int, ...]  # arguments of the function, followed by the indexes
-    indexes: tuple[int, ...]
+    indexes: tuple[tuple[int, tuple[Origin, ...]], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +196,7 @@ class _Compiler:
         slot = self.code.relation_slot
         return Rule(
             name, clause.head.name, str(clause.location), delta_name, tuple(sorted(slot[r] for r in required)),
-            tuple(slot[r] for r in relations), tuple(len(slot) + n for n in indexes),
+            tuple(slot[r] for r in relations), tuple((len(slot) + n, emitter.indexes[n]) for n in indexes),
         )  # fmt: skip
 
     # -- assembly -----------------------------------------------------------------------------------
@@ -292,7 +292,7 @@ def compile_program(
     last_reader: dict[str, int] = {}
     for position, plan in enumerate(plans):
         for rule in plan.rules():
-            read = {*rule.required, *rule.relations, *(compiler.code.indexes[i - len(slots)].relation for i in rule.indexes)}
+            read = {*rule.required, *rule.relations, *(compiler.code.indexes[i - len(slots)].relation for i, _ in rule.indexes)}
             last_reader.update(dict.fromkeys((slots[r] for r in read), position))
         last_reader.update(dict.fromkeys(plan.names, position))
     for position, plan in enumerate(plans):

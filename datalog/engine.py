@@ -5,15 +5,21 @@ from __future__ import annotations
 import gc
 import time
 import types as python_types
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableSequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableSequence, Sequence
 from contextlib import contextmanager
+from operator import itemgetter
 from typing import Any
 
+from .codegen import Origin
 from .compile import Code, Member, Rule, Stratum
 from .errors import DatalogError, Diagnostic
 from .runtime import NAMES, EvaluationError, State, ordered
 
 Functions = Mapping[str, Callable[..., None]]
+
+
+PARTIAL_INDEXES = 3  # parts of an index that are made before all of it is
+PARTIAL_RATIO = 8  # a part is made when the relation has so many times more rows than keys are asked for
 
 
 def load_functions(code: python_types.CodeType) -> dict[str, Any]:
@@ -64,6 +70,7 @@ class Evaluation:
         self.functions = functions
         self.control = control
         self.state = State()
+        self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
         self.slots: list[Any] = [set(code.facts.get(name, ())) for name in code.relation_slot]
         self.slots += [None] * len(code.indexes)
         for name, rows in facts.items():
@@ -88,19 +95,35 @@ class Evaluation:
         for slot in rule.required:
             if not slots[slot]:
                 return
-        for slot in rule.indexes:
-            if slots[slot] is None:
-                index = self.code.indexes[slot - len(self.code.relation_slot)]
-                slots[slot] = index.build(slots[index.relation], index.relation in growing)
+        indexes = [slots[slot] or self._index(slot, origins, growing) for slot, origins in rule.indexes]
         try:
             self.functions[rule.function](
                 self.state, slots[self.code.relation_slot[rule.target]], delta, new,
-                *[slots[slot] for slot in rule.relations], *[slots[slot] for slot in rule.indexes],
+                *[slots[slot] for slot in rule.relations], *indexes,
             )  # fmt: skip
         except EvaluationError as error:
             raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
         if self.control.active:
             self.control.check(rule, len(slots[self.code.relation_slot[rule.target]]) + (len(new) if isinstance(new, set) else 0))
+
+    def _index(self, slot: int, origins: Sequence[Origin], growing: Collection[int]) -> Any:
+        """The index of a slot, or for a rule that asks for few of its keys the part with these, which is not kept."""
+        if self.slots[slot] is not None:
+            return self.slots[slot]
+        index = self.code.indexes[slot - len(self.code.relation_slot)]
+        rows = self.slots[index.relation]
+        if origins and not growing and self.partial.get(slot, 0) < PARTIAL_INDEXES:
+            counts = [(len(self.slots[self.code.relation_slot[o.relation]]), i) for i, o in enumerate(origins)]
+            count, best = min(counts)
+            if count * PARTIAL_RATIO < len(rows):
+                self.partial[slot] = self.partial.get(slot, 0) + 1
+                return index.build(rows, False, origins[best].column, self._values(origins[best]))
+        self.slots[slot] = found = index.build(rows, index.relation in growing)
+        return found
+
+    def _values(self, origin: Origin) -> Collection[Any]:
+        rows = self.slots[self.code.relation_slot[origin.relation]]
+        return rows if self.code.arity[origin.relation] == 1 else set(map(itemgetter(origin.values), rows))
 
     def _number_symbols(self) -> None:
         """Number all input symbols in sorted order, so that `ord` does not depend on the order of rows."""

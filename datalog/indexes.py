@@ -33,13 +33,16 @@ class Index:
         left = [column for column in range(self.arity) if column not in fixed]
         return left[0] if len(left) == 1 else None
 
-    def build(self, rows: Collection[Any], growing: bool) -> Any:
-        """The index of a relation; one that is still `growing` is a mapping to lists, which `grow` extends."""
-        rows = self._chosen(rows)
+    def build(self, rows: Collection[Any], growing: bool, column: int = 0, values: Collection[Any] | None = None) -> Any:
+        """The index of a relation; one that is still `growing` is a mapping to lists, which `grow` extends.
+
+        With `values`, the index of the rows that have one of them in `column`.
+        """
+        rows = self._chosen(rows if values is None else [row for row in rows if row[column] in values])
         if not self.listed:
             return set(map(itemgetter(*self.keys), rows))
         if not growing:
-            found = self._unique(rows)
+            found = self._by_key(rows)
             if found is not None:
                 return found
         index: defaultdict[Any, list[Any]] = defaultdict(list)
@@ -67,11 +70,20 @@ class Index:
         for key, value in zip(map(itemgetter(*self.keys), rows), self._values(rows), strict=True):
             index[key].append(value)
 
-    def _unique(self, rows: Collection[Any]) -> dict[Any, tuple[Any]] | None:
-        """The index of rows with different keys: less memory than lists, and built without a loop in Python."""
+    def _by_key(self, rows: Collection[Any]) -> dict[Any, tuple[Any, ...]] | None:
+        """The index of rows of which few share a key: less memory than lists, and hardly a loop in Python."""
         key = itemgetter(*self.keys)
         sample = list(islice(rows, SAMPLE))
-        if len(set(map(key, sample))) != len(sample):
+        if len(set(map(key, sample))) < 0.9 * len(sample):
             return None
-        found = dict(zip(map(key, rows), zip(self._values(rows)), strict=True))
-        return found if len(found) == len(rows) else None
+        found: dict[Any, tuple[Any, ...]] = dict(zip(map(key, rows), zip(self._values(rows)), strict=True))
+        if len(found) < 0.8 * len(rows):
+            return None
+        if len(found) < len(rows):
+            others: defaultdict[Any, list[Any]] = defaultdict(list)
+            for k, value in zip(map(key, rows), self._values(rows), strict=True):
+                if found[k][0] != value:
+                    others[k].append(value)
+            for k, values in others.items():
+                found[k] += tuple(values)
+        return found
