@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from .bulk_rules import BulkRule, pair_clause, write_bulk
 from .codegen import Emitter, Origin, Storage, local, row_of
 from .expressions import Expressions, number_value
 from .ground import grounded_variables, is_bound
@@ -67,6 +68,7 @@ class Stratum:
     base: tuple[Rule, ...]
     loop: tuple[Rule, ...]
     staged: bool = False
+    bulk: tuple[BulkRule, ...] = ()  # the loop once more, over bitmaps, where all rules are over pairs
     drops: tuple[tuple[str, tuple[int, ...]], ...] = ()  # relations not read later, with all their slots
 
     @property
@@ -80,6 +82,7 @@ class Code:
     """What is cached: everything needed to evaluate, independent of the syntax tree."""
 
     source: str = ""
+    bulk_source: str = ""  # the functions of bulk rules, compiled when they are needed
     strata: list[Stratum] = field(default_factory=list)
     facts: dict[str, list[Any]] = field(default_factory=dict)
     relation_slot: dict[str, int] = field(default_factory=dict)
@@ -141,7 +144,31 @@ class _Compiler:
         name = f"rule_{number}"
         if not recursive:
             return [self.function(name, clause, head, steps, types, None, stratum)], []
+        if stratum.bulk is not None:
+            self._bulk(clause, head, steps, recursive, name, stratum)
         return [], [self.function(f"{name}_{i}", clause, head, steps, types, i, stratum) for i in recursive]
+
+    def _bulk(
+        self, clause: Clause, head: Atom, steps: Sequence[Step], recursive: Sequence[int], name: str, stratum: _Plan
+    ) -> None:  # fmt: skip
+        """Generate the functions that join whole sets; a stratum has them for all of its rules or for none."""
+        pairs = pair_clause(head, steps)
+        if pairs is None or stratum.bulk is None or not all(self.plain(relation) for relation, _ in pairs.atoms):
+            stratum.bulk = None
+            return
+        slot = self.code.relation_slot
+        positions = {s.index: i for i, s in enumerate(s for s in steps if isinstance(s, Scan))}
+        for index in recursive:
+            delta = positions[index]
+            lines, turned, groupings = write_bulk(pairs, delta, f"{name}_{index}", slot)
+            stratum.bulk_lines.extend(lines)
+            rule = BulkRule(f"{name}_{index}", head.name, str(clause.location), pairs.atoms[delta][0], turned, groupings)
+            stratum.bulk.append(rule)
+
+    def plain(self, relation: str) -> bool:
+        """Whether a relation holds pairs of numbers and symbols."""
+        attributes = self.relations[relation].attributes
+        return len(attributes) == 2 and all(self.types.kind(a.type) in "ius" for a in attributes)
 
     def function(
         self, name: str, clause: Clause, head: Atom, steps: Sequence[Step], types: ClauseTypes, delta: int | None, stratum: _Plan
@@ -228,6 +255,8 @@ class _Plan:
     names: Sequence[str]
     chooses: bool
     staged: bool
+    bulk: list[BulkRule] | None
+    bulk_lines: list[str] = field(default_factory=list)
     base: list[Rule] = field(default_factory=list)
     loop: list[Rule] = field(default_factory=list)
     subsumption: dict[str, list[Rule]] = field(default_factory=dict)
@@ -275,7 +304,8 @@ def compile_program(
     for names in strata:
         own = [(clause, clause_types) for name in names for clause, clause_types in clauses.get(name, ())]
         chooses = any(relations[n].choices for n in names)
-        plan = _Plan(names, chooses, chooses or any(c.dominating is not None or _order_matters(c) for c, _ in own))
+        staged = chooses or any(c.dominating is not None or _order_matters(c) for c, _ in own)
+        plan = _Plan(names, chooses, staged, None if staged or not all(map(compiler.plain, names)) else [])
         for clause, clause_types in own:
             if compiler.fact(clause, clause_types):
                 continue
@@ -288,6 +318,7 @@ def compile_program(
                 plan.loop.extend(again)
         plans.append(plan)
     compiler.assemble()
+    compiler.code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
     slots = list(compiler.code.relation_slot)
     last_reader: dict[str, int] = {}
     for position, plan in enumerate(plans):
@@ -299,5 +330,5 @@ def compile_program(
         members = tuple(compiler.member(n, plan.subsumption.get(n, ())) for n in plan.names)
         dead = [name for name, last in last_reader.items() if last == position]
         drops = tuple((name, (compiler.code.relation_slot[name], *compiler.index_slots(name))) for name in dead)
-        compiler.code.strata.append(Stratum(members, tuple(plan.base), tuple(plan.loop), plan.staged, drops))
+        compiler.code.strata.append(Stratum(members, tuple(plan.base), tuple(plan.loop), plan.staged, tuple(plan.bulk or ()), drops))
     return compiler.code

@@ -8,23 +8,28 @@ import types as python_types
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableSequence, Sequence
 from contextlib import contextmanager
 from operator import itemgetter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from .bulk_rules import BulkRule
 from .codegen import Origin
 from .compile import Code, Member, Rule, Stratum
 from .errors import DatalogError, Diagnostic
 from .runtime import NAMES, EvaluationError, State, ordered
 
+if TYPE_CHECKING:
+    from .bulk import BulkLoop, Codes
+
 Functions = Mapping[str, Callable[..., None]]
 
 
 PARTIAL_INDEXES = 3  # parts of an index that are made before all of it is
+BULK_ROWS = 1 << 15  # rows of a relation of pairs from which on bitmaps are considered
 PARTIAL_RATIO = 8  # a part is made when the relation has so many times more rows than keys are asked for
 
 
-def load_functions(code: python_types.CodeType) -> dict[str, Any]:
-    """Run the generated module; its namespace holds the rule and index functions."""
-    namespace: dict[str, Any] = dict(NAMES)
+def load_functions(code: python_types.CodeType, names: Mapping[str, Any] = NAMES) -> dict[str, Any]:
+    """Run a generated module; its namespace holds the functions of the rules."""
+    namespace = dict(names)
     exec(code, namespace)
     return namespace
 
@@ -38,7 +43,7 @@ class Control:
         self.time_limit = time_limit
         self.active = limit_rows is not None or time_limit is not None
 
-    def check(self, rule: Rule, rows: int) -> None:
+    def check(self, rule: Rule | BulkRule, rows: int) -> None:
         """Stop a program that has derived too much or run too long."""
         if self.limit_rows is not None and rows > self.limit_rows:
             self._stop(rule, f"more than {self.limit_rows} rows")
@@ -46,7 +51,7 @@ class Control:
             self._stop(rule, f"still running after {self.time_limit:g} s")
 
     @staticmethod
-    def _stop(rule: Rule, reason: str) -> None:
+    def _stop(rule: Rule | BulkRule, reason: str) -> None:
         raise DatalogError([Diagnostic(f"{rule.location}: evaluation stopped, `{rule.target}`: {reason}")])
 
 
@@ -70,6 +75,7 @@ class Evaluation:
         self.functions = functions
         self.control = control
         self.state = State()
+        self.codes: Codes | None = None  # of the values of relations that are kept as bitmaps
         self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
         self.slots: list[Any] = [set(code.facts.get(name, ())) for name in code.relation_slot]
         self.slots += [None] * len(code.indexes)
@@ -112,6 +118,8 @@ class Evaluation:
             return self.slots[slot]
         index = self.code.indexes[slot - len(self.code.relation_slot)]
         rows = self.slots[index.relation]
+        if not isinstance(rows, set) and index.keys == (0,):
+            return rows.by_first()
         if origins and not growing and self.partial.get(slot, 0) < PARTIAL_INDEXES:
             counts = [(len(self.slots[self.code.relation_slot[o.relation]]), i) for i, o in enumerate(origins)]
             count, best = min(counts)
@@ -144,7 +152,7 @@ class Evaluation:
 
     def _run_loop(self, stratum: Stratum) -> None:
         """Semi-naive iteration: rules see the rows that were new in the previous round as `delta`."""
-        slots, growing = self.slots, {m.full for m in stratum.members}
+        slots, growing, enough = self.slots, {m.full for m in stratum.members}, BULK_ROWS
         deltas: dict[str, MutableSequence[Any]] = {m.name: list(slots[m.full]) for m in stratum.members}
         while any(deltas.values()):
             self.state.iteration += 1
@@ -156,7 +164,40 @@ class Evaluation:
                 if new[member.name]:
                     self._extend_indexes(member, new[member.name])
             deltas = new
+            if stratum.bulk and max(len(slots[m.full]) for m in stratum.members) >= enough:
+                enough *= 2
+                if self._run_bulk(stratum, deltas):
+                    return
         self.state.iteration = 0
+
+    def _run_bulk(self, stratum: Stratum, deltas: Mapping[str, Iterable[Any]]) -> bool:
+        """Go on over bitmaps, if the rows are such that it is worth it; whether they were."""
+        from . import bulk
+
+        if not bulk.worthwhile(max((self.slots[m.full] for m in stratum.members), key=len)):
+            return False
+        for member in stratum.members:
+            for slot in member.indexes:
+                self.slots[slot] = None
+        if self.codes is None:
+            self.codes = bulk.Codes()
+        functions = load_functions(compile(self.code.bulk_source, "<datalog>", "exec"), bulk.NAMES)
+        members = {m.name: m.full for m in stratum.members}
+        loop = bulk.BulkLoop(stratum.bulk, functions, self.slots, members, deltas, self.codes)
+        while True:
+            for rule in stratum.bulk:
+                self.call_bulk(rule, loop)
+            if not loop.settle():
+                break
+        loop.finish()
+        self.state.iteration = 0
+        return True
+
+    def call_bulk(self, rule: BulkRule, loop: BulkLoop) -> None:
+        """Call the function of a bulk rule."""
+        loop.call(rule)
+        if self.control.active:
+            self.control.check(rule, loop.growing[rule.target].rows)
 
     def _extend_indexes(self, member: Member, rows: Collection[Any]) -> None:
         first = len(self.code.relation_slot)
