@@ -33,6 +33,7 @@ from .syntax import (
 )  # fmt: skip
 from .types import Types
 
+
 @dataclass(frozen=True, slots=True)
 class Rule:
     """A generated function, the slots it works on, and where it comes from."""

@@ -15,6 +15,7 @@ from .compile import Rule
 from .engine import Evaluation
 from .program import Program, Result
 
+
 @dataclass(slots=True)
 class RuleProfile:
     """What one rule took: `calls` of its function, one a round for a recursive rule, and the rows it added."""

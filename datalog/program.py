@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import marshal
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,7 @@ from .compile import Code, compile_program, eqrel_clauses
 from .components import instantiate
 from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean
 from .facts import read_facts
+from .row_text import Show, line_chunks
 from .runtime import ordered
 from .semantics import check
 from .sources import EXTRA_SOURCE, read_program
@@ -71,6 +72,10 @@ class Result:
             rows = ordered(self._rows[name])
             self._sorted[name] = [(v,) for v in rows] if self._arity[name] == 1 else rows
         return self._sorted[name]
+
+    def lines(self, name: str, writers: Sequence[Show], delimiter: str = "\t") -> Iterator[str]:
+        """The rows of a relation, sorted, as text in pieces of many lines; `writers` are those of its columns."""
+        return line_chunks(self._rows[name], writers, delimiter)
 
     def count(self, name: str) -> int:
         """The number of rows of a relation."""
