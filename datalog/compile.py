@@ -54,6 +54,7 @@ class Member:
     name: str
     full: int
     indexes: tuple[int, ...]
+    counts: bool = False  # of one column of numbers
     choices: tuple[tuple[int, ...], ...] = ()
     subsumption: tuple[Rule, ...] = ()
 
@@ -217,7 +218,7 @@ class _Compiler:
         else:
             prologue = "add = full.add" if delta is None else "add = full.add; append = new.append"
         relations, indexes = sorted(emitter.relations), sorted(emitter.indexes)
-        arguments = ", ".join(["S", "full", "delta", "new", *map(local, relations), *(f"i{n}" for n in indexes)])
+        arguments = ", ".join(["S", "full", *map(local, relations), *(f"i{n}" for n in indexes), "delta", "new"])
         self.functions.append("\n".join([f"def {name}({arguments}):", f"    {prologue}", *emitter.lines]))
         required = {s.atom.name for s in steps if isinstance(s, Scan) and s.index != delta}
         delta_name = next((s.atom.name for s in steps if isinstance(s, Scan) and s.index == delta), "")
@@ -246,7 +247,8 @@ class _Compiler:
         relation = self.relations[name]
         columns = {a.name: i for i, a in enumerate(relation.attributes)}
         choices = tuple(tuple(columns[c] for c in choice) for choice in relation.choices)
-        return Member(name, self.code.relation_slot[name], self.index_slots(name), choices, tuple(subsumption))
+        counts = len(columns) == 1 and self.types.kind(relation.attributes[0].type) in ("i", "u")
+        return Member(name, self.code.relation_slot[name], self.index_slots(name), counts, choices, tuple(subsumption))
 
 
 @dataclass(slots=True)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import gc
 import time
 import types as python_types
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableSequence, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +25,9 @@ Functions = Mapping[str, Callable[..., None]]
 
 
 PARTIAL_INDEXES = 3  # parts of an index that are made before all of it is
-BULK_ROWS = 1 << 15  # rows of a relation of pairs from which on bitmaps are considered
+MANY_ROWS = 1 << 15  # rows of a relation from which on bitmaps are considered
+LARGE_DELTA = 1 << 12  # rows of a delta after which the size of relations is looked at
+CHECKED_SWEEPS = 1 << 10  # sweeps after which it is looked at in any case
 PARTIAL_RATIO = 8  # a part is made when the relation has so many times more rows than keys are asked for
 
 
@@ -67,6 +71,22 @@ def _collector_paused() -> Iterator[None]:
             gc.enable()
 
 
+@dataclass(slots=True)
+class _Bound:
+    """A rule of a loop with what it works on, once that is known."""
+
+    rule: Rule
+    target: int  # position among the members of the stratum
+    function: Callable[[Any, Any], None] | None = None
+
+
+def _forget(rules: Iterable[Iterable[_Bound]]) -> None:
+    """Relations are other objects now."""
+    for bounds in rules:
+        for bound in bounds:
+            bound.function = None
+
+
 class Evaluation:
     """One evaluation of a program: its relations and indexes, each in a slot, and the strata that fill them."""
 
@@ -76,6 +96,7 @@ class Evaluation:
         self.control = control
         self.state = State()
         self.codes: Codes | None = None  # of the values of relations that are kept as bitmaps
+        self.unpacked: set[int] = set()  # slots of relations that no bitmap can hold
         self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
         self.slots: list[Any] = [set(code.facts.get(name, ())) for name in code.relation_slot]
         self.slots += [None] * len(code.indexes)
@@ -95,22 +116,30 @@ class Evaluation:
                         self.slots[slot] = None
         return {name: self.slots[self.code.relation_slot[name]] for name in keep}
 
-    def call(self, rule: Rule, delta: Collection[Any] | None, new: Any, growing: Collection[int] = ()) -> None:
-        """Call the function of a rule, unless a relation it needs is empty; builds the indexes it asks for."""
+    def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
+        """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""
         slots = self.slots
         for slot in rule.required:
             if not slots[slot]:
-                return
-        indexes = [slots[slot] or self._index(slot, origins, growing) for slot, origins in rule.indexes]
+                return None
+        read = [slots[slot] for slot in rule.relations]
+        read += [slots[slot] or self._index(slot, origins, growing) for slot, origins in rule.indexes]
+        return partial(self.functions[rule.function], self.state, slots[self.code.relation_slot[rule.target]], *read)
+
+    def call(self, rule: Rule, delta: Collection[Any] | None, new: Any, growing: Collection[int] = ()) -> None:
+        """Call the function of a rule once."""
+        function = self.prepare(rule, growing)
+        if function is None:
+            return
         try:
-            self.functions[rule.function](
-                self.state, slots[self.code.relation_slot[rule.target]], delta, new,
-                *[slots[slot] for slot in rule.relations], *indexes,
-            )  # fmt: skip
+            function(delta, new)
         except EvaluationError as error:
             raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
+        except OverflowError:
+            self._unpack()
+            self.call(rule, delta, new, growing)
         if self.control.active:
-            self.control.check(rule, len(slots[self.code.relation_slot[rule.target]]) + (len(new) if isinstance(new, set) else 0))
+            self.control.check(rule, len(self.slots[self.code.relation_slot[rule.target]]) + (len(new) if isinstance(new, set) else 0))
 
     def _index(self, slot: int, origins: Sequence[Origin], growing: Collection[int]) -> Any:
         """The index of a slot, or for a rule that asks for few of its keys the part with these, which is not kept."""
@@ -119,7 +148,7 @@ class Evaluation:
         index = self.code.indexes[slot - len(self.code.relation_slot)]
         rows = self.slots[index.relation]
         if not isinstance(rows, set) and index.keys == (0,):
-            return rows.by_first()
+            return rows.by_first()  # pairs as bitmaps are indexed already
         if origins and not growing and self.partial.get(slot, 0) < PARTIAL_INDEXES:
             counts = [(len(self.slots[self.code.relation_slot[o.relation]]), i) for i, o in enumerate(origins)]
             count, best = min(counts)
@@ -151,24 +180,62 @@ class Evaluation:
             self._run_loop(stratum)
 
     def _run_loop(self, stratum: Stratum) -> None:
-        """Semi-naive iteration: rules see the rows that were new in the previous round as `delta`."""
-        slots, growing, enough = self.slots, {m.full for m in stratum.members}, BULK_ROWS
-        deltas: dict[str, MutableSequence[Any]] = {m.name: list(slots[m.full]) for m in stratum.members}
-        while any(deltas.values()):
-            self.state.iteration += 1
-            new: dict[str, MutableSequence[Any]] = {m.name: [] for m in stratum.members}
-            for rule in stratum.loop:
-                if deltas[rule.delta]:
-                    self.call(rule, deltas[rule.delta], new[rule.target], growing)
-            for member in stratum.members:
-                if new[member.name]:
-                    self._extend_indexes(member, new[member.name])
-            deltas = new
-            if stratum.bulk and max(len(slots[m.full]) for m in stratum.members) >= enough:
+        """Semi-naive iteration: rules see the rows of a relation that were added since they last ran as `delta`."""
+        members, slots, active = stratum.members, self.slots, self.control.active
+        position = {m.name: i for i, m in enumerate(members)}
+        growing, enough, large, sweeps = {m.full for m in members}, MANY_ROWS, False, 0
+        pending: list[list[Any]] = [list(slots[m.full]) for m in members]
+        rules = [[_Bound(r, position[r.target]) for r in stratum.loop if r.delta == m.name] for m in members]
+        while any(pending):
+            for i, delta in enumerate(pending):
+                if not delta:
+                    continue
+                pending[i] = []
+                if members[i].indexes:
+                    self._extend_indexes(members[i], delta)
+                for bound in rules[i]:
+                    function = bound.function
+                    if function is None:
+                        function = bound.function = self.prepare(bound.rule, growing)
+                        if function is None:
+                            continue
+                    try:
+                        function(delta, pending[bound.target])
+                    except (EvaluationError, OverflowError):
+                        self.call(bound.rule, delta, pending[bound.target], growing)
+                        _forget(rules)
+                    if active:
+                        self.control.check(bound.rule, len(slots[members[bound.target].full]))
+                large = large or len(delta) > LARGE_DELTA
+            sweeps += 1
+            if (large or not sweeps % CHECKED_SWEEPS) and any(len(slots[m.full]) >= enough for m in members):
                 enough *= 2
-                if self._run_bulk(stratum, deltas):
+                if stratum.bulk and self._run_bulk(stratum, {m.name: d for m, d in zip(members, pending, strict=True)}):
                     return
-        self.state.iteration = 0
+                if self._pack(members):
+                    _forget(rules)
+
+    def _pack(self, members: Iterable[Member]) -> bool:
+        """Keep large sets of numbers as bitmaps; whether there were any."""
+        found = [m.full for m in members if m.counts and m.full not in self.unpacked and isinstance(self.slots[m.full], set)]
+        for slot in found:
+            if len(self.slots[slot]) < MANY_ROWS:
+                continue
+            from pyroaring import BitMap
+
+            try:
+                self.slots[slot] = BitMap(self.slots[slot])
+            except OverflowError:
+                self.unpacked.add(slot)
+        return bool(found)
+
+    def _unpack(self) -> None:
+        """A number has come that no bitmap holds: a negative one. Keep sets of numbers as they are from now on."""
+        for slot in range(len(self.code.relation_slot)):
+            rows = self.slots[slot]
+            if rows is not None and not isinstance(rows, set) and not hasattr(rows, "groups"):
+                self.slots[slot] = set(rows)
+            self.unpacked.add(slot)
 
     def _run_bulk(self, stratum: Stratum, deltas: Mapping[str, Iterable[Any]]) -> bool:
         """Go on over bitmaps, if the rows are such that it is worth it; whether they were."""
@@ -190,7 +257,6 @@ class Evaluation:
             if not loop.settle():
                 break
         loop.finish()
-        self.state.iteration = 0
         return True
 
     def call_bulk(self, rule: BulkRule, loop: BulkLoop) -> None:

@@ -9,11 +9,15 @@ import time
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from .bulk_rules import BulkRule
 from .compile import Rule
 from .engine import Evaluation
 from .program import Program, Result
+
+if TYPE_CHECKING:
+    from .bulk import BulkLoop
 
 
 @dataclass(slots=True)
@@ -57,20 +61,21 @@ def profile(
             found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
 
     class Measured(Evaluation):
-        """An evaluation that measures the calls of its rules, with the indexes that are built for them."""
+        """An evaluation that measures its rules, with the indexes that are built for them."""
 
-        def call(self, rule: Rule, delta: Any, new: Any, growing: Collection[int] = ()) -> None:
+        def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
             entry = found[_family(rule)]
-            target = self.code.relation_slot[rule.target]
-            staged = isinstance(new, set)
-            before = len(new) if staged else len(self.slots[target])
             start = time.perf_counter()
-            try:
-                super().call(rule, delta, new, growing)
-            finally:
-                entry.seconds += time.perf_counter() - start
-                entry.calls += 1
-                entry.rows += (len(new) if staged else len(self.slots[target])) - before
+            function = super().prepare(rule, growing)
+            entry.seconds += time.perf_counter() - start
+            return None if function is None else _measured(function, entry, self.slots[self.code.relation_slot[rule.target]])
+
+        def call_bulk(self, rule: BulkRule, loop: BulkLoop) -> None:
+            entry = found[_family(rule)]
+            start = time.perf_counter()
+            super().call_bulk(rule, loop)
+            entry.seconds += time.perf_counter() - start
+            entry.calls += 1
 
     start = time.perf_counter()
     result = program.evaluate_as(Measured, facts, keep)
@@ -79,7 +84,22 @@ def profile(
     return Profile(result, seconds, tuple(by_time), _relations(by_time, result))
 
 
-def _family(rule: Rule) -> str:
+def _measured(function: Callable[[Any, Any], None], entry: RuleProfile, full: Collection[Any]) -> Callable[[Any, Any], None]:
+    def run(delta: Any, new: Any) -> None:
+        counted = new if isinstance(new, set) else full
+        before = len(counted)
+        start = time.perf_counter()
+        try:
+            function(delta, new)
+        finally:
+            entry.seconds += time.perf_counter() - start
+            entry.calls += 1
+            entry.rows += len(counted) - before
+
+    return run
+
+
+def _family(rule: Rule | BulkRule) -> str:
     """What the versions of one recursive rule, one for each delta, have in common."""
     return "_".join(rule.function.split("_")[:2])
 
