@@ -2,10 +2,10 @@
 
     benchmarks/datalog_speed.py SOUFFLE [--suite SOUFFLE_SOURCE_DIR] [--facts FACTS_DIR] [--runs N]
 
-SOUFFLE is the binary; it interprets, as it does by default. `--suite`: a checkout of souffle-lang/souffle, of which the programs that take the
-binary longest are measured. `--facts`: what `rosarch extract` wrote for a system, on which rosarch's own rules are measured, a process for each
-component. Prints a Markdown table of wall-clock seconds and peak memory, each the median of the runs (the largest memory of any component), and
-stops when the two engines write different rows.
+SOUFFLE is the binary; it interprets, as it does by default. `--suite`: a checkout of souffle-lang/souffle, of which the programs that
+take the binary longest are measured. `--facts`: what `rosarch extract` wrote for a system, on which rosarch's own rules are measured, a
+process for each component. Prints a Markdown table of wall-clock time and peak memory, each the median of the runs (time summed over
+components, memory of the largest), and stops when the two engines write different rows.
 """
 
 from __future__ import annotations

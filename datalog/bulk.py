@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 from pyroaring import BitMap
 
-from .bulk_rules import BulkRule, Grouping
+from .plan import BulkRule, Grouping
 
 Group: TypeAlias = Any  # a BitMap, or a tuple of codes: what can be iterated and tested for a code
 Groups: TypeAlias = dict[int, Group]
@@ -68,11 +68,9 @@ class Pairs(Collection[tuple[Any, Any]]):
         value = self.codes.values.__getitem__
         return chain.from_iterable(zip(repeat(value(key)), map(value, group)) for key, group in self.groups.items())
 
-    def __contains__(self, row: object) -> bool:
-        a, b = row  # type: ignore[misc]
+    def __contains__(self, row: Any) -> bool:
         number = self.codes.numbers.get
-        group = self.groups.get(number(a, -1))
-        code = number(b)
+        group, code = self.groups.get(number(row[0], -1)), number(row[1])
         return group is not None and code is not None and code in group
 
     def by_first(self) -> PairsByFirst:

@@ -11,29 +11,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from .normalise import Scan, Step
+from .plan import Grouping
 from .syntax import Atom, Constraint, Variable
 
 Pair = tuple[str, str]
-
-
-@dataclass(frozen=True, slots=True)
-class Grouping:
-    """The pairs of a relation by their first column, or by their second when it is `reversed`."""
-
-    relation: int  # slot
-    reversed: bool
-
-
-@dataclass(frozen=True, slots=True)
-class BulkRule:
-    """A generated function for one version of a clause; it gets the delta and what it looks up grouped as told."""
-
-    function: str
-    target: str
-    location: str
-    delta: str
-    delta_reversed: bool
-    groupings: tuple[Grouping, ...]
 
 
 @dataclass(slots=True)

@@ -17,6 +17,7 @@ from .errors import DatalogError, Diagnostic
 from .expressions import Expressions
 from .ground import is_bound
 from .normalise import Absent, Fold, Generate, Scan, Step
+from .plan import Origin
 from .syntax import Argument, Atom, Branch, Constraint, Nil, Number, Record, String, Truth, Unnamed, Variable, variables
 
 MAX_LOOPS = 16
@@ -34,15 +35,6 @@ class Storage:
     def index(self, key: IndexKey) -> int:
         """The number of an index."""
         return self.indexes.setdefault(key, len(self.indexes))
-
-
-@dataclass(frozen=True, slots=True)
-class Origin:
-    """All keys that a rule asks an index for have in `column` a value of another column, which may be few."""
-
-    column: int
-    relation: str
-    values: int  # the other column
 
 
 def local(relation: str) -> str:
@@ -337,7 +329,8 @@ class Emitter:
         self.open_loop(f"for {self._loop_target(targets, columns)} in {self._source(atom, columns, bound, is_delta)}:")
         bound.update(fresh)
         if not is_delta:
-            self.origins.update((fresh[a.name], (atom.name, i)) for i, a in enumerate(atom.args) if isinstance(a, Variable) and a.name in fresh)
+            named = ((i, a.name) for i, a in enumerate(atom.args) if isinstance(a, Variable))
+            self.origins.update((fresh[name], (atom.name, i)) for i, name in named if name in fresh)
         for test in tests:
             self.fail_if(test)
 

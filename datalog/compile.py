@@ -6,13 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from .bulk_rules import BulkRule, pair_clause, write_bulk
-from .codegen import Emitter, Origin, Storage, local, row_of
+from .bulk_rules import pair_clause, write_bulk
+from .codegen import Emitter, Storage, local, row_of
 from .expressions import Expressions, number_value
 from .ground import grounded_variables, is_bound
 from .indexes import Index
 from .inference import ClauseTypes, kind_of
 from .normalise import Normaliser, Scan, Step
+from .plan import BulkRule, Code, Member, Rule, Stratum
 from .syntax import (
     Argument,
     Atom,
@@ -32,65 +33,6 @@ from .syntax import (
     walk,
 )  # fmt: skip
 from .types import Types
-
-
-@dataclass(frozen=True, slots=True)
-class Rule:
-    """A generated function, the slots it works on, and where it comes from."""
-
-    function: str
-    target: str
-    location: str  # path:line:col of the clause
-    delta: str  # the relation whose delta it scans, if any
-    required: tuple[int, ...]  # relations without which it derives nothing
-    relations: tuple[int, ...]  # arguments of the function, followed by the indexes
-    indexes: tuple[tuple[int, tuple[Origin, ...]], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Member:
-    """A relation of a stratum: its slots, and the indexes to maintain while the stratum grows."""
-
-    name: str
-    full: int
-    indexes: tuple[int, ...]
-    counts: bool = False  # of one column of numbers
-    choices: tuple[tuple[int, ...], ...] = ()
-    subsumption: tuple[Rule, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Stratum:
-    """Relations that depend on each other: rules to run once, and rules to run until nothing is new.
-
-    `staged`: the rows of a round become visible only at its end, all together.
-    """
-
-    members: tuple[Member, ...]
-    base: tuple[Rule, ...]
-    loop: tuple[Rule, ...]
-    staged: bool = False
-    bulk: tuple[BulkRule, ...] = ()  # the loop once more, over bitmaps, where all rules are over pairs
-    drops: tuple[tuple[str, tuple[int, ...]], ...] = ()  # relations not read later, with all their slots
-
-    @property
-    def chooses(self) -> bool:
-        """Whether base rules write to the new rows instead of the relation."""
-        return any(m.choices for m in self.members)
-
-
-@dataclass(slots=True)
-class Code:
-    """What is cached: everything needed to evaluate, independent of the syntax tree."""
-
-    source: str = ""
-    bulk_source: str = ""  # the functions of bulk rules, compiled when they are needed
-    strata: list[Stratum] = field(default_factory=list)
-    facts: dict[str, list[Any]] = field(default_factory=dict)
-    relation_slot: dict[str, int] = field(default_factory=dict)
-    arity: dict[str, int] = field(default_factory=dict)
-    indexes: tuple[Index, ...] = ()  # their slots follow those of the relations
-    uses_ordinals: bool = False
 
 
 class _Compiler:

@@ -12,10 +12,8 @@ from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
-from .bulk_rules import BulkRule
-from .codegen import Origin
-from .compile import Code, Member, Rule, Stratum
 from .errors import DatalogError, Diagnostic
+from .plan import BulkRule, Code, Member, Origin, Rule, Stratum
 from .runtime import NAMES, EvaluationError, State, ordered
 
 if TYPE_CHECKING:

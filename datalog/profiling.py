@@ -11,9 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .bulk_rules import BulkRule
-from .compile import Rule
 from .engine import Evaluation
+from .plan import BulkRule, Rule
 from .program import Program, Result
 
 if TYPE_CHECKING:

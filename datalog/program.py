@@ -7,21 +7,19 @@ import marshal
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import cache, engine
-from .compile import Code, compile_program, eqrel_clauses
-from .components import instantiate
 from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean
 from .facts import read_facts
+from .plan import Code
 from .row_text import Show, line_chunks
 from .runtime import ordered
-from .semantics import check
-from .sources import EXTRA_SOURCE, read_program
-from .syntax import Directive, Unit
 from .types import Types, build_types
 from .values import ValueReader
-from .witness import ground_witnesses
+
+if TYPE_CHECKING:
+    from .syntax import Directive, Unit
 
 Row = tuple[Any, ...]
 _BASES = {"i": "number", "u": "unsigned", "f": "float", "s": "symbol", "r": "record", "+": "adt"}
@@ -199,6 +197,8 @@ def load_program(path: Path | str | Sequence[Path | str], *, extra_source: str =
     cached = cache.load(paths, extra_source)
     if isinstance(cached, Program):
         return cached
+    from .sources import EXTRA_SOURCE, read_program  # what a cached program does without is imported when it is needed
+
     unit, sources, report = read_program(paths, extra_source)
     program = compile_unit(unit, sources.texts, report)
     digests = {
@@ -210,6 +210,11 @@ def load_program(path: Path | str | Sequence[Path | str], *, extra_source: str =
 
 def compile_unit(unit: Unit, texts: dict[str, str], report: Report) -> Program:
     """Check and compile a syntax tree."""
+    from .compile import compile_program, eqrel_clauses
+    from .components import instantiate
+    from .semantics import check
+    from .witness import ground_witnesses
+
     unit = instantiate(unit, report)
     unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
     for relation in unit.relations:
@@ -247,6 +252,9 @@ def _declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:
 def load_declarations(path: Path | str | Sequence[Path | str]) -> Mapping[str, RelationDecl]:
     """The relations declared in files and what they include, without checking or compiling their rules."""
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
+    from .components import instantiate
+    from .sources import read_program
+
     unit, _, report = read_program(paths)
     unit = instantiate(unit, report)
     types = build_types(unit.types, report)
