@@ -8,6 +8,7 @@ import signal
 import time
 import traceback
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -72,9 +73,35 @@ def run_tasks(
             worker.connection.close()
 
 
-def _start(function: Callable[[Any], Any]) -> _Worker[Any]:
+@contextmanager
+def meanwhile(function: Callable[[], object]) -> Iterator[Callable[[], None]]:
+    """Call a function for what it leaves on disk, in a process of its own; yields what waits for its end.
+
+    Whether it succeeds is not told: it must be work that the caller does itself where it finds it undone.
+    """
+    process = _context().Process(target=_alone, args=(function,), daemon=True)
+    process.start()
+    try:
+        yield process.join
+    finally:
+        process.terminate()
+        process.join()
+
+
+def _alone(function: Callable[[], object]) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends it
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    with suppress(Exception):
+        function()
+
+
+def _context() -> Any:
     # fork hands the tables that the task function needs to the workers without copying them
-    context: Any = multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
+    return multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
+
+
+def _start(function: Callable[[Any], Any]) -> _Worker[Any]:
+    context = _context()
     ours, theirs = context.Pipe()
     process = context.Process(target=_work, args=(function, theirs), daemon=True)
     process.start()
