@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 from .bulk_rules import pair_clause, write_bulk
@@ -117,13 +118,13 @@ class _Compiler:
     def function(
         self, name: str, clause: Clause, head: Atom, steps: Sequence[Step], types: ClauseTypes, delta: int | None, stratum: _Plan
     ) -> Rule:  # fmt: skip
-        self.code.uses_ordinals |= _uses_ordinals(clause)
+        counts, ordinals = _effects(clause)
+        self.code.uses_ordinals |= ordinals
         expressions = Expressions(self.types, types, self.matchers)
         growing = () if delta is None else stratum.names
-        emitter = Emitter(self.storage, expressions, ordered=_order_matters(clause), delta=delta, growing=growing)
+        emitter = Emitter(self.storage, expressions, ordered=counts or ordinals, delta=delta, growing=growing)
         wanted = {v for a in head.args for v in (n.name for n in walk(a) if isinstance(n, Variable))}
         subsumes = clause.dominating is not None
-        counts = _counts(clause)
         guard: list[int] = []
 
         def row(bound: Mapping[str, str]) -> str:
@@ -211,17 +212,14 @@ class _Plan:
         return [*self.base, *self.loop, *(r for rules in self.subsumption.values() for r in rules)]
 
 
-def _counts(clause: Clause) -> bool:
-    """Whether the values of a clause depend on how often it was evaluated."""
-    return any(isinstance(n, (Counter, IterationCounter)) for lit in clause_literals(clause) for n in walk(lit))
-
-
-def _uses_ordinals(clause: Clause) -> bool:
-    return any(isinstance(n, Functor) and n.op == "ord" for lit in clause_literals(clause) for n in walk(lit))
-
-
-def _order_matters(clause: Clause) -> bool:
-    return _counts(clause) or _uses_ordinals(clause)
+@lru_cache(maxsize=1024)
+def _effects(clause: Clause) -> tuple[bool, bool]:
+    """Whether the values of a clause depend on how often it was evaluated, and whether it numbers symbols."""
+    nodes = [n for literal in clause_literals(clause) for n in walk(literal)]
+    return (
+        any(isinstance(n, (Counter, IterationCounter)) for n in nodes),
+        any(isinstance(n, Functor) and n.op == "ord" for n in nodes),
+    )
 
 
 def eqrel_clauses(relation: Relation) -> list[Clause]:
@@ -249,7 +247,7 @@ def compile_program(
     for names in strata:
         own = [(clause, clause_types) for name in names for clause, clause_types in clauses.get(name, ())]
         chooses = any(relations[n].choices for n in names)
-        staged = chooses or any(c.dominating is not None or _order_matters(c) for c, _ in own)
+        staged = chooses or any(c.dominating is not None or any(_effects(c)) for c, _ in own)
         plan = _Plan(names, chooses, staged, None if staged or not all(map(compiler.plain, names)) else [])
         for clause, clause_types in own:
             if compiler.fact(clause, clause_types):
