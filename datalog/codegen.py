@@ -30,6 +30,7 @@ class Storage:
 
     arity: dict[str, int]
     indexes: dict[IndexKey, int] = field(default_factory=dict)  # numbered in the order of their first use
+    probed: set[str] = field(default_factory=set)  # relations that are asked for whole rows
     listed: set[IndexKey] = field(default_factory=set)  # those that are iterated; others only tell whether a key exists
 
     def index(self, key: IndexKey) -> int:
@@ -197,6 +198,7 @@ class Emitter:
         )
         if not columns or len(columns) == len(atom.args):
             self.relations.add(atom.name)
+            self.storage.probed.update([atom.name] if columns else [])
             key = row_of([self.expressions.write(a, bound) for a in atom.args]) if columns else ""
             return f"{key} in {local(atom.name)}" if columns else local(atom.name)
         index, key = self._index(atom, columns, bound)

@@ -262,16 +262,17 @@ def compile_program(
         plans.append(plan)
     compiler.assemble()
     compiler.code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
-    slots = list(compiler.code.relation_slot)
-    last_reader: dict[str, int] = {}
+    heads = {*compiler.code.facts, *(rule.target for plan in plans for rule in plan.rules())}
+    compiler.code.scanned = frozenset(relations) - heads - compiler.storage.probed
+    last_use: dict[int, int] = {}  # slot to stratum
     for position, plan in enumerate(plans):
         for rule in plan.rules():
-            read = {*rule.required, *rule.relations, *(compiler.code.indexes[i - len(slots)].relation for i, _ in rule.indexes)}
-            last_reader.update(dict.fromkeys((slots[r] for r in read), position))
-        last_reader.update(dict.fromkeys(plan.names, position))
+            indexes = {slot for slot, _ in rule.indexes}
+            indexed = {compiler.code.indexes[slot - len(relations)].relation for slot in indexes}
+            last_use.update(dict.fromkeys({*rule.required, *rule.relations, *indexes, *indexed}, position))
+        last_use.update(dict.fromkeys((compiler.code.relation_slot[name] for name in plan.names), position))
     for position, plan in enumerate(plans):
         members = tuple(compiler.member(n, plan.subsumption.get(n, ())) for n in plan.names)
-        dead = [name for name, last in last_reader.items() if last == position]
-        drops = tuple((name, (compiler.code.relation_slot[name], *compiler.index_slots(name))) for name in dead)
+        drops = tuple(slot for slot, last in last_use.items() if last == position)
         compiler.code.strata.append(Stratum(members, tuple(plan.base), tuple(plan.loop), plan.staged, tuple(plan.bulk or ()), drops))
     return compiler.code

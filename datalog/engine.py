@@ -58,7 +58,7 @@ class Control:
 
 
 @contextmanager
-def _collector_paused() -> Iterator[None]:
+def collector_paused() -> Iterator[None]:
     """Rows are acyclic; without the cyclic garbage collector, building millions of them is several times faster."""
     enabled = gc.isenabled()
     gc.disable()
@@ -98,20 +98,24 @@ class Evaluation:
         self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
         self.slots: list[Any] = [set(code.facts.get(name, ())) for name in code.relation_slot]
         self.slots += [None] * len(code.indexes)
-        for name, rows in facts.items():
-            self.slots[code.relation_slot[name]].update(_loaded(name, rows, code.arity[name]))
+        for name, given in facts.items():
+            rows = _loaded(name, given, code.arity[name])
+            if name in code.scanned:
+                unique = set(rows)
+                self.slots[code.relation_slot[name]] = rows if len(unique) == len(rows) else list(unique)
+            else:
+                self.slots[code.relation_slot[name]].update(rows)
         if code.uses_ordinals:
             self._number_symbols()
 
     def run(self, keep: Collection[str]) -> dict[str, Collection[Any]]:
-        """Run all strata; the rows of the `keep` relations."""
+        """Run all strata; the rows of the `keep` relations, bare values for unary ones."""
         kept = {self.code.relation_slot[name] for name in keep}
         for stratum in self.code.strata:
             self._run_stratum(stratum)
-            for _, dead in stratum.drops:
-                for slot in dead:
-                    if slot not in kept:
-                        self.slots[slot] = None
+            for slot in stratum.drops:
+                if slot not in kept:
+                    self.slots[slot] = None
         return {name: self.slots[self.code.relation_slot[name]] for name in keep}
 
     def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
@@ -145,7 +149,7 @@ class Evaluation:
             return self.slots[slot]
         index = self.code.indexes[slot - len(self.code.relation_slot)]
         rows = self.slots[index.relation]
-        if not isinstance(rows, set) and index.keys == (0,):
+        if hasattr(rows, "by_first") and index.keys == (0,):
             return rows.by_first()  # pairs as bitmaps are indexed already
         if origins and not growing and self.partial.get(slot, 0) < PARTIAL_INDEXES:
             counts = [(len(self.slots[self.code.relation_slot[o.relation]]), i) for i, o in enumerate(origins)]
@@ -158,7 +162,7 @@ class Evaluation:
 
     def _values(self, origin: Origin) -> Collection[Any]:
         rows = self.slots[self.code.relation_slot[origin.relation]]
-        return rows if self.code.arity[origin.relation] == 1 else set(map(itemgetter(origin.values), rows))
+        return set(rows) if self.code.arity[origin.relation] == 1 else set(map(itemgetter(origin.values), rows))
 
     def _number_symbols(self) -> None:
         """Number all input symbols in sorted order, so that `ord` does not depend on the order of rows."""
@@ -231,7 +235,7 @@ class Evaluation:
         """A number has come that no bitmap holds: a negative one. Keep sets of numbers as they are from now on."""
         for slot in range(len(self.code.relation_slot)):
             rows = self.slots[slot]
-            if rows is not None and not isinstance(rows, set) and not hasattr(rows, "groups"):
+            if rows is not None and not isinstance(rows, (set, list)) and not hasattr(rows, "groups"):
                 self.slots[slot] = set(rows)
             self.unpacked.add(slot)
 
@@ -319,18 +323,9 @@ class Evaluation:
                 self.slots[slot] = None
 
 
-def evaluate(
-    code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], *, keep: Collection[str], control: Control,
-    kind: type[Evaluation] = Evaluation,
-) -> dict[str, Collection[Any]]:  # fmt: skip
-    """The rows of the `keep` relations; rows of unary relations are bare values."""
-    with _collector_paused():
-        return kind(code, functions, facts, control).run(keep)
-
-
-def _loaded(name: str, rows: Iterable[tuple[Any, ...]], arity: int) -> Iterable[Any]:
+def _loaded(name: str, rows: Iterable[tuple[Any, ...]], arity: int) -> list[Any]:
     """Rows as relations store them, after a check of their length."""
-    rows = rows if isinstance(rows, Collection) else list(rows)
+    rows = rows if isinstance(rows, list) else list(rows)
     if set(map(len, rows)) - {arity}:
         wrong = next(row for row in rows if len(row) != arity)
         raise DatalogError(f"facts of `{name}`: expected {arity} column{'s' * (arity != 1)}, given {wrong!r}")

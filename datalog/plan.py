@@ -74,7 +74,7 @@ class Stratum:
     loop: tuple[Rule, ...]
     staged: bool = False
     bulk: tuple[BulkRule, ...] = ()  # the loop once more, over bitmaps, where all rules are over pairs
-    drops: tuple[tuple[str, tuple[int, ...]], ...] = ()  # relations not read later, with all their slots
+    drops: tuple[int, ...] = ()  # slots of relations and indexes that no later stratum reads
 
     @property
     def chooses(self) -> bool:
@@ -93,4 +93,5 @@ class Code:
     relation_slot: dict[str, int] = field(default_factory=dict)
     arity: dict[str, int] = field(default_factory=dict)
     indexes: tuple[Index, ...] = ()  # their slots follow those of the relations
+    scanned: frozenset[str] = frozenset()  # relations that are never asked whether they have a row, nor added to
     uses_ordinals: bool = False

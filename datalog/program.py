@@ -124,11 +124,10 @@ class Program:
         `limit_rows`, `time_limit`: raise DatalogError once a relation has more rows, or after so many seconds.
         """
         kept = self._kept(keep)
-        facts = self._given(facts)
         if engine == "souffle":
             from .souffle import evaluate_with_souffle
 
-            rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, facts, kept, time_limit)
+            rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, self._given(facts), kept, time_limit)
         elif engine == "embedded":
             rows = self._evaluate_embedded(facts, kept, limit_rows=limit_rows, time_limit=time_limit)
         else:
@@ -139,16 +138,18 @@ class Program:
         self, kind: type[engine.Evaluation], facts: Mapping[str, Iterable[Row]] | Path, keep: Collection[str] | str | None
     ) -> Result:  # fmt: skip
         """Derive everything from the facts by an evaluation that does more than derive."""
-        return Result(self._evaluate_embedded(self._given(facts), self._kept(keep), kind=kind), self.code.arity)
+        return Result(self._evaluate_embedded(facts, self._kept(keep), kind=kind), self.code.arity)
 
     def _evaluate_embedded(
-        self, facts: Mapping[str, Iterable[Row]], kept: Collection[str], *,
+        self, facts: Mapping[str, Iterable[Row]] | Path, kept: Collection[str], *,
         limit_rows: int | None = None, time_limit: float | None = None, kind: type[engine.Evaluation] = engine.Evaluation,
     ) -> Mapping[str, Collection[Any]]:  # fmt: skip
         if self._functions is None:
             self._functions = engine.load_functions(marshal.loads(self.bytecode))
         control = engine.Control(limit_rows, time_limit)
-        return engine.evaluate(self.code, self._functions, facts, keep=kept, control=control, kind=kind)
+        with engine.collector_paused():
+            # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
+            return kind(self.code, self._functions, self._given(facts), control).run(kept)
 
     def _given(self, facts: Mapping[str, Iterable[Row]] | Path) -> Mapping[str, Iterable[Row]]:
         """Facts by relation, those of a folder read, after a check that they are facts of input relations."""
