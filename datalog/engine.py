@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import time
 import types as python_types
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableMapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -23,9 +23,7 @@ Functions = Mapping[str, Callable[..., None]]
 
 
 PARTIAL_INDEXES = 3  # parts of an index that are made before all of it is
-MANY_ROWS = 1 << 15  # rows of a relation from which on bitmaps are considered
-LARGE_DELTA = 1 << 12  # rows of a delta after which the size of relations is looked at
-CHECKED_SWEEPS = 1 << 10  # sweeps after which it is looked at in any case
+MANY_ROWS = 1 << 15  # rows from which on bitmaps are considered
 PARTIAL_RATIO = 8  # a part is made when the relation has so many times more rows than keys are asked for
 
 
@@ -138,7 +136,8 @@ class Evaluation:
         except EvaluationError as error:
             raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
         except OverflowError:
-            self._unpack()
+            if not self._unpack():
+                raise
             self.call(rule, delta, new, growing)
         if self.control.active:
             self.control.check(rule, len(self.slots[self.code.relation_slot[rule.target]]) + (len(new) if isinstance(new, set) else 0))
@@ -185,20 +184,23 @@ class Evaluation:
         """Semi-naive iteration: rules see the rows of a relation that were added since they last ran as `delta`."""
         members, slots, active = stratum.members, self.slots, self.control.active
         position = {m.name: i for i, m in enumerate(members)}
-        growing, enough, large, sweeps = {m.full for m in members}, MANY_ROWS, False, 0
+        growing, handled, enough = {m.full for m in members}, 0, MANY_ROWS
         pending: list[list[Any]] = [list(slots[m.full]) for m in members]
         rules = [[_Bound(r, position[r.target]) for r in stratum.loop if r.delta == m.name] for m in members]
+        known: dict[int, int] = {}  # how many of the pending rows an index has because it was built when they were there
         while any(pending):
             for i, delta in enumerate(pending):
                 if not delta:
                     continue
                 pending[i] = []
                 if members[i].indexes:
-                    self._extend_indexes(members[i], delta)
+                    self._extend_indexes(members[i], delta, known)
                 for bound in rules[i]:
                     function = bound.function
                     if function is None:
+                        unbuilt = [(slot, j) for j, m in enumerate(members) for slot in m.indexes if slots[slot] is None]
                         function = bound.function = self.prepare(bound.rule, growing)
+                        known.update((slot, len(pending[j])) for slot, j in unbuilt if slots[slot] is not None)
                         if function is None:
                             continue
                     try:
@@ -208,9 +210,8 @@ class Evaluation:
                         _forget(rules)
                     if active:
                         self.control.check(bound.rule, len(slots[members[bound.target].full]))
-                large = large or len(delta) > LARGE_DELTA
-            sweeps += 1
-            if (large or not sweeps % CHECKED_SWEEPS) and any(len(slots[m.full]) >= enough for m in members):
+                handled += len(delta)
+            if handled >= enough:
                 enough *= 2
                 if stratum.bulk and self._run_bulk(stratum, {m.name: d for m, d in zip(members, pending, strict=True)}):
                     return
@@ -231,13 +232,14 @@ class Evaluation:
                 self.unpacked.add(slot)
         return bool(found)
 
-    def _unpack(self) -> None:
-        """A number has come that no bitmap holds: a negative one. Keep sets of numbers as they are from now on."""
-        for slot in range(len(self.code.relation_slot)):
-            rows = self.slots[slot]
-            if rows is not None and not isinstance(rows, (set, list)) and not hasattr(rows, "groups"):
-                self.slots[slot] = set(rows)
-            self.unpacked.add(slot)
+    def _unpack(self) -> bool:
+        """A number has come that no bitmap holds: keep sets as they are from now on. Whether there was a bitmap."""
+        relations = range(len(self.code.relation_slot))
+        self.unpacked.update(relations)
+        found = [slot for slot in relations if type(self.slots[slot]).__name__ == "BitMap"]
+        for slot in found:
+            self.slots[slot] = set(self.slots[slot])
+        return bool(found)
 
     def _run_bulk(self, stratum: Stratum, deltas: Mapping[str, Iterable[Any]]) -> bool:
         """Go on over bitmaps, if the rows are such that it is worth it; whether they were."""
@@ -267,11 +269,12 @@ class Evaluation:
         if self.control.active:
             self.control.check(rule, loop.growing[rule.target].rows)
 
-    def _extend_indexes(self, member: Member, rows: Collection[Any]) -> None:
+    def _extend_indexes(self, member: Member, rows: Sequence[Any], known: MutableMapping[int, int]) -> None:
+        """Add rows to the indexes of a relation, but for the first of them that an index knows already."""
         first = len(self.code.relation_slot)
         for slot in member.indexes:
             if self.slots[slot] is not None:
-                self.code.indexes[slot - first].grow(self.slots[slot], rows)
+                self.code.indexes[slot - first].grow(self.slots[slot], rows[known.pop(slot, 0) :])
 
     # -- strict rounds: choice domains, subsumption, counters -----------------------------------------
 
@@ -304,7 +307,7 @@ class Evaluation:
         if not new:
             return new
         full |= new
-        self._extend_indexes(member, new)
+        self._extend_indexes(member, list(new), {})
         self._subsume(member, new)
         return new
 
