@@ -1,6 +1,6 @@
 """Measure the embedded Datalog engine against the souffle binary: the same programs, turn about, in one run.
 
-    benchmarks/datalog_speed.py SOUFFLE [--suite SOUFFLE_SOURCE_DIR] [--facts FACTS_DIR] [--runs N]
+    benchmarks/datalog_speed.py SOUFFLE [--suite SOUFFLE_SOURCE_DIR [--program NAME]...] [--facts FACTS_DIR] [--runs N]
 
 SOUFFLE is the binary; it interprets, as it does by default. `--suite`: a checkout of souffle-lang/souffle, of which the programs that
 take the binary longest are measured. `--facts`: what `rosarch extract` wrote for a system, on which rosarch's own rules are measured, a
@@ -37,6 +37,10 @@ ONE_LINE = ".decl answer(n: number) .output answer answer(42).\n"
 RULES = Path(__file__).resolve().parents[1] / "rules" / "component.dl"
 
 
+class CommandError(SystemExit):
+    """A command has failed; ends the benchmark unless that was to be expected."""
+
+
 @dataclass(frozen=True)
 class Task:
     """A program with one or more folders of facts, each of which is a run of its own."""
@@ -45,6 +49,10 @@ class Task:
     program: Path
     facts: tuple[Path, ...]
     cold: bool = False  # without the compiled programs of earlier runs
+
+    def options(self, facts: Path) -> list[str]:
+        """The options of both commands."""
+        return ["-w", "-F", str(facts), "-D", ".", str(self.program)]
 
 
 @dataclass(frozen=True)
@@ -74,33 +82,39 @@ class Benchmark:
             seconds = time.perf_counter() - start
         process.returncode = os.waitstatus_to_exitcode(status)
         if process.returncode:
-            raise SystemExit(f"{' '.join(command)} ended with {process.returncode}:\n{(out / '.log').read_text(errors='replace')}")
+            raise CommandError(f"{' '.join(command)} ended with {process.returncode}:\n{(out / '.log').read_text(errors='replace')}")
         return Cost(seconds, usage.ru_maxrss / KILOBYTES / 1024)
 
     def pair(self, task: Task, facts: Path) -> tuple[Cost, Cost]:
         """Both engines once on one folder of facts."""
+        return self.theirs(task, facts), self.ours(task, facts)
+
+    def theirs(self, task: Task, facts: Path) -> Cost:
+        """The binary once."""
+        return self.measure([str(self.souffle), *task.options(facts)], self.folder / "souffle", self.folder / "cache")
+
+    def ours(self, task: Task, facts: Path) -> Cost:
+        """The embedded engine once."""
         with tempfile.TemporaryDirectory(dir=self.folder) as empty:
             cache = Path(empty) if task.cold else self.folder / "cache"
-            options = ["-w", "-F", str(facts), "-D", ".", str(task.program)]
-            theirs = self.measure([str(self.souffle), *options], self.folder / "souffle", cache)
-            ours = self.measure([sys.executable, "-m", "rosarch.datalog", *options], self.folder / "embedded", cache)
-        return theirs, ours
+            return self.measure([sys.executable, "-m", "rosarch.datalog", *task.options(facts)], self.folder / "embedded", cache)
 
-    def warm_up(self, task: Task) -> None:
-        """Compile the program and check that both engines write the same rows for all facts."""
-        for facts in task.facts:
-            self.pair(task, facts)
-            written = {path.name for path in (self.folder / "souffle").glob("*.csv")}
-            for name in sorted(written):
-                if checksum(self.folder / "souffle" / name) != checksum(self.folder / "embedded" / name):
-                    raise SystemExit(f"{task.title}, facts {facts}: {name} differs")
+    def check(self, task: Task, facts: Path) -> None:
+        """Stop when the engines wrote different rows."""
+        written = {path.name for path in (self.folder / "souffle").glob("*.csv")}
+        for name in sorted(written):
+            if checksum(self.folder / "souffle" / name) != checksum(self.folder / "embedded" / name):
+                raise SystemExit(f"{task.title}, facts {facts}: {name} differs")
 
     def run(self, task: Task, runs: int) -> str:
         """The row of the table for a task."""
-        self.warm_up(task)
+        self.ours(task, task.facts[0])  # compiles the program
         totals: list[tuple[Cost, Cost]] = []
         for _ in range(runs):
-            pairs = [self.pair(task, facts) for facts in task.facts]
+            pairs = []
+            for facts in task.facts:
+                pairs.append(self.pair(task, facts))
+                self.check(task, facts)
             both = [Cost(sum(p[i].seconds for p in pairs), max(p[i].mebibytes for p in pairs)) for i in (0, 1)]
             totals.append((both[0], both[1]))
         theirs, ours = (median([t[i] for t in totals]) for i in (0, 1))
@@ -109,14 +123,19 @@ class Benchmark:
             f"| {theirs.mebibytes:.0f} MiB | {ours.mebibytes:.0f} MiB | {ours.mebibytes / theirs.mebibytes:.2f} |"
         )
 
-    def heaviest(self, suite: Path, count: int) -> list[Task]:
-        """The programs of souffle's suite that take the binary longest."""
-        found = []
-        for case in (c for folder in souffle_suite.FOLDERS for c in souffle_suite.cases(suite.resolve(), folder)):
-            command = [str(self.souffle), "-w", "-F", str(case.facts), "-D", ".", str(case.program)]
-            cost = self.measure(command, self.folder / "souffle", self.folder / "cache")
-            found.append((cost.seconds, Task(f"suite: {case.name}", case.program, (case.facts,))))
-        return [task for _, task in sorted(found, key=lambda pair: -pair[0])[:count]]
+    def heaviest(self, suite: Path, count: int, names: Sequence[str]) -> list[Task]:
+        """The programs of souffle's suite that take the binary longest, or those of these names."""
+        cases = [c for folder in souffle_suite.FOLDERS for c in souffle_suite.cases(suite.resolve(), folder)]
+        found = [Task(f"suite: {case.name}", case.program, (case.facts,)) for case in cases if not names or case.name in names]
+        if names:
+            return found
+        times: dict[Task, float] = {}
+        for task in found:
+            try:
+                times[task] = self.theirs(task, task.facts[0]).seconds
+            except CommandError:
+                continue  # some need functors in a library of their own
+        return sorted(times, key=lambda task: -times[task])[:count]
 
 
 def median(costs: Sequence[Cost]) -> Cost:
@@ -152,7 +171,7 @@ def tasks(options: argparse.Namespace, benchmark: Benchmark) -> Iterator[Task]:
     """What is to be measured."""
     yield closure(benchmark.folder)
     if options.suite:
-        yield from benchmark.heaviest(options.suite, options.heaviest)
+        yield from benchmark.heaviest(options.suite, options.heaviest, options.program)
     if options.facts:
         components = tuple(sorted({path.parent for path in options.facts.resolve().glob("*/*/*.facts")}))
         yield Task(f"rosarch's rules, {len(components)} components", RULES, components)
@@ -168,6 +187,7 @@ def main() -> int:
     parser.add_argument("souffle", type=Path, help="the souffle binary")
     parser.add_argument("--suite", type=Path, help="a checkout of souffle-lang/souffle")
     parser.add_argument("--heaviest", type=int, default=4, help="how many programs of the suite")
+    parser.add_argument("--program", action="append", default=[], metavar="NAME", help="this program of the suite, instead of the heaviest")
     parser.add_argument("--facts", type=Path, help="a folder that `rosarch extract` wrote")
     parser.add_argument("--runs", type=int, default=5)
     options = parser.parse_args()
