@@ -114,7 +114,8 @@ class Evaluation:
             for slot in stratum.drops:
                 if slot not in kept:
                     self.slots[slot] = None
-        return {name: self.slots[self.code.relation_slot[name]] for name in keep}
+        found = {name: self.slots[self.code.relation_slot[name]] for name in keep}
+        return {name: tuple(rows) if isinstance(rows, list) else rows for name, rows in found.items()}  # a list is the caller's
 
     def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
         """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""

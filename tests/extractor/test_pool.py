@@ -6,10 +6,11 @@ import os
 import re
 import signal
 import time
+from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 
 
 def work(task: object) -> object:
@@ -101,3 +102,22 @@ def test_a_large_result_passes() -> None:
 
 def test_there_is_at_least_one_job() -> None:
     assert default_jobs() >= 1
+
+
+def test_work_meanwhile_is_done_when_it_was_waited_for(tmp_path: Path) -> None:
+    with meanwhile(lambda: (tmp_path / "done").write_text("x")) as wait:
+        wait()
+    assert (tmp_path / "done").read_text() == "x"
+
+
+def test_work_meanwhile_ends_with_its_block(tmp_path: Path) -> None:
+    start = time.monotonic()
+    with meanwhile(lambda: time.sleep(30)):
+        pass
+    assert time.monotonic() - start < 10
+
+
+def test_work_meanwhile_that_fails_says_nothing(capfd: pytest.CaptureFixture[str]) -> None:
+    with meanwhile(lambda: 1 // 0) as wait:
+        wait()
+    assert capfd.readouterr() == ("", "")
