@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from operator import itemgetter
@@ -34,7 +34,7 @@ class Index:
         return left[0] if len(left) == 1 else None
 
     def build(self, rows: Collection[Any], growing: bool, column: int = 0, values: Collection[Any] | None = None) -> Any:
-        """The index of a relation; one that is still `growing` is a mapping to lists, which `grow` extends.
+        """The index of a relation; `grow` extends one that is still `growing`.
 
         With `values`, the index of the rows that have one of them in `column`.
         """
@@ -45,7 +45,7 @@ class Index:
             found = self._by_key(rows)
             if found is not None:
                 return found
-        index: defaultdict[Any, list[Any]] = defaultdict(list)
+        index: dict[Any, Sequence[Any]] = {}
         self._append(index, rows)
         return index
 
@@ -66,9 +66,17 @@ class Index:
         free = self.free
         return rows if free is None else map(itemgetter(free), rows)
 
-    def _append(self, index: defaultdict[Any, list[Any]], rows: Collection[Any]) -> None:
+    def _append(self, index: dict[Any, Sequence[Any]], rows: Collection[Any]) -> None:
+        """Add rows to an index whose keys have a tuple of one row, or a list of several."""
+        get = index.get
         for key, value in zip(map(itemgetter(*self.keys), rows), self._values(rows), strict=True):
-            index[key].append(value)
+            found = get(key)
+            if found is None:
+                index[key] = (value,)
+            elif type(found) is list:
+                found.append(value)
+            else:
+                index[key] = [*found, value]
 
     def _by_key(self, rows: Collection[Any]) -> dict[Any, tuple[Any, ...]] | None:
         """The index of rows of which few share a key: less memory than lists, and hardly a loop in Python."""
