@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import Any
 
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rosarch.datalog.indexes import Index
 
+UNHURRIED = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 VALUES = st.integers(0, 5)
 ROWS = st.sets(st.tuples(st.one_of(VALUES, st.integers()), VALUES, VALUES), max_size=40)
 SHAPES = st.sampled_from(
@@ -27,6 +28,7 @@ def expected(rows: set[tuple[int, ...]], index: Index) -> dict[Any, list[Any]]:
     return {key: sorted(values) for key, values in found.items()}
 
 
+@UNHURRIED
 @given(rows=ROWS, later=ROWS, shape=SHAPES, growing=st.booleans())
 def test_lists(rows: set[tuple[int, ...]], later: set[tuple[int, ...]], shape: Any, growing: bool) -> None:
     index = Index(0, 3, shape[0], shape[1], True)
@@ -37,6 +39,7 @@ def test_lists(rows: set[tuple[int, ...]], later: set[tuple[int, ...]], shape: A
     assert {key: sorted(values) for key, values in built.items()} == expected(rows, index)
 
 
+@UNHURRIED
 @given(rows=ROWS, later=ROWS, shape=SHAPES)
 def test_sets(rows: set[tuple[int, ...]], later: set[tuple[int, ...]], shape: Any) -> None:
     index = Index(0, 3, shape[0], shape[1], False)
@@ -45,6 +48,7 @@ def test_sets(rows: set[tuple[int, ...]], later: set[tuple[int, ...]], shape: An
     assert built == set(expected(rows | later, index))
 
 
+@UNHURRIED
 @given(rows=ROWS, shape=SHAPES, values=st.sets(VALUES))
 def test_parts(rows: set[tuple[int, ...]], shape: Any, values: set[int]) -> None:
     index = Index(0, 3, shape[0], shape[1], True)
