@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .errors import DatalogError
 from .program import Program, Result, load_program
-from .values import ValueWriter
+from .row_text import column_writer
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -37,27 +37,23 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _write(program: Program, result: Result, output: str) -> None:
     """Write the outputs as souffle does: a file each, or all to stdout under a ruled heading."""
-    writer = ValueWriter(program.types)
     outputs = {d.relation for d in program.directives if d.kind == "output"}
     for directive in program.directives:
         if directive.kind == "printsize":
             print(f"{directive.relation}\t{result.count(directive.relation)}")
     for name in sorted(outputs):
         attributes = program.relations[name].attributes
-        lines = [
-            "\t".join(writer.show(v, a.type) for v, a in zip(row, attributes, strict=True)) if row else "()" for row in result.rows(name)
-        ]
+        lines = result.lines(name, [column_writer(a.type, program.types) for a in attributes])
         if output == "-":
             header = "\t".join(a.name for a in attributes)
             print(f"---------------\n{name}\n{header}\n===============")
-            for line in lines:
-                print(line)
+            sys.stdout.writelines(lines)
             print("===============")
         else:
             folder = Path(output)
             folder.mkdir(parents=True, exist_ok=True)
-            text = "".join(f"{line}\n" for line in lines)
-            (folder / f"{name}.csv").write_text(text, encoding="utf-8", errors="surrogateescape", newline="")
+            with (folder / f"{name}.csv").open("w", encoding="utf-8", errors="surrogateescape", newline="") as stream:
+                stream.writelines(lines)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,16 @@ def _entry(paths: Sequence[Path], extra: str) -> Path:
     return cache_folder() / "datalog" / f"{key.hexdigest()[:32]}.pickle"
 
 
+def table_file() -> Path | None:
+    """Where the parser keeps its tables, made from the grammar; None when it cannot."""
+    folder = cache_folder() / "datalog"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return None
+    return folder / f"{engine_version()}.lark" if os.access(folder, os.W_OK) else None
+
+
 def load(paths: Sequence[Path], extra: str) -> Any | None:
     """The value stored for a program, or None when there is none or a file of it has changed."""
     try:

@@ -1,60 +1,46 @@
 """Clauses to Python functions: nested loops over relations and hash indexes.
 
-Rows are tuples, except that the rows of a unary relation are the bare values. `D` is the list of everything one
-evaluation holds: relations (sets of rows), deltas, and indexes, each at a fixed slot. An index maps a key (the value
-of its column, a tuple for several) to the list of rows with that key; the rows of a binary relation indexed by one
-column are reduced to the value of the other.
+Rows are tuples, except that the rows of a unary relation are the bare values. A function gets the relation it adds
+to, the delta it starts from, where new rows go, and then the relations and indexes it reads. An index maps a key (the
+value of its column, a tuple for several) to the rows with that key, reduced to the value of the one column that is
+left where there is only one; where the clause has constants beside variables, to those of the rows with the constants.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from .errors import DatalogError, Diagnostic
 from .expressions import Expressions
 from .ground import is_bound
 from .normalise import Absent, Fold, Generate, Scan, Step
+from .plan import Origin
 from .syntax import Argument, Atom, Branch, Constraint, Nil, Number, Record, String, Truth, Unnamed, Variable, variables
 
 MAX_LOOPS = 16
-IndexKey = tuple[str, tuple[int, ...]]
+IndexKey = tuple[str, tuple[int, ...], tuple[tuple[int, Any], ...]]  # relation, key columns, columns with a constant
 
 
 @dataclass(slots=True)
 class Storage:
-    """Which slots and indexes the functions of a program use."""
+    """Which indexes the functions of a program use."""
 
-    relation_slot: dict[str, int]
     arity: dict[str, int]
-    lists: set[IndexKey] = field(default_factory=set)  # indexes that are iterated
-    sets: set[IndexKey] = field(default_factory=set)  # indexes that are only asked whether a key exists
-    index_slot: dict[IndexKey, int] = field(default_factory=dict)
+    indexes: dict[IndexKey, int] = field(default_factory=dict)  # numbered in the order of their first use
+    probed: set[str] = field(default_factory=set)  # relations that are asked for whole rows
+    listed: set[IndexKey] = field(default_factory=set)  # those that are iterated; others only tell whether a key exists
+
+    def index(self, key: IndexKey) -> int:
+        """The number of an index."""
+        return self.indexes.setdefault(key, len(self.indexes))
 
 
-@dataclass(slots=True)
-class RuleFunction:
-    """A generated function before its slots are known."""
-
-    name: str
-    lines: list[str]
-    required: list[str]  # relations that must not be empty
-    relations: set[str]
-    indexes: set[IndexKey]
-    uses_state: bool
-    delta: str = ""  # the relation of which only the delta is scanned
-    target: str = ""
-
-
-def local(relation: str, prefix: str = "r") -> str:
+def local(relation: str) -> str:
     """The Python name of a relation inside functions."""
-    return f"{prefix}_{re.sub('[^A-Za-z0-9_]', '_', relation)}"
-
-
-def index_local(key: IndexKey) -> str:
-    """The Python name of an index inside functions."""
-    return f"{local(key[0], 'i')}_{'_'.join(map(str, key[1]))}"
+    return f"r_{re.sub('[^A-Za-z0-9_]', '_', relation)}"
 
 
 def row_of(parts: Sequence[str]) -> str:
@@ -67,17 +53,21 @@ def row_of(parts: Sequence[str]) -> str:
 class Emitter:
     """Writes the function of one clause, or of one delta version of it."""
 
-    def __init__(self, storage: Storage, expressions: Expressions, *, ordered: bool, delta: int | None) -> None:
+    def __init__(
+        self, storage: Storage, expressions: Expressions, *, ordered: bool, delta: int | None, growing: Collection[str]
+    ) -> None:  # fmt: skip
         self.storage = storage
         self.expressions = expressions
         self.ordered = ordered  # loop in sorted order: something in the clause depends on the order
         self.delta = delta
+        self.growing = growing  # relations to which the function may add while it loops over them
         self.lines: list[str] = []
         self.depth = 1
         self.loops = 0
         self.temporaries = 0
         self.relations: set[str] = set()
-        self.indexes: set[IndexKey] = set()
+        self.indexes: dict[int, tuple[Origin, ...]] = {}
+        self.origins: dict[str, tuple[str, int]] = {}  # of a Python name: the relation and column whose values it takes
         self.names: dict[str, str] = {}
         self.functions: list[int] = []  # depths of open nested functions
 
@@ -203,17 +193,33 @@ class Emitter:
 
     def _exists(self, atom: Atom, bound: dict[str, str]) -> str:
         """The condition that some row matches the bound arguments."""
-        arity = len(atom.args)
         columns = tuple(
             i for i, a in enumerate(atom.args) if not (isinstance(a, Unnamed) or (isinstance(a, Variable) and a.name not in bound))
         )
-        key = row_of([self.expressions.write(atom.args[i], bound) for i in columns])
-        if not columns or len(columns) == arity:
+        if not columns or len(columns) == len(atom.args):
             self.relations.add(atom.name)
+            self.storage.probed.update([atom.name] if columns else [])
+            key = row_of([self.expressions.write(a, bound) for a in atom.args]) if columns else ""
             return f"{key} in {local(atom.name)}" if columns else local(atom.name)
-        self.storage.sets.add((atom.name, columns))
-        self.indexes.add((atom.name, columns))
-        return f"{key} in {index_local((atom.name, columns))}"
+        index, key = self._index(atom, columns, bound)
+        return f"{key} in {self._index_name(index, atom, bound)}"
+
+    def _index(self, atom: Atom, columns: Sequence[int], bound: dict[str, str]) -> tuple[IndexKey, str]:
+        """The index for these bound columns of an atom, and the expression of the key to ask it for."""
+        constants = tuple((i, self.expressions.constant(a)) for i in columns if isinstance(a := atom.args[i], (Number, String)))
+        if len(constants) == len(columns):
+            constants = ()  # one index serves all constants
+        fixed = {i for i, _ in constants}
+        keyed = tuple(i for i in columns if i not in fixed)
+        return (atom.name, keyed, constants), row_of([self.expressions.write(atom.args[i], bound) for i in keyed])
+
+    def _index_name(self, key: IndexKey, atom: Atom, bound: dict[str, str]) -> str:
+        """The Python name of an index, which the function takes as an argument."""
+        number = self.storage.index(key)
+        keyed = ((i, bound[a.name]) for i in key[1] if isinstance(a := atom.args[i], Variable))
+        origins = tuple(Origin(i, *self.origins[name]) for i, name in keyed if name in self.origins)
+        self.indexes[number] = origins if self.indexes.get(number, origins) == origins else ()
+        return f"i{number}"
 
     def _assign(self, step: Step, pending: list[Step], bound: dict[str, str]) -> bool:
         names = set(bound)
@@ -322,15 +328,18 @@ class Emitter:
             else:
                 targets.append(self.temporary())
                 tests.append(f"{targets[-1]} != {self.expressions.write(arg, bound | fresh)}")
-        self.open_loop(f"for {self._target(targets, columns)} in {self._source(atom, columns, bound, is_delta)}:")
+        self.open_loop(f"for {self._loop_target(targets, columns)} in {self._source(atom, columns, bound, is_delta)}:")
         bound.update(fresh)
+        if not is_delta:
+            named = ((i, a.name) for i, a in enumerate(atom.args) if isinstance(a, Variable))
+            self.origins.update((fresh[name], (atom.name, i)) for i, name in named if name in fresh)
         for test in tests:
             self.fail_if(test)
 
     @staticmethod
-    def _target(targets: list[str], columns: tuple[int, ...]) -> str:
+    def _loop_target(targets: list[str], columns: tuple[int, ...]) -> str:
         free = [t for i, t in enumerate(targets) if i not in columns]
-        if len(targets) == 2 and len(columns) == 1:
+        if columns and len(free) == 1:
             return free[0]
         if len(targets) == 1:
             return targets[0]
@@ -341,13 +350,11 @@ class Emitter:
             source = "delta"
         elif not columns:
             self.relations.add(atom.name)
-            source = local(atom.name)
+            source = f"tuple({local(atom.name)})" if atom.name in self.growing else local(atom.name)
         else:
-            key = (atom.name, columns)
-            self.storage.lists.add(key)
-            self.indexes.add(key)
-            value = row_of([self.expressions.write(atom.args[i], bound) for i in columns])
-            source = f"{index_local(key)}.get({value}, EMPTY)"
+            key, value = self._index(atom, columns, bound)
+            self.storage.listed.add(key)
+            source = f"{self._index_name(key, atom, bound)}.get({value}, EMPTY)"
         return f"ordered({source})" if self.ordered else source
 
     # -- aggregates ---------------------------------------------------------------------------------

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
-from .codegen import Emitter, IndexKey, RuleFunction, Storage, index_local, local, row_of
+from .bulk_rules import pair_clause, write_bulk
+from .codegen import Emitter, Storage, local, row_of
 from .expressions import Expressions, number_value
 from .ground import grounded_variables, is_bound
+from .indexes import Index
 from .inference import ClauseTypes, kind_of
 from .normalise import Normaliser, Scan, Step
+from .plan import BulkRule, Code, Member, Rule, Stratum
 from .syntax import (
     Argument,
     Atom,
@@ -31,67 +35,14 @@ from .syntax import (
 )  # fmt: skip
 from .types import Types
 
-REJECTED = "rejected"
-
-
-@dataclass(frozen=True, slots=True)
-class Rule:
-    """A generated function and where it comes from."""
-
-    function: str
-    target: str
-    location: str  # path:line:col of the clause
-    delta: str = ""  # the relation whose delta it scans
-
-
-@dataclass(frozen=True, slots=True)
-class Member:
-    """A relation of a stratum: its slots, and the indexes to maintain while the stratum grows."""
-
-    name: str
-    full: int
-    new: int
-    delta: int
-    indexes: tuple[tuple[int, str], ...]  # slot, name of the function that adds rows
-    choices: tuple[tuple[int, ...], ...] = ()
-    subsumption: tuple[Rule, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Stratum:
-    """Relations that depend on each other: rules to run once, and rules to run until nothing is new."""
-
-    members: tuple[Member, ...]
-    base: tuple[Rule, ...]
-    loop: tuple[Rule, ...]
-    drops: tuple[tuple[str, tuple[int, ...]], ...] = ()  # relations not read later, with all their slots
-
-    @property
-    def staged(self) -> bool:
-        """Whether base rules write to the new rows instead of the relation."""
-        return any(m.choices for m in self.members)
-
-
-@dataclass(slots=True)
-class Code:
-    """What is cached: everything needed to evaluate, independent of the syntax tree."""
-
-    source: str = ""
-    strata: list[Stratum] = field(default_factory=list)
-    facts: dict[str, list[Any]] = field(default_factory=dict)
-    relation_slot: dict[str, int] = field(default_factory=dict)
-    arity: dict[str, int] = field(default_factory=dict)
-    slots: int = 0
-    uses_ordinals: bool = False
-
 
 class _Compiler:
     def __init__(self, relations: Mapping[str, Relation], types: Types) -> None:
         self.relations = relations
         self.types = types
         slots = {name: i for i, name in enumerate(relations)}
-        self.storage = Storage(slots, {name: len(r.attributes) for name, r in relations.items()})
-        self.functions: list[RuleFunction] = []
+        self.storage = Storage({name: len(r.attributes) for name, r in relations.items()})
+        self.functions: list[str] = []
         self.matchers: dict[str, str] = {}
         self.code = Code(relation_slot=slots, arity=self.storage.arity)
 
@@ -123,7 +74,7 @@ class _Compiler:
         self.code.facts.setdefault(clause.head.name, []).append(row[0] if len(row) == 1 else row)
         return True
 
-    def rule(self, clause: Clause, types: ClauseTypes, number: int, stratum: set[str], staged: bool) -> tuple[list[Rule], list[Rule]]:
+    def rule(self, clause: Clause, types: ClauseTypes, number: int, stratum: _Plan) -> tuple[list[Rule], list[Rule]]:
         """Generate the functions of a clause: those to run once and those to run in the loop."""
         normaliser = Normaliser(types)
         given: set[str] = set()
@@ -131,24 +82,47 @@ class _Compiler:
         body = clause.body if clause.dominating is None else (clause.head, clause.dominating, *clause.body)
         steps = normaliser.body(body, outside, given, top=True)
         head = normaliser.head(clause.head, steps, grounded_variables(body))
-        atoms = [s for s in steps if isinstance(s, Scan) and s.index >= 0 and s.atom.name in stratum]
+        atoms = [s for s in steps if isinstance(s, Scan) and s.index >= 0 and s.atom.name in stratum.names]
         recursive = [s.index for s in atoms]
         if clause.dominating is not None:
             recursive = [0, 1]
         name = f"rule_{number}"
         if not recursive:
-            return [self.function(name, clause, head, steps, types, None, staged)], []
-        versions = [self.function(f"{name}_{i}", clause, head, steps, types, i, True) for i in recursive]
-        return [], versions
+            return [self.function(name, clause, head, steps, types, None, stratum)], []
+        if stratum.bulk is not None:
+            self._bulk(clause, head, steps, recursive, name, stratum)
+        return [], [self.function(f"{name}_{i}", clause, head, steps, types, i, stratum) for i in recursive]
+
+    def _bulk(
+        self, clause: Clause, head: Atom, steps: Sequence[Step], recursive: Sequence[int], name: str, stratum: _Plan
+    ) -> None:  # fmt: skip
+        """Generate the functions that join whole sets; a stratum has them for all of its rules or for none."""
+        pairs = pair_clause(head, steps)
+        if pairs is None or stratum.bulk is None or not all(self.plain(relation) for relation, _ in pairs.atoms):
+            stratum.bulk = None
+            return
+        slot = self.code.relation_slot
+        positions = {s.index: i for i, s in enumerate(s for s in steps if isinstance(s, Scan))}
+        for index in recursive:
+            delta = positions[index]
+            lines, turned, groupings = write_bulk(pairs, delta, f"{name}_{index}", slot)
+            stratum.bulk_lines.extend(lines)
+            rule = BulkRule(f"{name}_{index}", head.name, str(clause.location), pairs.atoms[delta][0], turned, groupings)
+            stratum.bulk.append(rule)
+
+    def plain(self, relation: str) -> bool:
+        """Whether a relation holds pairs of numbers and symbols."""
+        attributes = self.relations[relation].attributes
+        return len(attributes) == 2 and all(self.types.kind(a.type) in "ius" for a in attributes)
 
     def function(
-        self, name: str, clause: Clause, head: Atom, steps: Sequence[Step], types: ClauseTypes, delta: int | None, staged: bool
+        self, name: str, clause: Clause, head: Atom, steps: Sequence[Step], types: ClauseTypes, delta: int | None, stratum: _Plan
     ) -> Rule:  # fmt: skip
-        counts = any(isinstance(n, (Counter, IterationCounter)) for lit in clause_literals(clause) for n in walk(lit))
-        ordinal = any(isinstance(n, Functor) and n.op == "ord" for lit in clause_literals(clause) for n in walk(lit))
-        self.code.uses_ordinals |= ordinal
+        counts, ordinals = _effects(clause)
+        self.code.uses_ordinals |= ordinals
         expressions = Expressions(self.types, types, self.matchers)
-        emitter = Emitter(self.storage, expressions, ordered=counts or ordinal, delta=delta)
+        growing = () if delta is None else stratum.names
+        emitter = Emitter(self.storage, expressions, ordered=counts or ordinals, delta=delta, growing=growing)
         wanted = {v for a in head.args for v in (n.name for n in walk(a) if isinstance(n, Variable))}
         subsumes = clause.dominating is not None
         guard: list[int] = []
@@ -168,7 +142,10 @@ class _Compiler:
             if subsumes:
                 dominating = next(s.atom for s in steps if isinstance(s, Scan) and s.index == 1)
                 emitter.line(f"if {row(bound)} != {row_of([expressions.write(a, bound) for a in dominating.args])}: add({row(bound)})")
-            elif staged:
+            elif delta is not None and not stratum.staged:
+                emitter.line(f"row = {row(bound)}")
+                emitter.line("if row not in full: add(row); append(row)")
+            elif delta is not None or stratum.chooses:
                 emitter.line(f"row = {row(bound)}")
                 emitter.line("if row not in full: add(row)")
             else:
@@ -179,92 +156,70 @@ class _Compiler:
         if subsumes:
             wanted |= {v.name for s in steps if isinstance(s, Scan) and s.index == 1 for v in s.atom.args if isinstance(v, Variable)}
         emitter.body(list(steps), {}, wanted, finish, bag=counts, checkpoint=checkpoint)
-        required = [s.atom.name for s in steps if isinstance(s, Scan) and s.index != delta]
+        if subsumes or stratum.chooses or (delta is not None and stratum.staged):
+            prologue = "add = new.add"
+        else:
+            prologue = "add = full.add" if delta is None else "add = full.add; append = new.append"
+        relations, indexes = sorted(emitter.relations), sorted(emitter.indexes)
+        arguments = ", ".join(["S", "full", *map(local, relations), *(f"i{n}" for n in indexes), "delta", "new"])
+        self.functions.append("\n".join([f"def {name}({arguments}):", f"    {prologue}", *emitter.lines]))
+        required = {s.atom.name for s in steps if isinstance(s, Scan) and s.index != delta}
         delta_name = next((s.atom.name for s in steps if isinstance(s, Scan) and s.index == delta), "")
-        target = clause.head.name
-        function = RuleFunction(
-            name, emitter.lines, sorted(set(required)), emitter.relations | set(required), emitter.indexes,
-            expressions.uses_state, delta_name, REJECTED if subsumes else "new" if staged else "full",
+        slot = self.code.relation_slot
+        return Rule(
+            name, clause.head.name, str(clause.location), delta_name, tuple(sorted(slot[r] for r in required)),
+            tuple(slot[r] for r in relations), tuple((len(slot) + n, emitter.indexes[n]) for n in indexes),
         )  # fmt: skip
-        function.lines.insert(0, f"    #target {target}")
-        self.functions.append(function)
-        return Rule(name, target, str(clause.location), delta_name)
 
     # -- assembly -----------------------------------------------------------------------------------
 
-    def new_slot(self, name: str) -> int:
-        return len(self.relations) + 3 * self.storage.relation_slot[name]
-
     def assemble(self) -> None:
-        """Fix the slots and write the module."""
-        first = 4 * len(self.relations)
-        for key in sorted(self.storage.lists | self.storage.sets):
-            self.storage.index_slot[key] = first + len(self.storage.index_slot)
-        self.code.slots = first + len(self.storage.index_slot)
-        parts = [f"{name} = full_match({pattern!r})" for pattern, name in self.matchers.items()]
-        for key in sorted(self.storage.index_slot):
-            parts.append("\n".join(self.index_function(key)))
-        parts.extend("\n".join(self.function_text(f)) for f in self.functions)
-        self.code.source = "\n\n".join(parts) + "\n"
+        """Write the module, and what its indexes hold."""
+        slot, arity = self.code.relation_slot, self.storage.arity
+        self.code.indexes = tuple(
+            Index(slot[key[0]], arity[key[0]], key[1], key[2], key in self.storage.listed) for key in self.storage.indexes
+        )
+        matchers = [f"{name} = full_match({pattern!r})" for pattern, name in self.matchers.items()]
+        self.code.source = "\n\n".join([*matchers, *self.functions]) + "\n"
 
-    def index_function(self, key: IndexKey) -> list[str]:
-        """The function that adds rows to an index, and the one that builds it."""
-        name, columns = key
-        arity = self.storage.arity[name]
-        cells = [f"c{i}" for i in range(arity)]
-        value = row_of([f"row[{i}]" for i in columns])
-        grow = f"add_{index_local(key)}"
-        if key not in self.storage.lists:
-            wide = [f"c{i}" if i in columns else "_" for i in range(arity)]
-            each = f"{{{row_of([f'c{i}' for i in columns])} for {', '.join(wide)} in rows}}"
-            return [
-                f"def {grow}(index, rows):",
-                f"    index |= {each}",
-                f"def build_{index_local(key)}(rows):",
-                f"    return {each}",
-            ]
-        if arity == 2:
-            loop = f"    for {', '.join(cells)} in rows: index[c{columns[0]}].append(c{1 - columns[0]})"
-        else:
-            loop = f"    for row in rows: index[{value}].append(row)"
-        return [
-            f"def {grow}(index, rows):", loop, f"def build_{index_local(key)}(rows):", "    index = defaultdict(list)",
-            f"    {grow}(index, rows)", "    return index",
-        ]  # fmt: skip
-
-    def function_text(self, function: RuleFunction) -> list[str]:
-        """A rule function with its prologue: relations, early return, indexes."""
-        target = function.lines.pop(0).split(" ", 5)[-1]
-        slot = self.storage.relation_slot
-        lines = [f"def {function.name}(D, S):"]
-        if function.delta:
-            lines.append(f"    delta = D[{self.new_slot(function.delta) + 1}]")
-            lines.append("    if not delta: return")
-        for name in sorted(function.relations | {k[0] for k in function.indexes}):
-            lines.append(f"    {local(name)} = D[{slot[name]}]")
-        if function.required:
-            lines.append(f"    if not ({' and '.join(local(n) for n in function.required)}): return")
-        for key in sorted(function.indexes):
-            at = self.storage.index_slot[key]
-            lines.append(f"    {index_local(key)} = D[{at}]")
-            lines.append(f"    if {index_local(key)} is None: {index_local(key)} = D[{at}] = build_{index_local(key)}({local(key[0])})")
-        lines.append(f"    full = D[{slot[target]}]")
-        at = {"full": slot[target], "new": self.new_slot(target), REJECTED: self.new_slot(target) + 2}[function.target]
-        lines.append(f"    add = D[{at}].add")
-        return lines + function.lines
-
-    def slots_of(self, name: str) -> tuple[int, ...]:
-        """The slots of a relation and of its indexes."""
-        indexes = (slot for key, slot in self.storage.index_slot.items() if key[0] == name)
-        return (self.storage.relation_slot[name], *indexes)
+    def index_slots(self, name: str) -> tuple[int, ...]:
+        """The slots of the indexes of a relation."""
+        return tuple(len(self.code.relation_slot) + n for key, n in self.storage.indexes.items() if key[0] == name)
 
     def member(self, name: str, subsumption: Sequence[Rule]) -> Member:
-        indexes = tuple((slot, f"add_{index_local(key)}") for key, slot in self.storage.index_slot.items() if key[0] == name)
         relation = self.relations[name]
         columns = {a.name: i for i, a in enumerate(relation.attributes)}
         choices = tuple(tuple(columns[c] for c in choice) for choice in relation.choices)
-        new = self.new_slot(name)
-        return Member(name, self.storage.relation_slot[name], new, new + 1, indexes, choices, tuple(subsumption))
+        counts = len(columns) == 1 and self.types.kind(relation.attributes[0].type) in ("i", "u")
+        return Member(name, self.code.relation_slot[name], self.index_slots(name), counts, choices, tuple(subsumption))
+
+
+@dataclass(slots=True)
+class _Plan:
+    """A stratum while its rules are compiled."""
+
+    names: Sequence[str]
+    chooses: bool
+    staged: bool
+    bulk: list[BulkRule] | None
+    bulk_lines: list[str] = field(default_factory=list)
+    base: list[Rule] = field(default_factory=list)
+    loop: list[Rule] = field(default_factory=list)
+    subsumption: dict[str, list[Rule]] = field(default_factory=dict)
+
+    def rules(self) -> list[Rule]:
+        """All rules of the stratum."""
+        return [*self.base, *self.loop, *(r for rules in self.subsumption.values() for r in rules)]
+
+
+@lru_cache(maxsize=1024)
+def _effects(clause: Clause) -> tuple[bool, bool]:
+    """Whether the values of a clause depend on how often it was evaluated, and whether it numbers symbols."""
+    nodes = [n for literal in clause_literals(clause) for n in walk(literal)]
+    return (
+        any(isinstance(n, (Counter, IterationCounter)) for n in nodes),
+        any(isinstance(n, Functor) and n.op == "ord" for n in nodes),
+    )
 
 
 def eqrel_clauses(relation: Relation) -> list[Clause]:
@@ -288,33 +243,36 @@ def compile_program(
     """Generate the code of a program whose clauses are grouped by head relation."""
     compiler = _Compiler(relations, types)
     number = 0
-    planned: list[tuple[Sequence[str], list[Rule], list[Rule], dict[str, list[Rule]]]] = []
+    plans: list[_Plan] = []
     for names in strata:
-        base: list[Rule] = []
-        loop: list[Rule] = []
-        subsumption: dict[str, list[Rule]] = {}
-        staged = any(relations[n].choices for n in names)
-        for name in names:
-            for clause, clause_types in clauses.get(name, ()):
-                if compiler.fact(clause, clause_types):
-                    continue
-                number += 1
-                once, again = compiler.rule(clause, clause_types, number, set(names), staged)
-                base.extend(once)
-                if clause.dominating is not None:
-                    subsumption.setdefault(name, []).extend(again)
-                else:
-                    loop.extend(again)
-        planned.append((names, base, loop, subsumption))
+        own = [(clause, clause_types) for name in names for clause, clause_types in clauses.get(name, ())]
+        chooses = any(relations[n].choices for n in names)
+        staged = chooses or any(c.dominating is not None or any(_effects(c)) for c, _ in own)
+        plan = _Plan(names, chooses, staged, None if staged or not all(map(compiler.plain, names)) else [])
+        for clause, clause_types in own:
+            if compiler.fact(clause, clause_types):
+                continue
+            number += 1
+            once, again = compiler.rule(clause, clause_types, number, plan)
+            plan.base.extend(once)
+            if clause.dominating is not None:
+                plan.subsumption.setdefault(clause.head.name, []).extend(again)
+            else:
+                plan.loop.extend(again)
+        plans.append(plan)
     compiler.assemble()
-    reads = {f.name: f.relations | {key[0] for key in f.indexes} for f in compiler.functions}
-    last_reader: dict[str, int] = {}
-    for position, (names, base, loop, subsumption) in enumerate(planned):
-        for rule in [*base, *loop, *(r for rules in subsumption.values() for r in rules)]:
-            last_reader.update(dict.fromkeys(reads[rule.function], position))
-        last_reader.update(dict.fromkeys(names, position))
-    for position, (names, base, loop, subsumption) in enumerate(planned):
-        members = tuple(compiler.member(n, subsumption.get(n, ())) for n in names)
-        drops = tuple((name, compiler.slots_of(name)) for name, last in last_reader.items() if last == position)
-        compiler.code.strata.append(Stratum(members, tuple(base), tuple(loop), drops))
+    compiler.code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
+    heads = {*compiler.code.facts, *(rule.target for plan in plans for rule in plan.rules())}
+    compiler.code.scanned = frozenset(relations) - heads - compiler.storage.probed
+    last_use: dict[int, int] = {}  # slot to stratum
+    for position, plan in enumerate(plans):
+        for rule in plan.rules():
+            indexes = {slot for slot, _ in rule.indexes}
+            indexed = {compiler.code.indexes[slot - len(relations)].relation for slot in indexes}
+            last_use.update(dict.fromkeys({*rule.required, *rule.relations, *indexes, *indexed}, position))
+        last_use.update(dict.fromkeys((compiler.code.relation_slot[name] for name in plan.names), position))
+    for position, plan in enumerate(plans):
+        members = tuple(compiler.member(n, plan.subsumption.get(n, ())) for n in plan.names)
+        drops = tuple(slot for slot, last in last_use.items() if last == position)
+        compiler.code.strata.append(Stratum(members, tuple(plan.base), tuple(plan.loop), plan.staged, tuple(plan.bulk or ()), drops))
     return compiler.code

@@ -5,21 +5,31 @@ from __future__ import annotations
 import gc
 import time
 import types as python_types
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableMapping, Sequence
 from contextlib import contextmanager
-from typing import Any
+from dataclasses import dataclass
+from functools import partial
+from operator import itemgetter
+from typing import TYPE_CHECKING, Any
 
-from .compile import Code, Member, Rule, Stratum
 from .errors import DatalogError, Diagnostic
+from .plan import BulkRule, Code, Member, Origin, Rule, Stratum
 from .runtime import NAMES, EvaluationError, State, ordered
 
-Slots = list[Any]
-Functions = Mapping[str, Callable[[Slots, State], None]]
+if TYPE_CHECKING:
+    from .bulk import BulkLoop, Codes
+
+Functions = Mapping[str, Callable[..., None]]
 
 
-def load_functions(code: python_types.CodeType) -> dict[str, Any]:
-    """Run the generated module; its namespace holds the rule and index functions."""
-    namespace: dict[str, Any] = dict(NAMES)
+PARTIAL_INDEXES = 3  # parts of an index that are made before all of it is
+MANY_ROWS = 1 << 15  # rows from which on bitmaps are considered
+PARTIAL_RATIO = 8  # a part is made when the relation has so many times more rows than keys are asked for
+
+
+def load_functions(code: python_types.CodeType, names: Mapping[str, Any] = NAMES) -> dict[str, Any]:
+    """Run a generated module; its namespace holds the functions of the rules."""
+    namespace = dict(names)
     exec(code, namespace)
     return namespace
 
@@ -33,7 +43,7 @@ class Control:
         self.time_limit = time_limit
         self.active = limit_rows is not None or time_limit is not None
 
-    def check(self, rule: Rule, rows: int) -> None:
+    def check(self, rule: Rule | BulkRule, rows: int) -> None:
         """Stop a program that has derived too much or run too long."""
         if self.limit_rows is not None and rows > self.limit_rows:
             self._stop(rule, f"more than {self.limit_rows} rows")
@@ -41,12 +51,12 @@ class Control:
             self._stop(rule, f"still running after {self.time_limit:g} s")
 
     @staticmethod
-    def _stop(rule: Rule, reason: str) -> None:
+    def _stop(rule: Rule | BulkRule, reason: str) -> None:
         raise DatalogError([Diagnostic(f"{rule.location}: evaluation stopped, `{rule.target}`: {reason}")])
 
 
 @contextmanager
-def _collector_paused() -> Iterator[None]:
+def collector_paused() -> Iterator[None]:
     """Rows are acyclic; without the cyclic garbage collector, building millions of them is several times faster."""
     enabled = gc.isenabled()
     gc.disable()
@@ -57,109 +67,273 @@ def _collector_paused() -> Iterator[None]:
             gc.enable()
 
 
-def evaluate(
-    code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], *, keep: Collection[str],
-    limit_rows: int | None = None, time_limit: float | None = None,
-) -> dict[str, Collection[Any]]:  # fmt: skip
-    """The rows of the `keep` relations; rows of unary relations are bare values."""
-    slots: Slots = [None] * code.slots
-    for name, slot in code.relation_slot.items():
-        slots[slot] = set(code.facts.get(name, ()))
-    state = State()
-    for name, rows in facts.items():
-        slots[code.relation_slot[name]].update(_loaded(name, list(rows), code.arity[name]))
-    if code.uses_ordinals:
-        _number_symbols(slots, code, state)
-    control = Control(limit_rows, time_limit)
-    kept = set(keep)
-    with _collector_paused():
-        for stratum in code.strata:
-            _run_stratum(stratum, slots, state, functions, control)
-            for name, dead in stratum.drops:
-                for slot in dead:
-                    if slot != code.relation_slot[name] or name not in kept:
-                        slots[slot] = None
-    return {name: slots[code.relation_slot[name]] for name in keep}
+@dataclass(slots=True)
+class _Bound:
+    """A rule of a loop with what it works on, once that is known."""
+
+    rule: Rule
+    target: int  # position among the members of the stratum
+    function: Callable[[Any, Any], None] | None = None
 
 
-def _loaded(name: str, rows: list[tuple[Any, ...]], arity: int) -> list[Any]:
+def _forget(rules: Iterable[Iterable[_Bound]]) -> None:
+    """Relations are other objects now."""
+    for bounds in rules:
+        for bound in bounds:
+            bound.function = None
+
+
+class Evaluation:
+    """One evaluation of a program: its relations and indexes, each in a slot, and the strata that fill them."""
+
+    def __init__(self, code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], control: Control) -> None:
+        self.code = code
+        self.functions = functions
+        self.control = control
+        self.state = State()
+        self.codes: Codes | None = None  # of the values of relations that are kept as bitmaps
+        self.unpacked: set[int] = set()  # slots of relations that no bitmap can hold
+        self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
+        self.slots: list[Any] = [set(code.facts.get(name, ())) for name in code.relation_slot]
+        self.slots += [None] * len(code.indexes)
+        for name, given in facts.items():
+            rows = _loaded(name, given, code.arity[name])
+            if name in code.scanned:
+                unique = set(rows)
+                self.slots[code.relation_slot[name]] = rows if len(unique) == len(rows) else list(unique)
+            else:
+                self.slots[code.relation_slot[name]].update(rows)
+        if code.uses_ordinals:
+            self._number_symbols()
+
+    def run(self, keep: Collection[str]) -> dict[str, Collection[Any]]:
+        """Run all strata; the rows of the `keep` relations, bare values for unary ones."""
+        kept = {self.code.relation_slot[name] for name in keep}
+        for stratum in self.code.strata:
+            self._run_stratum(stratum)
+            for slot in stratum.drops:
+                if slot not in kept:
+                    self.slots[slot] = None
+        found = {name: self.slots[self.code.relation_slot[name]] for name in keep}
+        return {name: tuple(rows) if isinstance(rows, list) else rows for name, rows in found.items()}  # a list is the caller's
+
+    def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
+        """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""
+        slots = self.slots
+        for slot in rule.required:
+            if not slots[slot]:
+                return None
+        read = [slots[slot] for slot in rule.relations]
+        read += [slots[slot] or self._index(slot, origins, growing) for slot, origins in rule.indexes]
+        return partial(self.functions[rule.function], self.state, slots[self.code.relation_slot[rule.target]], *read)
+
+    def call(self, rule: Rule, delta: Collection[Any] | None, new: Any, growing: Collection[int] = ()) -> None:
+        """Call the function of a rule once."""
+        function = self.prepare(rule, growing)
+        if function is None:
+            return
+        try:
+            function(delta, new)
+        except EvaluationError as error:
+            raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
+        except OverflowError:
+            if not self._unpack():
+                raise
+            self.call(rule, delta, new, growing)
+        if self.control.active:
+            self.control.check(rule, len(self.slots[self.code.relation_slot[rule.target]]) + (len(new) if isinstance(new, set) else 0))
+
+    def _index(self, slot: int, origins: Sequence[Origin], growing: Collection[int]) -> Any:
+        """The index of a slot, or for a rule that asks for few of its keys the part with these, which is not kept."""
+        if self.slots[slot] is not None:
+            return self.slots[slot]
+        index = self.code.indexes[slot - len(self.code.relation_slot)]
+        rows = self.slots[index.relation]
+        if hasattr(rows, "by_first") and index.keys == (0,):
+            return rows.by_first()  # pairs as bitmaps are indexed already
+        if origins and not growing and self.partial.get(slot, 0) < PARTIAL_INDEXES:
+            counts = [(len(self.slots[self.code.relation_slot[o.relation]]), i) for i, o in enumerate(origins)]
+            count, best = min(counts)
+            if count * PARTIAL_RATIO < len(rows):
+                self.partial[slot] = self.partial.get(slot, 0) + 1
+                return index.build(rows, False, origins[best].column, self._values(origins[best]))
+        self.slots[slot] = found = index.build(rows, index.relation in growing)
+        return found
+
+    def _values(self, origin: Origin) -> Collection[Any]:
+        rows = self.slots[self.code.relation_slot[origin.relation]]
+        return set(rows) if self.code.arity[origin.relation] == 1 else set(map(itemgetter(origin.values), rows))
+
+    def _number_symbols(self) -> None:
+        """Number all input symbols in sorted order, so that `ord` does not depend on the order of rows."""
+        found: set[str] = set()
+        for slot in self.code.relation_slot.values():
+            for row in self.slots[slot]:
+                found.update(v for v in (row if isinstance(row, tuple) else (row,)) if isinstance(v, str))
+        self.state.ordinals.preload(sorted(found))
+
+    def _run_stratum(self, stratum: Stratum) -> None:
+        fresh: dict[str, set[Any]] = {m.name: set() for m in stratum.members} if stratum.chooses else {}
+        for rule in stratum.base:
+            self.call(rule, None, fresh.get(rule.target))
+        if stratum.staged and (stratum.loop or fresh or any(m.subsumption for m in stratum.members)):
+            self._run_rounds(stratum, fresh)
+        elif stratum.loop:
+            self._run_loop(stratum)
+
+    def _run_loop(self, stratum: Stratum) -> None:
+        """Semi-naive iteration: rules see the rows of a relation that were added since they last ran as `delta`."""
+        members, slots, active = stratum.members, self.slots, self.control.active
+        position = {m.name: i for i, m in enumerate(members)}
+        growing, handled, enough = {m.full for m in members}, 0, MANY_ROWS
+        pending: list[list[Any]] = [list(slots[m.full]) for m in members]
+        rules = [[_Bound(r, position[r.target]) for r in stratum.loop if r.delta == m.name] for m in members]
+        known: dict[int, int] = {}  # how many of the pending rows an index has because it was built when they were there
+        while any(pending):
+            for i, delta in enumerate(pending):
+                if not delta:
+                    continue
+                pending[i] = []
+                if members[i].indexes:
+                    self._extend_indexes(members[i], delta, known)
+                for bound in rules[i]:
+                    function = bound.function
+                    if function is None:
+                        unbuilt = [(slot, j) for j, m in enumerate(members) for slot in m.indexes if slots[slot] is None]
+                        function = bound.function = self.prepare(bound.rule, growing)
+                        known.update((slot, len(pending[j])) for slot, j in unbuilt if slots[slot] is not None)
+                        if function is None:
+                            continue
+                    try:
+                        function(delta, pending[bound.target])
+                    except (EvaluationError, OverflowError):
+                        self.call(bound.rule, delta, pending[bound.target], growing)
+                        _forget(rules)
+                    if active:
+                        self.control.check(bound.rule, len(slots[members[bound.target].full]))
+                handled += len(delta)
+            if handled >= enough:
+                enough *= 2
+                if stratum.bulk and self._run_bulk(stratum, {m.name: d for m, d in zip(members, pending, strict=True)}):
+                    return
+                if self._pack(members):
+                    _forget(rules)
+
+    def _pack(self, members: Iterable[Member]) -> bool:
+        """Keep large sets of numbers as bitmaps; whether there were any."""
+        found = [m.full for m in members if m.counts and m.full not in self.unpacked and isinstance(self.slots[m.full], set)]
+        for slot in found:
+            if len(self.slots[slot]) < MANY_ROWS:
+                continue
+            from pyroaring import BitMap
+
+            try:
+                self.slots[slot] = BitMap(self.slots[slot])
+            except OverflowError:
+                self.unpacked.add(slot)
+        return bool(found)
+
+    def _unpack(self) -> bool:
+        """A number has come that no bitmap holds: keep sets as they are from now on. Whether there was a bitmap."""
+        relations = range(len(self.code.relation_slot))
+        self.unpacked.update(relations)
+        found = [slot for slot in relations if type(self.slots[slot]).__name__ == "BitMap"]
+        for slot in found:
+            self.slots[slot] = set(self.slots[slot])
+        return bool(found)
+
+    def _run_bulk(self, stratum: Stratum, deltas: Mapping[str, Iterable[Any]]) -> bool:
+        """Go on over bitmaps, if the rows are such that it is worth it; whether they were."""
+        from . import bulk
+
+        if not bulk.worthwhile(max((self.slots[m.full] for m in stratum.members), key=len)):
+            return False
+        for member in stratum.members:
+            for slot in member.indexes:
+                self.slots[slot] = None
+        if self.codes is None:
+            self.codes = bulk.Codes()
+        functions = load_functions(compile(self.code.bulk_source, "<datalog>", "exec"), bulk.NAMES)
+        members = {m.name: m.full for m in stratum.members}
+        loop = bulk.BulkLoop(stratum.bulk, functions, self.slots, members, deltas, self.codes)
+        while True:
+            for rule in stratum.bulk:
+                self.call_bulk(rule, loop)
+            if not loop.settle():
+                break
+        loop.finish()
+        return True
+
+    def call_bulk(self, rule: BulkRule, loop: BulkLoop) -> None:
+        """Call the function of a bulk rule."""
+        loop.call(rule)
+        if self.control.active:
+            self.control.check(rule, loop.growing[rule.target].rows)
+
+    def _extend_indexes(self, member: Member, rows: Sequence[Any], known: MutableMapping[int, int]) -> None:
+        """Add rows to the indexes of a relation, but for the first of them that an index knows already."""
+        first = len(self.code.relation_slot)
+        for slot in member.indexes:
+            if self.slots[slot] is not None:
+                self.code.indexes[slot - first].grow(self.slots[slot], rows[known.pop(slot, 0) :])
+
+    # -- strict rounds: choice domains, subsumption, counters -----------------------------------------
+
+    def _run_rounds(self, stratum: Stratum, fresh: dict[str, set[Any]]) -> None:
+        """Iteration in which the rows of a round become visible together at its end."""
+        slots, growing = self.slots, {m.full for m in stratum.members}
+        deltas: dict[str, set[Any]] = {}
+        for member in stratum.members:
+            if stratum.chooses:
+                given = fresh[member.name] | slots[member.full]
+                slots[member.full] = set()
+                deltas[member.name] = self._merge(member, given)
+            else:
+                deltas[member.name] = set(slots[member.full])
+                self._subsume(member, deltas[member.name])
+        while any(deltas.values()):
+            self.state.iteration += 1
+            new: dict[str, set[Any]] = {m.name: set() for m in stratum.members}
+            for rule in stratum.loop:
+                if deltas[rule.delta]:
+                    self.call(rule, deltas[rule.delta], new[rule.target], growing)
+            deltas = {m.name: self._merge(m, new[m.name]) for m in stratum.members}
+        self.state.iteration = 0
+
+    def _merge(self, member: Member, new: set[Any]) -> set[Any]:
+        """Add the new rows of a relation to it and to its indexes; the rows that stay."""
+        full = self.slots[member.full]
+        if member.choices:
+            new = _choose(member, full, new)
+        if not new:
+            return new
+        full |= new
+        self._extend_indexes(member, list(new), {})
+        self._subsume(member, new)
+        return new
+
+    def _subsume(self, member: Member, delta: set[Any]) -> None:
+        """Remove rows that another row dominates."""
+        if not member.subsumption:
+            return
+        rejected: set[Any] = set()
+        for rule in member.subsumption:
+            if delta:
+                self.call(rule, delta, rejected, (member.full,))
+        if rejected:
+            self.slots[member.full] -= rejected
+            delta -= rejected
+            for slot in member.indexes:
+                self.slots[slot] = None
+
+
+def _loaded(name: str, rows: Iterable[tuple[Any, ...]], arity: int) -> list[Any]:
     """Rows as relations store them, after a check of their length."""
+    rows = rows if isinstance(rows, list) else list(rows)
     if set(map(len, rows)) - {arity}:
         wrong = next(row for row in rows if len(row) != arity)
         raise DatalogError(f"facts of `{name}`: expected {arity} column{'s' * (arity != 1)}, given {wrong!r}")
     return [row[0] for row in rows] if arity == 1 else rows
-
-
-def _number_symbols(slots: Slots, code: Code, state: State) -> None:
-    """Number all input symbols in sorted order, so that `ord` does not depend on the order of rows."""
-    found: set[str] = set()
-    for slot in code.relation_slot.values():
-        for row in slots[slot]:
-            found.update(v for v in (row if isinstance(row, tuple) else (row,)) if isinstance(v, str))
-    state.ordinals.preload(sorted(found))
-
-
-def _call(rule: Rule, slots: Slots, state: State, functions: Functions) -> None:
-    try:
-        functions[rule.function](slots, state)
-    except EvaluationError as error:
-        raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
-
-
-def _run_stratum(stratum: Stratum, slots: Slots, state: State, functions: Functions, control: Control) -> None:
-    members = {m.name: m for m in stratum.members}
-    if stratum.staged:
-        for member in stratum.members:
-            slots[member.new] = set()
-    for rule in stratum.base:
-        _call(rule, slots, state, functions)
-        if control.active:
-            control.check(rule, len(slots[members[rule.target].full]))
-    if stratum.loop or stratum.staged or any(m.subsumption for m in stratum.members):
-        _run_loop(stratum, members, slots, state, functions, control)
-
-
-def _run_loop(stratum: Stratum, members: dict[str, Member], slots: Slots, state: State, functions: Functions, control: Control) -> None:
-    """Semi-naive iteration: rules see the rows that were new in the previous round as `delta`."""
-    for member in stratum.members:
-        if stratum.staged:
-            for row in slots[member.full]:
-                slots[member.new].add(row)
-            slots[member.full] = set()
-            _merge(member, slots, state, functions)
-        else:
-            slots[member.delta] = set(slots[member.full])
-            _subsume(member, slots, state, functions)
-    while any(slots[m.delta] for m in stratum.members):
-        state.iteration += 1
-        for member in stratum.members:
-            slots[member.new] = set()
-        for rule in stratum.loop:
-            _call(rule, slots, state, functions)
-            if control.active:
-                member = members[rule.target]
-                control.check(rule, len(slots[member.full]) + len(slots[member.new]))
-        for member in stratum.members:
-            _merge(member, slots, state, functions)
-    state.iteration = 0
-    for member in stratum.members:
-        slots[member.delta] = slots[member.new] = None
-
-
-def _merge(member: Member, slots: Slots, state: State, functions: Functions) -> None:
-    """Move the new rows of a relation into it, into its indexes and into its delta."""
-    new = slots[member.new]
-    if member.choices:
-        new = _choose(member, slots[member.full], new)
-    slots[member.delta] = new
-    if not new:
-        return
-    slots[member.full] |= new
-    for slot, grow in member.indexes:
-        if slots[slot] is not None:
-            functions[grow](slots[slot], new)
-    if member.subsumption:
-        _subsume(member, slots, state, functions)
 
 
 def _choose(member: Member, full: set[Any], new: set[Any]) -> set[Any]:
@@ -178,18 +352,3 @@ def _choose(member: Member, full: set[Any], new: set[Any]) -> set[Any]:
 
 def _key(row: Any, columns: tuple[int, ...]) -> Any:
     return tuple(row[c] for c in columns) if isinstance(row, tuple) else row
-
-
-def _subsume(member: Member, slots: Slots, state: State, functions: Functions) -> None:
-    """Remove rows that another row dominates."""
-    if not member.subsumption:
-        return
-    rejected: set[Any] = set()
-    slots[member.delta + 1] = rejected
-    for rule in member.subsumption:
-        _call(rule, slots, state, functions)
-    if rejected:
-        slots[member.full] -= rejected
-        slots[member.delta] -= rejected
-        for slot, _ in member.indexes:
-            slots[slot] = None

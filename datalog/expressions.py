@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from .errors import DatalogError, Diagnostic
 from .functors import Overload
@@ -119,6 +120,10 @@ class Expressions:
         if not candidates:
             raise DatalogError([Diagnostic(f"no valid overload of `{term.op}`", term.location)])
         return candidates[0]
+
+    def constant(self, term: String | Number) -> Any:
+        """The value of a constant."""
+        return term.value if isinstance(term, String) else number_value(term.text, self.kind(term))
 
     def write(self, term: Argument, bound: Mapping[str, str]) -> str:
         """The Python expression of a term whose variables are all bound."""

@@ -11,6 +11,7 @@ from typing import Any
 from lark import Lark, Token
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
+from .cache import table_file
 from .errors import Location, Report
 from .preprocess import LINE_MARK, Origins
 from .tree import Item, TreeBuilder
@@ -30,7 +31,10 @@ def _parser() -> tuple[Lark, TreeBuilder, list[Token]]:
     builder = TreeBuilder()
     callbacks: dict[str, Callable[[Token], Token]] = {"DOC": keep}
     grammar = Path(__file__).with_name("grammar.lark").read_text(encoding="utf-8")
-    lark = Lark(grammar, parser="lalr", lexer="basic", transformer=builder, lexer_callbacks=callbacks, maybe_placeholders=True)
+    lark = Lark(
+        grammar, parser="lalr", lexer="basic", transformer=builder, lexer_callbacks=callbacks, maybe_placeholders=True,
+        cache=str(tables) if (tables := table_file()) else False,
+    )  # fmt: skip
     return lark, builder, docs
 
 

@@ -1,22 +1,22 @@
 """`profile`: where an evaluation by the embedded engine spends its time, by rule and by relation.
 
-The functions of the rules are wrapped for one evaluation; without a profile nothing is measured.
+Without a profile nothing is measured.
 """
 
 from __future__ import annotations
 
-import marshal
 import time
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from . import engine
-from .compile import Rule
+from .engine import Evaluation
+from .plan import BulkRule, Rule
 from .program import Program, Result
 
-_Function = Callable[[Any, Any], None]
+if TYPE_CHECKING:
+    from .bulk import BulkLoop
 
 
 @dataclass(slots=True)
@@ -54,44 +54,53 @@ def profile(
     program: Program, facts: Mapping[str, Iterable[tuple[Any, ...]]] | Path, *, keep: Collection[str] | str | None = "all"
 ) -> Profile:
     """Evaluate with the embedded engine and measure every rule."""
-    functions = engine.load_functions(marshal.loads(program.bytecode))
     found: dict[str, RuleProfile] = {}
     for stratum in program.code.strata:
-        slots = {m.name: (m.full, m.new) for m in stratum.members}
-        rules = [*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)]
-        for rule in rules:
-            entry = found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
-            functions[rule.function] = _measured(functions[rule.function], entry, slots[rule.target])
-    known, program._functions = program._functions, functions
+        for rule in (*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)):
+            found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
+
+    class Measured(Evaluation):
+        """An evaluation that measures its rules, with the indexes that are built for them."""
+
+        def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
+            entry = found[_family(rule)]
+            start = time.perf_counter()
+            function = super().prepare(rule, growing)
+            entry.seconds += time.perf_counter() - start
+            return None if function is None else _measured(function, entry, self.slots[self.code.relation_slot[rule.target]])
+
+        def call_bulk(self, rule: BulkRule, loop: BulkLoop) -> None:
+            entry = found[_family(rule)]
+            start = time.perf_counter()
+            super().call_bulk(rule, loop)
+            entry.seconds += time.perf_counter() - start
+            entry.calls += 1
+
     start = time.perf_counter()
-    try:
-        result = program.evaluate(facts, keep=keep)
-    finally:
-        program._functions = known
+    result = program.evaluate_as(Measured, facts, keep)
     seconds = time.perf_counter() - start
     by_time = sorted(found.values(), key=lambda r: (-r.seconds, r.place))
     return Profile(result, seconds, tuple(by_time), _relations(by_time, result))
 
 
-def _family(rule: Rule) -> str:
-    """What the versions of one recursive rule, one for each delta, have in common."""
-    return "_".join(rule.function.split("_")[:2])
-
-
-def _measured(function: _Function, entry: RuleProfile, slots: tuple[int, int]) -> _Function:
-    full, new = slots
-
-    def run(data: Any, state: Any) -> None:
-        before = len(data[full] or ()) + len(data[new] or ())
+def _measured(function: Callable[[Any, Any], None], entry: RuleProfile, full: Collection[Any]) -> Callable[[Any, Any], None]:
+    def run(delta: Any, new: Any) -> None:
+        counted = new if isinstance(new, set) else full
+        before = len(counted)
         start = time.perf_counter()
         try:
-            function(data, state)
+            function(delta, new)
         finally:
             entry.seconds += time.perf_counter() - start
             entry.calls += 1
-            entry.rows += len(data[full] or ()) + len(data[new] or ()) - before
+            entry.rows += len(counted) - before
 
     return run
+
+
+def _family(rule: Rule | BulkRule) -> str:
+    """What the versions of one recursive rule, one for each delta, have in common."""
+    return "_".join(rule.function.split("_")[:2])
 
 
 def _relations(rules: Iterable[RuleProfile], result: Result) -> tuple[RelationProfile, ...]:

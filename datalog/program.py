@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import marshal
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import cache, engine
-from .compile import Code, compile_program, eqrel_clauses
-from .components import instantiate
 from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean
 from .facts import read_facts
+from .plan import Code
+from .row_text import Show, line_chunks
 from .runtime import ordered
-from .semantics import check
-from .sources import EXTRA_SOURCE, read_program
-from .syntax import Directive, Unit
 from .types import Types, build_types
 from .values import ValueReader
-from .witness import ground_witnesses
+
+if TYPE_CHECKING:
+    from .syntax import Directive, Unit
 
 Row = tuple[Any, ...]
 _BASES = {"i": "number", "u": "unsigned", "f": "float", "s": "symbol", "r": "record", "+": "adt"}
@@ -72,6 +71,10 @@ class Result:
             self._sorted[name] = [(v,) for v in rows] if self._arity[name] == 1 else rows
         return self._sorted[name]
 
+    def lines(self, name: str, writers: Sequence[Show], delimiter: str = "\t") -> Iterator[str]:
+        """The rows of a relation, sorted, as text in pieces of many lines; `writers` are those of its columns."""
+        return line_chunks(self._rows[name], writers, delimiter)
+
     def count(self, name: str) -> int:
         """The number of rows of a relation."""
         return len(self._rows[name])
@@ -121,29 +124,38 @@ class Program:
         `limit_rows`, `time_limit`: raise DatalogError once a relation has more rows, or after so many seconds.
         """
         kept = self._kept(keep)
-        if isinstance(facts, (str, Path)):
-            facts = self.read_facts(Path(facts))
-        self._check_facts(facts)
         if engine == "souffle":
             from .souffle import evaluate_with_souffle
 
-            rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, facts, kept, time_limit)
+            rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, self._given(facts), kept, time_limit)
         elif engine == "embedded":
-            rows = self._evaluate_embedded(facts, kept, limit_rows, time_limit)
+            rows = self._evaluate_embedded(facts, kept, limit_rows=limit_rows, time_limit=time_limit)
         else:
             raise DatalogError(f"unknown engine `{engine}`, expected `embedded` or `souffle`")
         return Result(rows, self.code.arity)
 
+    def evaluate_as(
+        self, kind: type[engine.Evaluation], facts: Mapping[str, Iterable[Row]] | Path, keep: Collection[str] | str | None
+    ) -> Result:  # fmt: skip
+        """Derive everything from the facts by an evaluation that does more than derive."""
+        return Result(self._evaluate_embedded(facts, self._kept(keep), kind=kind), self.code.arity)
+
     def _evaluate_embedded(
-        self,
-        facts: Mapping[str, Iterable[Row]],
-        kept: Collection[str],
-        limit_rows: int | None,
-        time_limit: float | None,
-    ) -> Mapping[str, Collection[Any]]:
+        self, facts: Mapping[str, Iterable[Row]] | Path, kept: Collection[str], *,
+        limit_rows: int | None = None, time_limit: float | None = None, kind: type[engine.Evaluation] = engine.Evaluation,
+    ) -> Mapping[str, Collection[Any]]:  # fmt: skip
         if self._functions is None:
             self._functions = engine.load_functions(marshal.loads(self.bytecode))
-        return engine.evaluate(self.code, self._functions, facts, keep=kept, limit_rows=limit_rows, time_limit=time_limit)
+        control = engine.Control(limit_rows, time_limit)
+        with engine.collector_paused():
+            # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
+            return kind(self.code, self._functions, self._given(facts), control).run(kept)
+
+    def _given(self, facts: Mapping[str, Iterable[Row]] | Path) -> Mapping[str, Iterable[Row]]:
+        """Facts by relation, those of a folder read, after a check that they are facts of input relations."""
+        found = self.read_facts(Path(facts)) if isinstance(facts, (str, Path)) else facts
+        self._check_facts(found)
+        return found
 
     def _kept(self, keep: Collection[str] | str | None) -> list[str]:
         if keep is None:
@@ -186,6 +198,8 @@ def load_program(path: Path | str | Sequence[Path | str], *, extra_source: str =
     cached = cache.load(paths, extra_source)
     if isinstance(cached, Program):
         return cached
+    from .sources import EXTRA_SOURCE, read_program  # what a cached program does without is imported when it is needed
+
     unit, sources, report = read_program(paths, extra_source)
     program = compile_unit(unit, sources.texts, report)
     digests = {
@@ -197,6 +211,11 @@ def load_program(path: Path | str | Sequence[Path | str], *, extra_source: str =
 
 def compile_unit(unit: Unit, texts: dict[str, str], report: Report) -> Program:
     """Check and compile a syntax tree."""
+    from .compile import compile_program, eqrel_clauses
+    from .components import instantiate
+    from .semantics import check
+    from .witness import ground_witnesses
+
     unit = instantiate(unit, report)
     unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
     for relation in unit.relations:
@@ -234,6 +253,9 @@ def _declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:
 def load_declarations(path: Path | str | Sequence[Path | str]) -> Mapping[str, RelationDecl]:
     """The relations declared in files and what they include, without checking or compiling their rules."""
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
+    from .components import instantiate
+    from .sources import read_program
+
     unit, _, report = read_program(paths)
     unit = instantiate(unit, report)
     types = build_types(unit.types, report)

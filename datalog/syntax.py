@@ -309,6 +309,8 @@ class Component:
 def children(node: Argument | Literal) -> tuple[Argument | Literal, ...]:
     """The direct sub-terms and sub-literals of a node."""
     match node:
+        case Variable() | Unnamed() | String() | Number():
+            return ()
         case Record() | Branch() | Functor() | UserFunctor() | Atom():
             return node.args
         case Cast():
@@ -325,9 +327,11 @@ def children(node: Argument | Literal) -> tuple[Argument | Literal, ...]:
 
 def walk(node: Argument | Literal) -> Iterator[Argument | Literal]:
     """The node and everything below it, in source order."""
-    yield node
-    for child in children(node):
-        yield from walk(child)
+    stack = [node]
+    while stack:
+        found = stack.pop()
+        yield found
+        stack.extend(reversed(children(found)))
 
 
 def clause_literals(clause: Clause) -> tuple[Literal, ...]:

@@ -12,7 +12,7 @@ import tempfile
 import time
 import traceback
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -84,10 +84,36 @@ def run_tasks(
             worker.connection.close()
 
 
-def _start(function: Callable[[Any], Any], others: Sequence[_Worker[Any]]) -> _Worker[Any]:
+@contextmanager
+def meanwhile(function: Callable[[], object]) -> Iterator[Callable[[], None]]:
+    """Call a function for what it leaves on disk, in a process of its own; yields what waits for its end.
+
+    Whether it succeeds is not told: it must be work that the caller does itself where it finds it undone.
+    """
+    process = _context().Process(target=_alone, args=(function,), daemon=True)
+    process.start()
+    try:
+        yield process.join
+    finally:
+        process.kill()
+        process.join()
+
+
+def _alone(function: Callable[[], object]) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends it
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    with suppress(Exception):
+        function()
+
+
+def _context() -> Any:
     # fork hands the tables that the task function needs to the workers without copying them
-    forks = "fork" in multiprocessing.get_all_start_methods()
-    context: Any = multiprocessing.get_context("fork" if forks else "spawn")
+    return multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
+
+
+def _start(function: Callable[[Any], Any], others: Sequence[_Worker[Any]]) -> _Worker[Any]:
+    context = _context()
+    forks = context.get_start_method() == "fork"
     ours, theirs = context.Pipe()
     inherited = [ours, *(worker.connection for worker in others)] if forks else []
     process = context.Process(target=_work, args=(function, theirs, inherited, os.getpid()), daemon=True)

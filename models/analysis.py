@@ -14,7 +14,7 @@ from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest, rules_folder
 from rosarch.extractor.pipeline import ComponentFacts, Progress, extract
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.extractor.workspace import Diagnostic
 from rosarch.models.component import ComponentModel, Relations, build_model
 
@@ -62,8 +62,12 @@ def analyze(
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root`. See `extract` for the options."""
     start = time.perf_counter()
-    with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
+    with (
+        meanwhile(component_program) as rules_compiled,
+        extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction,
+    ):
         extracted = time.perf_counter()
+        rules_compiled()
         models, failures = _evaluate(root.resolve().name, extraction.components, root, engine, jobs, progress)
         statistics = {
             "components": len(models),

@@ -133,3 +133,12 @@ def test_souffle_engine_without_souffle(load: Callable[[str], Program], monkeypa
     monkeypatch.setenv("PATH", "")
     with pytest.raises(DatalogError, match="the souffle engine was asked for, but there is no `souffle` on PATH"):
         load(TYPED).evaluate({}, engine="souffle")
+
+
+def test_a_result_does_not_change_with_the_facts_it_is_from(load: Callable[[str], Program]) -> None:
+    facts = {"edge": [("a", "b")]}
+    result = load(".decl edge(a: symbol, b: symbol)\n.input edge\n.decl node(a: symbol)\n.output node\nnode(x) :- edge(x, _).\n").evaluate(
+        facts, keep="all"
+    )
+    facts["edge"].append(("c", "d"))
+    assert result.rows("edge") == [("a", "b")]

@@ -7,10 +7,11 @@ import os
 import re
 import signal
 import time
+from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.pool import MEMORY_LIMIT, Failure, default_jobs, run_tasks
+from rosarch.extractor.pool import MEMORY_LIMIT, Failure, default_jobs, meanwhile, run_tasks
 
 
 def work(task: object) -> object:
@@ -122,3 +123,22 @@ def test_workers_do_not_hold_the_pipes_of_others() -> None:
     """Each knows the end of the caller's life from its own pipe."""
     found = outcomes(["pipes"] * 8, jobs=4)
     assert len(set(found.values())) == 1
+
+
+def test_work_meanwhile_is_done_when_it_was_waited_for(tmp_path: Path) -> None:
+    with meanwhile(lambda: (tmp_path / "done").write_text("x")) as wait:
+        wait()
+    assert (tmp_path / "done").read_text() == "x"
+
+
+def test_work_meanwhile_ends_with_its_block(tmp_path: Path) -> None:
+    start = time.monotonic()
+    with meanwhile(lambda: time.sleep(30)):
+        pass
+    assert time.monotonic() - start < 10
+
+
+def test_work_meanwhile_that_fails_says_nothing(capfd: pytest.CaptureFixture[str]) -> None:
+    with meanwhile(lambda: 1 // 0) as wait:
+        wait()
+    assert capfd.readouterr() == ("", "")

@@ -1,0 +1,97 @@
+"""A compiled program: what is cached and evaluated, independent of the syntax tree."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from .indexes import Index
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """All keys that a rule asks an index for have in `column` a value of another column, which may be few."""
+
+    column: int
+    relation: str
+    values: int  # the other column
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A generated function, the slots it works on, and where it comes from."""
+
+    function: str
+    target: str
+    location: str  # path:line:col of the clause
+    delta: str  # the relation whose delta it scans, if any
+    required: tuple[int, ...]  # relations without which it derives nothing
+    relations: tuple[int, ...]  # arguments of the function, followed by the indexes
+    indexes: tuple[tuple[int, tuple[Origin, ...]], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Grouping:
+    """The pairs of a relation by their first column, or by their second when it is `reversed`."""
+
+    relation: int  # slot
+    reversed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class BulkRule:
+    """A generated function for one version of a clause; it gets the delta and what it looks up grouped as told."""
+
+    function: str
+    target: str
+    location: str
+    delta: str
+    delta_reversed: bool
+    groupings: tuple[Grouping, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A relation of a stratum: its slots, and the indexes to maintain while the stratum grows."""
+
+    name: str
+    full: int
+    indexes: tuple[int, ...]
+    counts: bool = False  # of one column of numbers
+    choices: tuple[tuple[int, ...], ...] = ()
+    subsumption: tuple[Rule, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Stratum:
+    """Relations that depend on each other: rules to run once, and rules to run until nothing is new.
+
+    `staged`: the rows of a round become visible only at its end, all together.
+    """
+
+    members: tuple[Member, ...]
+    base: tuple[Rule, ...]
+    loop: tuple[Rule, ...]
+    staged: bool = False
+    bulk: tuple[BulkRule, ...] = ()  # the loop once more, over bitmaps, where all rules are over pairs
+    drops: tuple[int, ...] = ()  # slots of relations and indexes that no later stratum reads
+
+    @property
+    def chooses(self) -> bool:
+        """Whether base rules write to the new rows instead of the relation."""
+        return any(m.choices for m in self.members)
+
+
+@dataclass(slots=True)
+class Code:
+    """What is cached: everything needed to evaluate, independent of the syntax tree."""
+
+    source: str = ""
+    bulk_source: str = ""  # the functions of bulk rules, compiled when they are needed
+    strata: list[Stratum] = field(default_factory=list)
+    facts: dict[str, list[Any]] = field(default_factory=dict)
+    relation_slot: dict[str, int] = field(default_factory=dict)
+    arity: dict[str, int] = field(default_factory=dict)
+    indexes: tuple[Index, ...] = ()  # their slots follow those of the relations
+    scanned: frozenset[str] = frozenset()  # relations that are never asked whether they have a row, nor added to
+    uses_ordinals: bool = False
