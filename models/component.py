@@ -86,6 +86,7 @@ def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[Port, ...
     latched = {port for (port,) in relations["port_latched"]}
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
+    inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
     found = []
     for (port,) in relations["port"]:
         site, kind, name = port
@@ -107,9 +108,10 @@ def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[Port, ...
                 unknown.get(port),
             )
         )
-    for (site, kind, name), type_ in relations["implicit_port"]:
+    for port, type_ in relations["implicit_port"]:
+        site, kind, name = port
         if site in places:
-            found.append(Port("", kind, name, None, type_, None, False, None, "plain", places[site], True))
+            found.append(Port("", kind, name, None, type_, None, False, inner.get(port), "plain", places[site], True))
     found.sort(key=lambda port: (port.implicit, port.at.path, port.at.line, port.at.column, port.kind, port.name, port.type or ""))
     return tuple(Port(f"p{number}", *list(vars(port).values())[1:]) for number, port in enumerate(found, 1))
 
