@@ -128,6 +128,11 @@ _PARAMETER_TYPES = {
 }  # fmt: skip
 
 
+def _parameter_type(type_: str) -> str:
+    """A C++ type as parameters have it: ROS names for single values, C++ names for what holds several."""
+    return _PARAMETER_TYPES.get(type_, type_.replace("std::basic_string<char>", "std::string"))
+
+
 def _parameters(relations: Relations, places: Mapping[str, Place]) -> tuple[Parameter, ...]:
     types, defaults = _first(relations["parameter_access_type"]), _first(relations["parameter_access_default"])
     found: dict[tuple[str, str, Place], Parameter] = {}
@@ -136,7 +141,7 @@ def _parameters(relations: Relations, places: Mapping[str, Place]) -> tuple[Para
         at = places.get(call)
         if at is None:
             continue
-        found[name, op, at] = Parameter(name, op, _PARAMETER_TYPES.get(type_, type_) if type_ else None, defaults.get(call), at)
+        found[name, op, at] = Parameter(name, op, _parameter_type(type_) if type_ else None, defaults.get(call), at)
     return tuple(sorted(found.values(), key=lambda parameter: (parameter.at.path, parameter.at.line, parameter.at.column, parameter.name)))
 
 
