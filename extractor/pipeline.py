@@ -24,7 +24,8 @@ from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path
+from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, without_library
+from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
 
 Progress = Callable[[str, int, int], None]
 
@@ -41,10 +42,12 @@ class ComponentFacts:
     own: Rows
 
     def rows(self) -> Rows:
-        """All facts of the component; message classes that its sources never name are left out."""
+        """All facts of the component; message classes and configurations that its sources never name are left out."""
         merged = merge([*(marshal.loads(path.read_bytes()) for path in self.units), self.own])
         classes = {row[0] for row in merged["class"]} | {row[1] for row in merged["type_class"]}
         merged["message_class"] = {row for row in merged["message_class"] if row[0] in classes}
+        types = {row[2] for row in merged["message_class"]}
+        merged["config_parameter"] = {row for row in merged["config_parameter"] if row[0] in types}
         return merged
 
 
@@ -95,7 +98,9 @@ def extract(
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
     found = components(workspace)
-    units_of = {component: _compile_units(workspace, component) for component in found}
+    commands = read_compile_commands(workspace.root)
+    extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
+    units_of = {component: _compile_units(workspace, component, commands) for component in found}
     units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
     reader = _UnitReader(workspace.root, HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name)), scratch, cache)
     paths = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
@@ -104,24 +109,39 @@ def extract(
         for row in message_classes(store)
         for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
     }
+    configs = {
+        (f"{config.name}Config", p.name, p.type, _default(p.default)) for config in store.configs.values() for p in config.parameters
+    }
     extraction.components = tuple(
-        _component_facts(component, units_of[component], workspace.root, paths, classes)
+        _component_facts(component, units_of[component], workspace.root, paths, classes, configs)
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction
 
 
-def _compile_units(workspace: Workspace, component: Component) -> list[CompileUnit]:
+def _compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:
     """The sources of a component, those of a library as the library's own target compiles them."""
-    own = [CompileUnit(source, component.include_dirs, component.definitions) for source in component.sources]
+    target = component.target.name if component.target else component.name
+    own = [_unit(source, target, component.include_dirs, component.definitions, commands) for source in component.sources]
     wanted = set(component.library_sources)
     linked = [
-        CompileUnit(source, include_path(workspace, library), library.definitions)
+        _unit(source, library.name, include_path(workspace, library), library.definitions, commands)
         for library in component.libraries
         for source in library.sources
         if source in wanted
     ]
     return list(dict.fromkeys([*own, *linked]))
+
+
+def _unit(
+    source: Path, target: str, include_dirs: tuple[Path, ...], definitions: tuple[str, ...], commands: CompileCommands
+) -> CompileUnit:
+    """How a target compiles a source: as a build did it when there was one, else as its CMake files say."""
+    command = commands.find(source, target)
+    if command is None:
+        return CompileUnit(source, include_dirs, definitions)
+    folders = tuple(dict.fromkeys((*command.include_dirs, *include_dirs)))
+    return CompileUnit(source, folders, command.definitions, command.installed)
 
 
 @dataclass(frozen=True)
@@ -150,7 +170,7 @@ class _UnitReader:
     def read(self, unit: CompileUnit) -> tuple[Path, bool]:
         """The file with the rows of a unit, and whether it was in the cache."""
         sys.setrecursionlimit(20_000)
-        includes = self.finder.closure(unit.source, unit.include_dirs)
+        includes = self.finder.closure(unit.source, unit.include_dirs, unit.installed)
         key = unit_key(unit, self.root, includes, self.finder)
         cache = self.cache if includes.predictable else None
         data = known = cache.load(key) if cache else None
@@ -236,12 +256,25 @@ def _message_type(row: MessageClass) -> str:
     return row.owner if row.owner and row.role in ("request", "response") else row.type
 
 
+def _default(text: str | None) -> str:
+    """The default of a configuration's parameter, Python text, as the value that C++ would have."""
+    if text is None:
+        return "?"
+    return {"True": "true", "False": "false"}.get(text, text[1:-1] if text[:1] in "'\"" else text)
+
+
 def _component_facts(
-    component: Component, units: Sequence[CompileUnit], root: Path, paths: Mapping[CompileUnit, Path], classes: set[tuple[str, str, str]]
+    component: Component,
+    units: Sequence[CompileUnit],
+    root: Path,
+    paths: Mapping[CompileUnit, Path],
+    classes: set[tuple[str, str, str]],
+    configs: set[tuple[str, str, str, str]],
 ) -> ComponentFacts:
     own: dict[str, set[tuple[str | int, ...]]] = {
         "component": {(component.name, component.package, component.kind)},
         "message_class": set(classes),
+        "config_parameter": set(configs),
         "component_source": set(),
         "source_file": set(),
         "source_failed": set(),

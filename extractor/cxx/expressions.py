@@ -13,7 +13,9 @@ from rosarch.extractor.cxx.libclang import Tree
 
 _ASSIGNMENTS = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
 _ARITHMETIC = frozenset({"+", "-", "*", "/", "%", "<<", ">>"})
-_NUMBERS = re.compile(r"(?:[\s()+*/%<>-]|0[xX][0-9a-fA-F]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?[uUlLfF]*|M_[A-Z0-9_]+)+")
+_NUMBERS = re.compile(
+    r"(?:[\s()+*/%<>-]|(?:0[xX][0-9a-fA-F]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?[uUlLfF]*|M_[A-Z0-9_]+)(?![\w.]))+"
+)
 _VARIABLES = frozenset({kinds.VARIABLE, kinds.PARAMETER, kinds.FIELD})
 
 

@@ -23,16 +23,24 @@ BASE_ARGUMENTS = (
     "-fno-access-control", "-fbracket-depth=2048", "-fno-spell-checking", "-ferror-limit=0",
 )  # fmt: skip
 
+C_ARGUMENTS = ("-x", "c", "-std=gnu11", *(word for word in BASE_ARGUMENTS[3:] if word not in ("-nostdinc++", "-fno-access-control")))
+
 Rows = Mapping[str, set[tuple[str | int, ...]]]
 
 
 @dataclass(frozen=True)
 class CompileUnit:
-    """A source with what its target compiles it with."""
+    """A source with what its target compiles it with; headers in `installed` are taken when nothing else provides them."""
 
     source: Path
     include_dirs: tuple[Path, ...] = ()
     definitions: tuple[str, ...] = ()
+    installed: tuple[Path, ...] = ()
+
+    @property
+    def language(self) -> str:
+        """`c` for a C source, else `c++`."""
+        return "c" if self.source.suffix == ".c" else "c++"
 
 
 def _system(folders: Iterable[Path]) -> list[str]:
@@ -49,8 +57,10 @@ def build_prelude(path: Path) -> None:
 def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFinder) -> str:
     """A hash of all that the rows of a unit depend on."""
     folders = [os.path.relpath(folder, root) for folder in unit.include_dirs]
+    installed = [os.path.relpath(folder, root) for folder in unit.installed]
     return hash_of(
-        [extractor_version(), os.path.relpath(unit.source, root), *folders, "", *unit.definitions, "", finder.fingerprint(includes)]
+        [extractor_version(), os.path.relpath(unit.source, root), *folders, "", *installed, "", *unit.definitions, ""]
+        + [finder.fingerprint(includes)]
     )
 
 
@@ -62,14 +72,18 @@ def extract_unit(
     `includes` is the closure of the unit's source, where it is known already.
     Raises `libclang.ParseError` when clang gives no translation unit at all.
     """
-    includes = includes or finder.closure(unit.source, unit.include_dirs)
-    arguments = [*BASE_ARGUMENTS, *(f"-D{definition}" for definition in unit.definitions), *(f"-I{folder}" for folder in unit.include_dirs)]
+    includes = includes or finder.closure(unit.source, unit.include_dirs, unit.installed)
+    arguments = [
+        *(BASE_ARGUMENTS if unit.language == "c++" else C_ARGUMENTS),
+        *(f"-D{definition}" for definition in unit.definitions),
+        *(f"-I{folder}" for folder in unit.include_dirs),
+    ]
     arguments += _system([*SHIPPED_DIRS, *includes.made])
-    if prelude is not None:
+    if prelude is not None and unit.language == "c++":
         arguments += ["-include-pch", str(prelude)]
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts = _facts(root, includes, parsed)
-        if heal and worth_healing(facts, parsed):
+        if heal and unit.language == "c++" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
                 again = _facts(root, includes, better) if better else None
             if again and keeps_calls(facts.rows, again.rows):

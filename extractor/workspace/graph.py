@@ -8,9 +8,10 @@ from weakref import WeakKeyDictionary
 
 from .model import LIBRARY_KINDS, Package, Target, Workspace
 
-
 BROUGHT = frozenset(
-    line for line in (Path(__file__).parents[1] / "cxx/headers/packages.txt").read_text(encoding="utf-8").split("\n") if line and line[0] != "#"
+    line
+    for line in (Path(__file__).parents[1] / "cxx/headers/packages.txt").read_text(encoding="utf-8").split("\n")
+    if line and line[0] != "#"
 )
 
 
