@@ -8,11 +8,8 @@ from weakref import WeakKeyDictionary
 
 from .model import LIBRARY_KINDS, Package, Target, Workspace
 
-BROUGHT = frozenset(
-    line
-    for line in (Path(__file__).parents[1] / "cxx/headers/packages.txt").read_text(encoding="utf-8").split("\n")
-    if line and line[0] != "#"
-)
+_LIST = Path(__file__).parents[1] / "cxx" / "headers" / "packages.txt"
+BROUGHT = frozenset(line for line in _LIST.read_text(encoding="utf-8").split("\n") if line and not line.startswith("#"))
 
 
 class _Index:
@@ -123,8 +120,8 @@ def include_path(workspace: Workspace, target: Target) -> tuple[Path, ...]:
     packages whose declarations rosarch brings are left out.
     """
     tables = index(workspace)
-    brought = [package.path for name in BROUGHT if (package := tables.packages.get(name))]
-    result = dict.fromkeys(folder for folder in target.include_dirs if not any(folder.is_relative_to(path / "include") for path in brought))
+    brought = [tables.packages[name].path / "include" for name in sorted(BROUGHT & set(tables.packages))]
+    result = dict.fromkeys(folder for folder in target.include_dirs if not any(folder.is_relative_to(path) for path in brought))
     for library in closure(workspace, target):
         result.update(dict.fromkeys(library.interface_include_dirs))
     for name in tables.reachable(target.package):
