@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli import analyze, explain, extract, query, rules, show
+from rosarch.cli import analyze, doctor, explain, extract, query, rules, show
 from rosarch.cli.errors import INTERRUPTED, run
 
 app = typer.Typer(
@@ -22,6 +22,7 @@ app = typer.Typer(
 app.command("extract")(extract.extract)
 app.command("analyze")(analyze.analyze)
 app.add_typer(show.app, name="show")
+app.command("doctor")(doctor.doctor)
 app.command("query")(query.query)
 app.command("explain")(explain.explain)
 app.command("why-not")(explain.why_not)

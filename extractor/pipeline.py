@@ -11,6 +11,7 @@ import os
 import re
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
@@ -26,6 +27,7 @@ from rosarch.extractor.messages import MessageClass, header_text, load_messages,
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, without_library
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
+from rosarch.extractor.workspace.graph import BROUGHT
 
 Progress = Callable[[str, int, int], None]
 
@@ -53,11 +55,18 @@ class ComponentFacts:
 
 @dataclass
 class Extraction:
-    """The facts of all components; use as a context manager, its temporary files go with it."""
+    """The facts of all components; use as a context manager, its temporary files go with it.
+
+    `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
+    of the workspace that count as installed.
+    """
 
     root: Path
     components: tuple[ComponentFacts, ...] = ()
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    seconds: dict[Path, float] = field(default_factory=dict)
+    built: int = 0
+    installed: tuple[str, ...] = ()
     _stack: ExitStack = field(default_factory=ExitStack)
 
     def __enter__(self) -> Extraction:
@@ -100,10 +109,12 @@ def extract(
     found = components(workspace)
     commands = read_compile_commands(workspace.root)
     extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
-    units_of = {component: _compile_units(workspace, component, commands) for component in found}
+    units_of = {component: compile_units(workspace, component, commands) for component in found}
     units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
+    extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
+    extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
     reader = _UnitReader(workspace.root, HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name)), scratch, cache)
-    paths = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
+    paths = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction)
     classes = {
         (name, row.role or row.kind, _message_type(row))
         for row in message_classes(store)
@@ -119,7 +130,7 @@ def extract(
     return extraction
 
 
-def _compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:
+def compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:
     """The sources of a component, those of a library as the library's own target compiles them."""
     target = component.target.name if component.target else component.name
     own = [_unit(source, target, component.include_dirs, component.definitions, commands) for source in component.sources]
@@ -167,8 +178,9 @@ class _UnitReader:
     def _prelude(self) -> Path:
         return self.scratch / "prelude.pch"
 
-    def read(self, unit: CompileUnit) -> tuple[Path, bool]:
-        """The file with the rows of a unit, and whether it was in the cache."""
+    def read(self, unit: CompileUnit) -> tuple[Path, bool, float]:
+        """The file with the rows of a unit, whether it was in the cache, and the seconds that this took."""
+        start = time.perf_counter()
         sys.setrecursionlimit(20_000)
         includes = self.finder.closure(unit.source, unit.include_dirs, unit.installed)
         key = unit_key(unit, self.root, includes, self.finder)
@@ -180,7 +192,7 @@ class _UnitReader:
                 cache.store(key, data)
         path = self.scratch / f"{key}.unit"
         path.write_bytes(data)
-        return path, known is not None
+        return path, known is not None, time.perf_counter() - start
 
 
 def _extract_units(
@@ -189,12 +201,13 @@ def _extract_units(
     jobs: int,
     timeout: float,
     progress: Progress | None,
-    diagnostics: list[Diagnostic],
+    extraction: Extraction,
 ) -> dict[CompileUnit, Path]:
     """Extract every unit into a file; return the files, leaving out the units that failed."""
     if not units:
         return {}
     reader.prepare()
+    diagnostics = extraction.diagnostics
     known = True
     paths = {}
     largest = sorted(range(len(units)), key=lambda index: -_size(units[index].source))  # long ones first: even ends
@@ -204,8 +217,10 @@ def _extract_units(
         if isinstance(outcome, Failure):
             diagnostics.append(Diagnostic("source", ordered[index].source, 1, 1, f"not analysed: {outcome.reason} ({outcome.detail})"))
         else:
-            paths[ordered[index]], was_known = outcome
+            source = ordered[index].source
+            paths[ordered[index]], was_known, seconds = outcome
             known &= was_known
+            extraction.seconds[source] = max(seconds, extraction.seconds.get(source, 0.0))
         if progress:
             progress("sources", done + 1, len(units))
     if reader.cache and not known:

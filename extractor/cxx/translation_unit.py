@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -72,6 +73,15 @@ def extract_unit(
     `includes` is the closure of the unit's source, where it is known already.
     Raises `libclang.ParseError` when clang gives no translation unit at all.
     """
+    with parsed_unit(unit, root, finder, prelude, includes=includes, heal=heal) as (_parsed, facts):
+        return facts.rows
+
+
+@contextmanager
+def parsed_unit(
+    unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path | None, *, includes: Includes | None = None, heal: bool = False
+) -> Iterator[tuple[libclang.Unit, UnitFacts]]:
+    """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
     includes = includes or finder.closure(unit.source, unit.include_dirs, unit.installed)
     arguments = [
         *(BASE_ARGUMENTS if unit.language == "c++" else C_ARGUMENTS),
@@ -86,10 +96,11 @@ def extract_unit(
         if heal and unit.language == "c++" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
                 again = _facts(root, includes, better) if better else None
-            if again and keeps_calls(facts.rows, again.rows):
-                facts = again
-                without_unknown(facts.rows)
-    return facts.rows
+                if better and again and keeps_calls(facts.rows, again.rows):
+                    without_unknown(again.rows)
+                    yield better, again
+                    return
+        yield parsed, facts
 
 
 def _facts(root: Path, includes: Includes, parsed: libclang.Unit) -> UnitFacts:
