@@ -72,6 +72,16 @@ int main(int argc, char** argv)
   publishers.push_back(copy.advertise<std_msgs::Float64>("x", 1));
   publishers.push_back(pnh.advertise<std_msgs::Float64>("/absolute", 1));
   publishers.push_back(inNamespace("made").advertise<std_msgs::Float64>("x", 1));
+
+  // whole names are remapped, not parts of them
+  ros::M_string remappings;
+  remappings["from"] = "to";
+  ros::NodeHandle remapping("arm", remappings);
+  publishers.push_back(remapping.advertise<std_msgs::Float64>("from", 1));
+  publishers.push_back(remapping.advertise<std_msgs::Float64>("from/x", 1));
+  ros::NodeHandle elsewhere(nh, "", { { "in", "/everywhere" } });
+  publishers.push_back(elsewhere.advertise<std_msgs::Float64>("in", 1));
+
   publishers.push_back(nh.advertise<std_msgs::Float64>(pnh.resolveName("resolved"), 1));
   publishers.push_back(nh.advertise<std_msgs::Float64>(ros::names::append("joined", "x"), 1));
   publishers.push_back(nh.advertise<std_msgs::Float64>(ros::this_node::getName() + "/named", 1));
