@@ -29,13 +29,14 @@ from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import components, discover
 from rosarch.extractor.workspace.compile_commands import read_compile_commands
 
-STATEMENTS = frozenset("if for while do switch case default return break continue goto try catch throw".split())
-OTHER_WORDS = frozenset(
+_STATEMENTS = "if for while do switch case default return break continue goto try catch throw"
+_OTHERS = (
     "else new delete sizeof this nullptr true false int unsigned signed long short char bool float double void auto const constexpr static "
     "volatile struct class enum union typename template using namespace operator static_cast dynamic_cast const_cast reinterpret_cast "
     "typedef mutable register inline extern decltype alignof noexcept static_assert public private protected virtual friend explicit "
-    "and or not asm wchar_t typeid override final thread_local NULL".split()
+    "and or not asm wchar_t typeid override final thread_local NULL"
 )
+STATEMENTS, OTHER_WORDS = frozenset(_STATEMENTS.split()), frozenset(_OTHERS.split())
 TOKEN = re.compile(
     rb'//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n\\]|\\.)*|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\''
     rb"|[A-Za-z_]\w*|[0-9][\w.']*|\S",
@@ -162,9 +163,8 @@ def main() -> int:
     for name in options.names:
         if not (options.systems / name).is_dir():
             parser.error(f"{options.systems / name}: no such folder")
-    print(
-        "| system | files | statement keywords | found | identifiers | found | calls | lost | failed |\n|---|---|---|---|---|---|---|---|---|"
-    )
+    print("| system | files | statement keywords | found | identifiers | found | calls | lost | failed |")
+    print("|---|---|---|---|---|---|---|---|---|")
     trouble: list[str] = []
     bad = False
     for name in options.names:

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import typer
 
-from rosarch.cli.inputs import check_diagnostics, check_folder, check_output
-from rosarch.cli.options import Cache, Defines, Folder, Jobs, Packages, Timeout, parse_defines
+from rosarch.cli.inputs import check_diagnostics, check_folder
+from rosarch.cli.options import Defines, Folder, Jobs, Packages, Timeout, parse_defines
 from rosarch.cli.terminal import emit, progress
 
 
@@ -17,7 +17,6 @@ def doctor(
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
-    cache: Cache = None,
 ) -> None:
     """Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it."""
     variables = parse_defines(defines)
@@ -32,7 +31,6 @@ def doctor(
             jobs=jobs,
             timeout=timeout,
             defines=variables,
-            cache=check_output(cache) if cache else None,
             progress=report,
         )
     check_diagnostics(folder, health.components, health.diagnostics)

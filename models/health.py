@@ -69,10 +69,9 @@ def examine(
     jobs: int | None = None,
     timeout: float = 60.0,
     defines: Mapping[str, str] | None = None,
-    cache: Path | None = None,
     progress: Progress | None = None,
 ) -> Health:
-    """Analyse the components of `packages` below `root` and tell how well that went. See `extract` for the options."""
+    """Read and analyse the components of `packages` below `root` anew, and tell how well that went. See `extract` for the options."""
     program, health = component_program(), Health()
     asserted = sorted(name for name in program.relations if name.startswith("assert_"))
     keep = ["port", "port_unknown", "node_location", *asserted]
@@ -82,7 +81,7 @@ def examine(
         result = program.evaluate(rows, keep=keep)
         return _found(component, rows, {name: result.rows(name) for name in keep}, asserted)
 
-    with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
+    with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, progress=progress) as extraction:
         health.components = len(extraction.components)
         health.sources, health.built, health.installed = len(extraction.seconds), extraction.built, extraction.installed
         health.empty = [f"{c.package}/{c.name}" for c in extraction.components if not c.sources]

@@ -99,4 +99,4 @@ def _slow(health: Health) -> Iterator[str]:
         return
     yield f"slow sources: {len(health.slow)}"
     yield from _some([f"{path}  {seconds:.1f} s" for path, seconds in health.slow])
-    yield "  -> --cache DIR keeps what was read of unchanged sources"
+    yield "  -> other commands keep what they read, and read again only what has changed"

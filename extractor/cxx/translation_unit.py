@@ -59,10 +59,8 @@ def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFi
     """A hash of all that the rows of a unit depend on."""
     folders = [os.path.relpath(folder, root) for folder in unit.include_dirs]
     installed = [os.path.relpath(folder, root) for folder in unit.installed]
-    return hash_of(
-        [extractor_version(), os.path.relpath(unit.source, root), *folders, "", *installed, "", *unit.definitions, ""]
-        + [finder.fingerprint(includes)]
-    )
+    source = os.path.relpath(unit.source, root)
+    return hash_of([extractor_version(), source, *folders, "", *installed, "", *unit.definitions, "", finder.fingerprint(includes)])
 
 
 def extract_unit(
