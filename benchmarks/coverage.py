@@ -6,6 +6,9 @@ A site is a line with `.advertise(`, `->subscribe<` and the like in a source or 
 strings and `#if 0` left out. It is a port (with a known or, with a reason, an unknown name); or unreached (in a function that no component
 with this file runs); or none of the API's (a function of the system that is called so, lines that conditional compilation leaves out); or
 missed. Missed sites are listed, with `--list` unreached ones too.
+
+Beside the sites, all API calls are counted that the rules know of (ports of every library and accesses to parameters), and those whose name
+is not known, *unnamed*; `--list` shows these, so that a reader can judge which ones the source tells.
 """
 
 from __future__ import annotations
@@ -40,6 +43,9 @@ class Seen:
     unknown: set[Site] = field(default_factory=set)
     calls: dict[Site, set[bool]] = field(default_factory=lambda: defaultdict(set))
     others: set[Site] = field(default_factory=set)
+    api: set[str] = field(default_factory=set)
+    unnamed: dict[str, str] = field(default_factory=dict)
+    components: int = 0
     failed: list[str] = field(default_factory=list)
 
 
@@ -71,7 +77,7 @@ def sites(root: Path, files: Iterable[str]) -> list[Site]:
 def read_system(root: Path, jobs: int) -> Seen:
     """Extract and evaluate every component of a system."""
     program, seen = component_program(), Seen()
-    keep = ("port", "port_unknown", "node_location", "reachable")
+    keep = ("port", "port_site", "port_unknown", "parameter_site", "parameter_access", "node_location", "reachable")
 
     def work(component: ComponentFacts) -> Seen:
         rows = component.rows()
@@ -89,6 +95,11 @@ def read_system(root: Path, jobs: int) -> Seen:
             seen.ports |= outcome.ports
             seen.unknown |= outcome.unknown
             seen.others |= outcome.others
+            seen.components += 1
+            named = (seen.api - seen.unnamed.keys()) | (outcome.api - outcome.unnamed.keys())
+            seen.api |= outcome.api
+            seen.unnamed |= outcome.unnamed
+            seen.unnamed = {call: text for call, text in seen.unnamed.items() if call not in named}
             for site, runs in outcome.calls.items():
                 seen.calls[site] |= runs
     return seen
@@ -112,9 +123,22 @@ def component_seen(rows: Mapping[str, Iterable[Any]], derived: Mapping[str, Iter
             seen.others.add(locations[call])
         elif call in locations:
             seen.calls[locations[call]].add(functions.get(call) in reachable)
+    _add_api(seen, derived, places)
     for file, first, last in rows.get("lines_skipped", ()):
         seen.others |= {(paths[file], line) for line in range(first, last + 1)}
     return seen
+
+
+def _add_api(seen: Seen, derived: Mapping[str, Iterable[Any]], places: Mapping[str, Site]) -> None:
+    """The calls that make ports or access parameters, and those without any known name."""
+    ports = {site for site, *_rest in derived["port_site"] if site in places}
+    parameters = {call for call, _op in derived["parameter_site"] if call in places}
+    named = {site for ((site, _kind, name),) in derived["port"] if name[:1] != "?"}
+    named |= {call for call, _op, name in derived["parameter_access"] if name[:1] != "?"}
+    made = {site for ((site, _kind, _name),) in derived["port"]}
+    seen.api = (ports & made) | parameters
+    reasons = {site: f"{kind} {name} ({reason})" for (site, kind, name), reason in derived["port_unknown"]}
+    seen.unnamed = {call: "{}:{}: {}".format(*places[call], reasons.get(call, "parameter")) for call in seen.api - named}
 
 
 def classify(site: Site, seen: Seen) -> str:
@@ -140,7 +164,8 @@ def main() -> int:
     for name in options.names:
         if not (options.systems / name).is_dir():
             parser.error(f"{options.systems / name}: no such folder")
-    print("| system | sites | ports | unknown | unreached | not API | missed | failed |\n|---|---|---|---|---|---|---|---|")
+    print("| system | components | sites | ports | unknown | unreached | not API | missed | API calls | unnamed | failed |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
     trouble: list[str] = []
     failed = False
     for name in options.names:
@@ -150,10 +175,14 @@ def main() -> int:
         for site in sites(root, seen.files):
             classes[classify(site, seen)].append(site)
         counts = " | ".join(str(len(classes[label])) for label in ("ports", "unknown", "unreached", "others", "missed"))
-        print(f"| {name} | {sum(map(len, classes.values()))} | {counts} | {len(seen.failed)} |", flush=True)
+        total = sum(map(len, classes.values()))
+        print(
+            f"| {name} | {seen.components} | {total} | {counts} | {len(seen.api)} | {len(seen.unnamed)} | {len(seen.failed)} |", flush=True
+        )
         failed |= bool(classes["missed"] or seen.failed)
         trouble += [f"{name}: missed {path}:{line}" for path, line in classes["missed"]]
         trouble += [f"{name}: unreached {path}:{line}" for path, line in classes["unreached"] if options.list]
+        trouble += [f"{name}: unnamed {text}" for text in sorted(seen.unnamed.values()) if options.list]
         trouble += [f"{name}: failed {text}" for text in seen.failed]
     print("\n".join(["", *trouble]))
     return bool(failed)

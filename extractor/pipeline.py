@@ -13,6 +13,7 @@ import re
 import shutil
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
@@ -27,7 +28,9 @@ from rosarch.extractor.files import path_text
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path
+from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, without_library
+from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
+from rosarch.extractor.workspace.graph import BROUGHT
 
 Progress = Callable[[str, int, int], None]
 PRELUDE_BYTES = 64 << 20
@@ -48,20 +51,29 @@ class ComponentFacts:
     own: Rows
 
     def rows(self) -> Rows:
-        """All facts of the component; message classes that its sources never name are left out."""
+        """All facts of the component; message classes and configurations that its sources never name are left out."""
         merged = merge([*(marshal.loads(marshal.loads(path.read_bytes())[1]) for path in self.units), self.own])
         classes = {row[0] for row in merged["class"]} | {row[1] for row in merged["type_class"]}
         merged["message_class"] = {row for row in merged["message_class"] if row[0] in classes}
+        types = {row[2] for row in merged["message_class"]}
+        merged["config_parameter"] = {row for row in merged["config_parameter"] if row[0] in types}
         return merged
 
 
 @dataclass
 class Extraction:
-    """The facts of all components; use as a context manager, its temporary files go with it."""
+    """The facts of all components; use as a context manager, its temporary files go with it.
+
+    `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
+    of the workspace that count as installed.
+    """
 
     root: Path
     components: tuple[ComponentFacts, ...] = ()
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    seconds: dict[Path, float] = field(default_factory=dict)
+    built: int = 0
+    installed: tuple[str, ...] = ()
     _stack: ExitStack = field(default_factory=ExitStack)
 
     def __enter__(self) -> Extraction:
@@ -102,33 +114,62 @@ def extract(
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
     found = components(workspace, extraction.diagnostics)
-    units_of = {component: _compile_units(workspace, component) for component in found}
+    commands = read_compile_commands(workspace.root)
+    extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
+    units_of = {component: compile_units(workspace, component, commands) for component in found}
     units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
+    extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
+    extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
     reader = _UnitReader(workspace.root, HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name)), scratch, cache)
-    files = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction.diagnostics)
+    files = _extract_units(units, reader, jobs or default_jobs(), timeout, progress, extraction)
     classes = {
         (name, row.role or row.kind, _message_type(row))
         for row in message_classes(store)
         for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
     }
+    configs = {
+        (f"{config.name}Config", p.name, p.type, _default(p.default)) for config in store.configs.values() for p in config.parameters
+    }
     extraction.components = tuple(
-        _component_facts(component, units_of[component], workspace.root, files, classes)
+        _component_facts(component, units_of[component], workspace.root, files, classes, configs)
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction
 
 
-def _compile_units(workspace: Workspace, component: Component) -> list[CompileUnit]:
+def compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:
     """The sources of a component, those of a library as the library's own target compiles them."""
-    own = [CompileUnit(source, component.include_dirs, component.definitions) for source in component.sources]
+    target = component.target.name if component.target else component.name
+    own = [_unit(source, target, component.include_dirs, component.definitions, commands) for source in component.sources]
     wanted = set(component.library_sources)
     linked = [
-        CompileUnit(source, include_path(workspace, library), library.definitions)
+        _unit(source, library.name, include_path(workspace, library), library.definitions, commands)
         for library in component.libraries
         for source in library.sources
         if source in wanted
     ]
     return list(dict.fromkeys([*own, *linked]))
+
+
+def _unit(
+    source: Path, target: str, include_dirs: tuple[Path, ...], definitions: tuple[str, ...], commands: CompileCommands
+) -> CompileUnit:
+    """How a target compiles a source: as a build did it when there was one, else as its CMake files say."""
+    command = commands.find(source, target)
+    if command is None:
+        return CompileUnit(source, include_dirs, definitions)
+    folders = tuple(dict.fromkeys((*command.include_dirs, *include_dirs)))
+    return CompileUnit(source, folders, command.definitions, command.installed)
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A unit that was extracted: the file with its rows, whether it was in the cache, how long it took, the errors that lost code."""
+
+    path: Path
+    known: bool
+    seconds: float
+    problems: list[Problem]
 
 
 @dataclass(frozen=True)
@@ -154,13 +195,14 @@ class _UnitReader:
     def _prelude(self) -> Path:
         return self.scratch / "prelude.pch"
 
-    def read(self, unit: CompileUnit) -> tuple[Path, bool, list[Problem]]:
-        """The file with the rows of a unit, whether it was in the cache, and the errors that lost code.
+    def read(self, unit: CompileUnit) -> _Read:
+        """Extract one unit.
 
-        The file holds the errors and, apart from them, the rows.
+        Its file holds the errors that lost code and, apart from them, the rows.
         """
+        start = time.perf_counter()
         sys.setrecursionlimit(20_000)
-        includes = self.finder.closure(unit.source, unit.include_dirs)
+        includes = self.finder.closure(unit.source, unit.include_dirs, unit.installed)
         key = unit_key(unit, self.root, includes, self.finder)
         cache = self.cache if includes.predictable else None
         data = known = cache.load(key) if cache else None
@@ -172,7 +214,7 @@ class _UnitReader:
                 cache.store(key, data)
         path = self.scratch / f"{key}.unit"
         path.write_bytes(data)
-        return path, known is not None, marshal.loads(data)[0]
+        return _Read(path, known is not None, time.perf_counter() - start, marshal.loads(data)[0])
 
 
 def _extract_units(
@@ -181,12 +223,13 @@ def _extract_units(
     jobs: int,
     timeout: float,
     progress: Progress | None,
-    diagnostics: list[Diagnostic],
+    extraction: Extraction,
 ) -> dict[CompileUnit, Path | Failure]:
     """Extract every unit into a file; return the files, and for units that failed why."""
     if not units:
         return {}
     _prepare(reader, timeout)
+    diagnostics = extraction.diagnostics
     known = True
     files: dict[CompileUnit, Path | Failure] = {}
     lost: set[Diagnostic] = set()  # a header's are found by every source that includes it
@@ -199,9 +242,11 @@ def _extract_units(
             diagnostics.append(Diagnostic("source", ordered[index].source, 1, 1, f"not analysed: {outcome.reason} ({outcome.detail})"))
             files[ordered[index]] = outcome
         else:
-            files[ordered[index]], was_known, problems = outcome
-            known &= was_known
-            lost.update(Diagnostic("source", Path(path), line, column, message) for path, line, column, message in problems)
+            source = ordered[index].source
+            files[ordered[index]] = outcome.path
+            known &= outcome.known
+            extraction.seconds[source] = max(outcome.seconds, extraction.seconds.get(source, 0.0))
+            lost.update(Diagnostic("source", Path(path), line, column, message) for path, line, column, message in outcome.problems)
         if progress:
             progress("sources", done + 1, len(units))
     if reader.cache and not known:
@@ -268,16 +313,25 @@ def _message_type(row: MessageClass) -> str:
     return row.owner if row.owner and row.role in ("request", "response") else row.type
 
 
+def _default(text: str | None) -> str:
+    """The default of a configuration's parameter, Python text, as the value that C++ would have."""
+    if text is None:
+        return "?"
+    return {"True": "true", "False": "false"}.get(text, text[1:-1] if text[:1] in "'\"" else text)
+
+
 def _component_facts(
     component: Component,
     units: Sequence[CompileUnit],
     root: Path,
     files: Mapping[CompileUnit, Path | Failure],
     classes: set[tuple[str, str, str]],
+    configs: set[tuple[str, str, str, str]],
 ) -> ComponentFacts:
     own: dict[str, set[tuple[str | int, ...]]] = {
         "component": {(component.name, component.package, component.kind)},
         "message_class": set(classes),
+        "config_parameter": set(configs),
         "component_source": set(),
         "source_file": set(),
         "source_failed": set(),

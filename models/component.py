@@ -86,6 +86,7 @@ def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[Port, ...
     latched = {port for (port,) in relations["port_latched"]}
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
+    inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
     found = []
     for (port,) in relations["port"]:
         site, kind, name = port
@@ -107,9 +108,10 @@ def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[Port, ...
                 unknown.get(port),
             )
         )
-    for (site, kind, name), type_ in relations["implicit_port"]:
+    for port, type_ in relations["implicit_port"]:
+        site, kind, name = port
         if site in places:
-            found.append(Port("", kind, name, None, type_, None, False, None, "plain", places[site], True))
+            found.append(Port("", kind, name, None, type_, None, False, inner.get(port), "plain", places[site], True))
     found.sort(key=lambda port: (port.implicit, port.at.path, port.at.line, port.at.column, port.kind, port.name, port.type or ""))
     return tuple(Port(f"p{number}", *list(vars(port).values())[1:]) for number, port in enumerate(found, 1))
 
@@ -126,6 +128,11 @@ _PARAMETER_TYPES = {
 }  # fmt: skip
 
 
+def _parameter_type(type_: str) -> str:
+    """A C++ type as parameters have it: ROS names for single values, C++ names for what holds several."""
+    return _PARAMETER_TYPES.get(type_, type_.replace("std::basic_string<char>", "std::string"))
+
+
 def _parameters(relations: Relations, places: Mapping[str, Place]) -> tuple[Parameter, ...]:
     types, defaults = _first(relations["parameter_access_type"]), _first(relations["parameter_access_default"])
     found: dict[tuple[str, str, Place], Parameter] = {}
@@ -134,7 +141,7 @@ def _parameters(relations: Relations, places: Mapping[str, Place]) -> tuple[Para
         at = places.get(call)
         if at is None:
             continue
-        found[name, op, at] = Parameter(name, op, _PARAMETER_TYPES.get(type_, type_) if type_ else None, defaults.get(call), at)
+        found[name, op, at] = Parameter(name, op, _parameter_type(type_) if type_ else None, defaults.get(call), at)
     return tuple(sorted(found.values(), key=lambda parameter: (parameter.at.path, parameter.at.line, parameter.at.column, parameter.name)))
 
 

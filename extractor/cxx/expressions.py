@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from rosarch.extractor.cxx import kinds, libclang, literals
@@ -11,6 +12,10 @@ from rosarch.extractor.cxx.declarations import declare_function, declare_type, d
 from rosarch.extractor.cxx.libclang import Tree
 
 _ASSIGNMENTS = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
+_ARITHMETIC = frozenset({"+", "-", "*", "/", "%", "<<", ">>"})
+_NUMBERS = re.compile(
+    r"(?:[\s()+*/%<>-]|(?:0[xX][0-9a-fA-F]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?[uUlLfF]*|M_[A-Z0-9_]+)(?![\w.]))+"
+)
 _VARIABLES = frozenset({kinds.VARIABLE, kinds.PARAMETER, kinds.FIELD})
 
 
@@ -31,9 +36,19 @@ def operator_expression(body: Body, tree: Tree, form: str, name: str, operands: 
     assigns = name in _ASSIGNMENTS
     for index, operand in enumerate(operands):
         body.unit.add("operand", expr, index, lower_expression(body, operand, text=assigns and index == 1))
+    if name in _ARITHMETIC:
+        _record_constant(body, tree, expr)
     if assigns or name in ("++", "--", "<<", ">>", "delete"):  # of streams, the last ones write
         body.flow.evaluate(expr)
     return expr
+
+
+def _record_constant(body: Body, tree: Tree, expr: str) -> None:
+    """What arithmetic on literals comes to; names are left out, as healing may have made up their values."""
+    if _NUMBERS.fullmatch(body.unit.text(body.unit.span(tree.cursor))):
+        value = libclang.evaluate(tree.cursor)
+        if value is not None:
+            body.unit.add("expr_constant", expr, repr(value) if isinstance(value, float) else str(int(value)))
 
 
 def _lower_reference(body: Body, tree: Tree) -> str:

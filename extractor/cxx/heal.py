@@ -88,7 +88,12 @@ def worth_healing(facts: UnitFacts, parsed: libclang.Unit) -> bool:
 
 def keeps_calls(first: Rows, healed: Rows) -> bool:
     """Whether no call that clang had found in the first place is lost."""
-    return not _call_places(first) - _call_places(healed)
+    return not lost_calls(first, healed)
+
+
+def lost_calls(first: Rows, healed: Rows) -> Counter[str]:
+    """The places where fewer calls begin than clang had found in the first place, with how many are gone."""
+    return _call_places(first) - _call_places(healed)
 
 
 def without_unknown(rows: dict[str, set[tuple[str | int, ...]]]) -> None:
@@ -222,6 +227,8 @@ def _kind(path: Sequence[str], before: bytes, after: bytes, default: str = "") -
 
 def _kind_in_expression(name: str, qualified: bool, before: bytes, after: bytes) -> str:
     capital = name[:1].isupper()
+    if re.search(rb"\bcase(?:\s+|\s*\(\s*)$", before):
+        return "constant"
     if after.lstrip().startswith(b"("):
         return "class" if re.search(rb"\b(?:new|throw)\s*$", before) or (qualified and capital) else "function"
     if re.search(rb"\busing\s+namespace\s+$", before):
@@ -237,8 +244,6 @@ def _kind_in_expression(name: str, qualified: bool, before: bytes, after: bytes)
         and re.search(rb"[<,(]\s*(?:const\s+)?$", before)
     ):
         return "class"
-    if re.search(rb"\bcase\s+$", before):
-        return "constant"
     return "class" if qualified and capital and re.match(rb"\s*[*&]*\s*[>{]", after) else "value"
 
 

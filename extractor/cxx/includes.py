@@ -65,8 +65,12 @@ class HeaderFinder:
         self._exists: dict[str, bool] = {}
         self._made: dict[str, Path | None] = {}
 
-    def closure(self, source: Path, include_dirs: Sequence[Path]) -> Includes:
-        """Find all that `source` includes, making what is generated or absent."""
+    def closure(self, source: Path, include_dirs: Sequence[Path], installed: Sequence[Path] = ()) -> Includes:
+        """Find all that `source` includes, making what is generated or absent.
+
+        Headers of `installed` folders are taken only when the workspace, rosarch and message definitions have none: what the rules know
+        is declared the same way everywhere.
+        """
         result = Includes()
         extra: dict[Path, None] = {}
         seen = {source}
@@ -74,7 +78,7 @@ class HeaderFinder:
         while queue:
             file = queue.pop()
             for line, name, quoted in self._includes_of(file):
-                found, folder = self._resolve(file, name, quoted, include_dirs, result, line)
+                found, folder = self._resolve(file, name, quoted, (include_dirs, installed), result, line)
                 if folder is not None:
                     extra[folder] = None
                 if found is not None and found not in seen:
@@ -127,14 +131,14 @@ class HeaderFinder:
         return known
 
     def _resolve(
-        self, file: Path, name: str, quoted: bool, include_dirs: Sequence[Path], result: Includes, line: int
+        self, file: Path, name: str, quoted: bool, folders: tuple[Sequence[Path], Sequence[Path]], result: Includes, line: int
     ) -> tuple[Path | None, Path | None]:
         """Return (file to go on with, folder to search for it beyond the usual ones)."""
         if name.startswith("/"):
             return (Path(name), None) if self._is_file(name) else (None, None)
         if quoted and self._is_file(beside := os.path.join(file.parent, name)):
             return Path(os.path.normpath(beside)), None
-        for folder in include_dirs:
+        for folder in folders[0]:
             if self._is_file(path := os.path.join(folder, name)):
                 return Path(os.path.normpath(path)), None
         for folder in SHIPPED_DIRS:
@@ -143,6 +147,9 @@ class HeaderFinder:
         made = self._generated(name)
         if made is not None:
             return made, self.scratch / "messages"
+        for folder in folders[1]:
+            if self._is_file(path := os.path.join(folder, name)):
+                return Path(path), self._forward(name, Path(path))
         elsewhere = self._elsewhere(file, name)
         if elsewhere is not None:
             return elsewhere, self._forward(name, elsewhere)

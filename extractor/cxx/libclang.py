@@ -138,6 +138,7 @@ _dispose_overridden = _bind("disposeOverriddenCursors", None, POINTER(Cursor))
 _cursor_spelling = _bind("getCursorSpelling", _String, Cursor)
 _type_spelling = _bind("getTypeSpelling", _String, Type)
 _file_location = _bind("getFileLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
+_spelling_location = _bind("getSpellingLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
 _file_name = _bind("getFileName", _String, c_void_p)
 _all_skipped_ranges = _bind("getAllSkippedRanges", POINTER(_RangeList), c_void_p)
 _dispose_ranges = _bind("disposeSourceRangeList", None, POINTER(_RangeList))
@@ -254,6 +255,25 @@ def tree(cursor: Cursor) -> Tree:
     _visit(cursor, _GROW, None)
     _stack.clear()
     return root
+
+
+def descendants(cursor: Cursor) -> Iterator[Cursor]:
+    """All cursors below `cursor`, each before those below it."""
+    found: list[Cursor] = []
+
+    def visit(child: Cursor, _parent: Cursor, _data: Any) -> int:
+        found.append(Cursor.from_buffer_copy(child))
+        return 2
+
+    _visit(cursor, _Visitor(visit), None)
+    yield from found
+
+
+def spelling_location(place: Location) -> tuple[str, int]:
+    """Return (file name, byte offset) of where the text of a location is written: for a macro's argument, the argument."""
+    file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
+    _spelling_location(place, byref(file), byref(line), byref(column), byref(offset))
+    return (_text(_file_name(file)) if file else "", offset.value)
 
 
 def file_location(place: Location) -> tuple[str, int]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,6 +26,8 @@ BASE_ARGUMENTS = (
     "-fno-access-control", "-fbracket-depth=2048", "-fno-spell-checking", "-ferror-limit=0",
 )  # fmt: skip
 
+C_ARGUMENTS = ("-x", "c", "-std=gnu11", *(word for word in BASE_ARGUMENTS[3:] if word not in ("-nostdinc++", "-fno-access-control")))
+
 Rows = Mapping[str, set[tuple[str | int, ...]]]
 Problem = tuple[str, int, int, str]
 """An error in a source: path, line, column, message."""
@@ -32,11 +35,17 @@ Problem = tuple[str, int, int, str]
 
 @dataclass(frozen=True)
 class CompileUnit:
-    """A source with what its target compiles it with."""
+    """A source with what its target compiles it with; headers in `installed` are taken when nothing else provides them."""
 
     source: Path
     include_dirs: tuple[Path, ...] = ()
     definitions: tuple[str, ...] = ()
+    installed: tuple[Path, ...] = ()
+
+    @property
+    def language(self) -> str:
+        """`c` for a C source, else `c++`."""
+        return "c" if self.source.suffix == ".c" else "c++"
 
 
 def _system(folders: Iterable[Path]) -> list[str]:
@@ -53,9 +62,9 @@ def build_prelude(path: Path) -> None:
 def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFinder) -> str:
     """A hash of all that the rows of a unit depend on."""
     folders = [os.path.relpath(folder, root) for folder in unit.include_dirs]
-    return hash_of(
-        [extractor_version(), os.path.relpath(unit.source, root), *folders, "", *unit.definitions, "", finder.fingerprint(includes)]
-    )
+    installed = [os.path.relpath(folder, root) for folder in unit.installed]
+    source = os.path.relpath(unit.source, root)
+    return hash_of([extractor_version(), source, *folders, "", *installed, "", *unit.definitions, "", finder.fingerprint(includes)])
 
 
 def extract_unit(
@@ -73,22 +82,36 @@ def extract_unit(
     `includes` is the closure of the unit's source, where it is known already. `problems` gets the errors that lose code.
     Raises `libclang.ParseError` when clang gives no translation unit at all.
     """
-    includes = includes or finder.closure(unit.source, unit.include_dirs)
-    arguments = [*BASE_ARGUMENTS, *(f"-D{definition}" for definition in unit.definitions), *(f"-I{folder}" for folder in unit.include_dirs)]
+    with parsed_unit(unit, root, finder, prelude, includes=includes, heal=heal) as (parsed, facts):
+        if problems is not None:
+            problems += _lost_code(facts, parsed)
+        return facts.rows
+
+
+@contextmanager
+def parsed_unit(
+    unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path | None, *, includes: Includes | None = None, heal: bool = False
+) -> Iterator[tuple[libclang.Unit, UnitFacts]]:
+    """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
+    includes = includes or finder.closure(unit.source, unit.include_dirs, unit.installed)
+    arguments = [
+        *(BASE_ARGUMENTS if unit.language == "c++" else C_ARGUMENTS),
+        *(f"-D{definition}" for definition in unit.definitions),
+        *(f"-I{folder}" for folder in unit.include_dirs),
+    ]
     arguments += _system([*SHIPPED_DIRS, *includes.made])
-    if prelude is not None:
+    if prelude is not None and unit.language == "c++":
         arguments += ["-include-pch", str(prelude)]
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts = _facts(root, includes, parsed)
-        if problems is not None:
-            problems += _lost_code(facts, parsed)
-        if heal and worth_healing(facts, parsed):
+        if heal and unit.language == "c++" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
                 again = _facts(root, includes, better) if better else None
-            if again and keeps_calls(facts.rows, again.rows):
-                facts = again
-                without_unknown(facts.rows)
-    return facts.rows
+                if better and again and keeps_calls(facts.rows, again.rows):
+                    without_unknown(again.rows)
+                    yield better, again
+                    return
+        yield parsed, facts
 
 
 _LOSING = re.compile(

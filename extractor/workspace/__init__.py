@@ -3,7 +3,7 @@
 `discover` reads a workspace, `components` lists what runs, `closure` and `include_path` answer questions about one target.
 """
 
-from .components import components
+from .components import components, without_library
 from .discovery import discover
 from .graph import closure, include_path
 from .model import Component, Configured, Diagnostic, Exports, Package, PluginClass, Target, Workspace
@@ -21,4 +21,5 @@ __all__ = [
     "components",
     "discover",
     "include_path",
+    "without_library",
 ]

@@ -17,6 +17,19 @@ NODELET_BASE = "nodelet::Nodelet"
 COMPONENT_BASE = "rclcpp_components"
 
 
+def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
+    """Plug-in descriptions of the selected packages whose library no target builds: such components have no sources."""
+    return tuple(
+        Diagnostic(
+            "plugin", plugin.declared_at, plugin.line, 1, f"no target builds {plugin.library or 'the library'} of {plugin.cxx_class}"
+        )
+        for package in workspace.packages
+        if package.name in workspace.selected
+        for plugin in package.plugins
+        if plugin.cxx_class not in _registrations(package) and _library(workspace, plugin, package) is None
+    )
+
+
 def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -> tuple[Component, ...]:
     """The components of the selected packages, by package, kind and name. Tests are none.
 

@@ -8,6 +8,9 @@ from weakref import WeakKeyDictionary
 
 from .model import LIBRARY_KINDS, Package, Target, Workspace
 
+_LIST = Path(__file__).parents[1] / "cxx" / "headers" / "packages.txt"
+BROUGHT = frozenset(line for line in _LIST.read_text(encoding="utf-8").split("\n") if line and not line.startswith("#"))
+
 
 class _Index:
     """Look-up tables of one workspace."""
@@ -89,7 +92,10 @@ def find_library(workspace: Workspace, link: str, package: str) -> Target | None
 
 
 def closure(workspace: Workspace, target: Target) -> tuple[Target, ...]:
-    """The workspace libraries a target is made of, transitively, in the order they are linked; without the target itself."""
+    """The workspace libraries a target is made of, transitively, in the order they are linked; without the target itself.
+
+    Libraries of packages whose declarations rosarch brings count as installed.
+    """
     tables = index(workspace)
     result: dict[tuple[str, str], Target] = {}
     stack = [target]
@@ -98,7 +104,7 @@ def closure(workspace: Workspace, target: Target) -> tuple[Target, ...]:
         nexts: list[Target] = []
         for link in (*here.objects, *here.links):
             library = tables.library(link, here.package)
-            if library is None or library is target or (library.package, library.name) in result:
+            if library is None or library is target or library.package in BROUGHT or (library.package, library.name) in result:
                 continue
             result[library.package, library.name] = library
             nexts.append(library)
@@ -110,15 +116,17 @@ def include_path(workspace: Workspace, target: Target) -> tuple[Path, ...]:
     """Include folders in the order of the compiler's command line.
 
     First the target's own (with `catkin_INCLUDE_DIRS` and the like expanded), then those its libraries hand on, last the exported
-    folders of all packages the manifest depends on: a package that forgets them in CMake compiles in a merged devel space.
+    folders of all packages the manifest depends on: a package that forgets them in CMake compiles in a merged devel space. Those of
+    packages whose declarations rosarch brings are left out.
     """
     tables = index(workspace)
-    result = dict.fromkeys(target.include_dirs)
+    brought = [tables.packages[name].path / "include" for name in sorted(BROUGHT & set(tables.packages))]
+    result = dict.fromkeys(folder for folder in target.include_dirs if not any(folder.is_relative_to(path) for path in brought))
     for library in closure(workspace, target):
         result.update(dict.fromkeys(library.interface_include_dirs))
     for name in tables.reachable(target.package):
         package: Package | None = tables.packages.get(name)
-        if package is not None:
+        if package is not None and name not in BROUGHT:
             result.update(dict.fromkeys(package.exports.include_dirs))
     return tuple(result)
 

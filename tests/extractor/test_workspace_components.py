@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from workspace_builder import messages, package, target
 
-from rosarch.extractor.workspace import Diagnostic, closure, components, discover, include_path
+from rosarch.extractor.workspace import Diagnostic, closure, components, discover, include_path, without_library
 from rosarch.extractor.workspace.plugins import registrations
 
 NODELET_XML = """<library path="lib/libdemo_nodelets">
@@ -181,3 +181,30 @@ def test_components_of_one_name_are_told_apart(tmp_path: Path) -> None:
         "demo/CMakeLists.txt:5:1: demo has another component go; that of target y is called go_3",
         "demo/CMakeLists.txt:8:1: demo has another component Filter; that of demo::Filter is called Filter_2",
     ]
+
+
+def test_a_described_nodelet_without_a_library_is_reported(tmp_path: Path) -> None:
+    package(tmp_path, "demo", "", {"plugins.xml": NODELET_XML}, export=EXPORT)
+    (problem,) = without_library(discover(tmp_path))
+    assert str(problem) == f"{tmp_path}/demo/plugins.xml:2:1: no target builds lib/libdemo_nodelets of demo::Filter"
+
+
+def test_a_described_nodelet_with_its_library_is_not_reported(tmp_path: Path) -> None:
+    package(tmp_path, "demo", "add_library(demo_nodelets f.cpp)", {"plugins.xml": NODELET_XML, "f.cpp": ""}, export=EXPORT)
+    assert without_library(discover(tmp_path)) == ()
+
+
+def test_a_package_that_rosarch_knows_counts_as_installed(tmp_path: Path) -> None:
+    package(
+        tmp_path,
+        "roscpp",
+        "catkin_package(INCLUDE_DIRS include LIBRARIES roscpp)\nadd_library(roscpp a.cpp)",
+        {"a.cpp": "", "include/ros/ros.h": ""},
+    )
+    package(
+        tmp_path, "app", "add_executable(app m.cpp)\ntarget_link_libraries(app ${catkin_LIBRARIES})", {"m.cpp": ""}, depends=("roscpp",)
+    )
+    workspace = discover(tmp_path)
+    (app,) = (component for component in components(workspace) if component.name == "app")
+    assert app.library_sources == ()
+    assert tmp_path / "roscpp/include" not in app.include_dirs

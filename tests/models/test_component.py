@@ -12,7 +12,8 @@ import pytest
 from rosarch.models.component import ComponentModel, build_model, to_json
 
 NAMES = (
-    "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_via", "implicit_port", "node_location",
+    "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_via", "implicit_port",
+    "implicit_port_callback", "node_location",
     "function_display", "parameter_access", "parameter_access_default", "parameter_access_type", "node_name",
 )  # fmt: skip
 FIELDS = [

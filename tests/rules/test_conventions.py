@@ -146,7 +146,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     )
     (package / "demo.cpp").write_text(SNIPPETS, encoding="utf-8")
     filled: set[str] = set()
-    for root in (tmp_path / "src", EXAMPLES / "nodelet_filter"):
+    for root in (tmp_path / "src", EXAMPLES / "nodelet_filter", EXAMPLES / "services_and_actions"):
         with extract(root, jobs=1) as extraction:
             for component in extraction.components:
                 filled |= {relation for relation, rows in component.rows().items() if rows}

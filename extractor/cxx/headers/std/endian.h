@@ -7,7 +7,13 @@
 #define __LITTLE_ENDIAN 1234
 #define __BIG_ENDIAN 4321
 #define __BYTE_ORDER __LITTLE_ENDIAN
-extern "C" { uint16_t htobe16(uint16_t); uint16_t be16toh(uint16_t); uint16_t htole16(uint16_t); uint16_t le16toh(uint16_t);
+#ifdef __cplusplus
+extern "C" {
+#endif
+uint16_t htobe16(uint16_t); uint16_t be16toh(uint16_t); uint16_t htole16(uint16_t); uint16_t le16toh(uint16_t);
   uint32_t htobe32(uint32_t); uint32_t be32toh(uint32_t);
 uint32_t htole32(uint32_t); uint32_t le32toh(uint32_t); uint64_t htobe64(uint64_t); uint64_t be64toh(uint64_t); uint64_t htole64(uint64_t);
-  uint64_t le64toh(uint64_t); }
+  uint64_t le64toh(uint64_t);
+#ifdef __cplusplus
+}
+#endif

@@ -1,6 +1,9 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
-extern "C" int errno;
+#ifdef __cplusplus
+extern "C"
+#endif
+int errno;
 #define EPERM 1
 #define ENOENT 2
 #define EINTR 4

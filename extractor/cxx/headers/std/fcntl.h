@@ -2,7 +2,13 @@
 #pragma once
 #include <bits/c_types.h>
 struct flock { short l_type; short l_whence; off_t l_start; off_t l_len; pid_t l_pid; };
-extern "C" { int open(const char*, int, ...); int creat(const char*, mode_t); int fcntl(int, int, ...); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+int open(const char*, int, ...); int creat(const char*, mode_t); int fcntl(int, int, ...);
+#ifdef __cplusplus
+}
+#endif
 #define O_RDONLY 0
 #define O_WRONLY 1
 #define O_RDWR 2

@@ -1,3 +1,9 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
-extern "C" { char* dirname(char*); char* basename(char*); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+char* dirname(char*); char* basename(char*);
+#ifdef __cplusplus
+}
+#endif

@@ -5,4 +5,10 @@
 #define LC_TIME 2
 #define LC_ALL 6
 struct lconv { char* decimal_point; char* thousands_sep; };
-extern "C" { char* setlocale(int, const char*); struct lconv* localeconv(void); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+char* setlocale(int, const char*); struct lconv* localeconv(void);
+#ifdef __cplusplus
+}
+#endif

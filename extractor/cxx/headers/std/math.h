@@ -2,6 +2,7 @@
 #pragma once
 #include <stdlib.h>
 // One overload for double and one template for the other arithmetic types stand for the usual three plus integers.
+#ifdef __cplusplus
 extern "C++" {
 namespace rosarch_math {
 template <class T> struct real {};
@@ -23,6 +24,10 @@ template <class A, class B> struct wider { typedef decltype(typename real<A>::ty
   extern "C" double name(double, double); \
   extern "C" float name##f(float, float); \
   extern "C++" { template <class A, class B> typename rosarch_math::wider<A, B>::type name(A, B); }
+#else
+#define ROSARCH_MATH_1(name) double name(double); float name##f(float);
+#define ROSARCH_MATH_2(name) double name(double, double); float name##f(float, float);
+#endif
 ROSARCH_MATH_1(sin) ROSARCH_MATH_1(cos) ROSARCH_MATH_1(tan) ROSARCH_MATH_1(asin) ROSARCH_MATH_1(acos) ROSARCH_MATH_1(atan)
 ROSARCH_MATH_1(sinh) ROSARCH_MATH_1(cosh) ROSARCH_MATH_1(tanh) ROSARCH_MATH_1(asinh) ROSARCH_MATH_1(acosh) ROSARCH_MATH_1(atanh)
 ROSARCH_MATH_1(exp) ROSARCH_MATH_1(exp2) ROSARCH_MATH_1(expm1) ROSARCH_MATH_1(log) ROSARCH_MATH_1(log2) ROSARCH_MATH_1(log10)
@@ -33,7 +38,9 @@ ROSARCH_MATH_2(pow) ROSARCH_MATH_2(atan2) ROSARCH_MATH_2(fmod) ROSARCH_MATH_2(hy
 ROSARCH_MATH_2(fdim) ROSARCH_MATH_2(copysign) ROSARCH_MATH_2(remainder) ROSARCH_MATH_2(nextafter)
 #undef ROSARCH_MATH_1
 #undef ROSARCH_MATH_2
+#ifdef __cplusplus
 extern "C" {
+#endif
 long lround(double); long long llround(double); long lrint(double); long long llrint(double);
 long lroundf(float); long lrintf(float);
 double fma(double, double, double);
@@ -42,15 +49,22 @@ double frexp(double, int*); double ldexp(double, int); double scalbn(double, int
 double nan(const char*); float nanf(const char*);
 double j0(double); double j1(double); double y0(double); double y1(double);
 void sincos(double, double*, double*);
+#ifdef __cplusplus
 }
+#endif
 long double sqrtl(long double); long double fabsl(long double); long double powl(long double, long double);
 long double sinl(long double); long double cosl(long double); long double floorl(long double); long double ceill(long double);
+#ifdef __cplusplus
 extern "C++" {
 float modf(float, float*);
 template <class T> bool isnan(T); template <class T> bool isinf(T); template <class T> bool isfinite(T);
 template <class T> bool isnormal(T); template <class T> bool signbit(T); template <class T> int fpclassify(T);
 template <class A, class B> bool isgreater(A, B); template <class A, class B> bool isless(A, B);
 }
+#else
+int isnan(double); int isinf(double); int isfinite(double); int isnormal(double); int signbit(double); int fpclassify(double);
+int isgreater(double, double); int isless(double, double);
+#endif
 #define HUGE_VAL __builtin_huge_val()
 #define HUGE_VALF __builtin_huge_valf()
 #define INFINITY __builtin_inff()

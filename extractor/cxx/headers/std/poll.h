@@ -2,7 +2,10 @@
 #pragma once
 typedef unsigned long nfds_t;
 struct pollfd { int fd; short events; short revents; };
-extern "C" int poll(struct pollfd*, nfds_t, int);
+#ifdef __cplusplus
+extern "C"
+#endif
+int poll(struct pollfd*, nfds_t, int);
 #define POLLIN 1
 #define POLLPRI 2
 #define POLLOUT 4

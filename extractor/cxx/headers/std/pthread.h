@@ -25,7 +25,9 @@ enum { PTHREAD_CREATE_JOINABLE, PTHREAD_CREATE_DETACHED, PTHREAD_MUTEX_NORMAL = 
   PTHREAD_PROCESS_PRIVATE = 0, PTHREAD_PROCESS_SHARED = 1, PTHREAD_EXPLICIT_SCHED = 1, PTHREAD_INHERIT_SCHED = 0, PTHREAD_CANCEL_ENABLE = 0,
     PTHREAD_CANCEL_DISABLE = 1,
   PTHREAD_CANCEL_DEFERRED = 0, PTHREAD_CANCEL_ASYNCHRONOUS = 1, PTHREAD_PRIO_INHERIT = 1, PTHREAD_SCOPE_SYSTEM = 0 };
+#ifdef __cplusplus
 extern "C" {
+#endif
 int pthread_create(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
 int pthread_join(pthread_t, void**); int pthread_detach(pthread_t); int pthread_cancel(pthread_t); void pthread_exit(void*);
   pthread_t pthread_self(void);
@@ -56,4 +58,6 @@ int pthread_rwlock_wrlock(pthread_rwlock_t*); int pthread_rwlock_unlock(pthread_
   int pthread_rwlock_trywrlock(pthread_rwlock_t*);
 int pthread_key_create(pthread_key_t*, void (*)(void*)); void* pthread_getspecific(pthread_key_t);
   int pthread_setspecific(pthread_key_t, const void*);
+#ifdef __cplusplus
 }
+#endif

@@ -2,5 +2,11 @@
 #pragma once
 #include <termios.h>
 #include <sys/ioctl.h>
-extern "C" { int openpty(int*, int*, char*, const struct termios*, const struct winsize*);
-  int forkpty(int*, char*, const struct termios*, const struct winsize*); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+int openpty(int*, int*, char*, const struct termios*, const struct winsize*);
+  int forkpty(int*, char*, const struct termios*, const struct winsize*);
+#ifdef __cplusplus
+}
+#endif

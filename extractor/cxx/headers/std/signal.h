@@ -12,7 +12,9 @@ struct sigaction {
   void (*sa_handler)(int); void (*sa_sigaction)(int, siginfo_t*, void*); sigset_t sa_mask; int sa_flags; void (*sa_restorer)(void);
 };
 struct sigevent { int sigev_notify; int sigev_signo; union sigval sigev_value; void (*sigev_notify_function)(union sigval); };
+#ifdef __cplusplus
 extern "C" {
+#endif
 sighandler_t signal(int, sighandler_t);
 int raise(int);
 int kill(pid_t, int);
@@ -25,7 +27,9 @@ int sigprocmask(int, const sigset_t*, sigset_t*);
 int sigwait(const sigset_t*, int*);
 int siginterrupt(int, int);
 int pthread_sigmask(int, const sigset_t*, sigset_t*);
+#ifdef __cplusplus
 }
+#endif
 #define SIG_DFL ((sighandler_t)0)
 #define SIG_IGN ((sighandler_t)1)
 #define SIG_ERR ((sighandler_t)-1)

@@ -5,7 +5,9 @@
 struct _IO_FILE;
 typedef struct _IO_FILE FILE;
 typedef struct { long offset; } fpos_t;
+#ifdef __cplusplus
 extern "C" {
+#endif
 extern FILE* stdin;
 extern FILE* stdout;
 extern FILE* stderr;
@@ -63,7 +65,9 @@ int remove(const char*);
 int rename(const char*, const char*);
 void setbuf(FILE*, char*);
 int setvbuf(FILE*, char*, int, size_t);
+#ifdef __cplusplus
 }
+#endif
 #define EOF (-1)
 #define SEEK_SET 0
 #define SEEK_CUR 1

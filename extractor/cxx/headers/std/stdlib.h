@@ -3,7 +3,9 @@
 #include <bits/c_types.h>
 typedef struct { int quot; int rem; } div_t;
 typedef struct { long quot; long rem; } ldiv_t;
+#ifdef __cplusplus
 extern "C" {
+#endif
 void* malloc(size_t);
 void* calloc(size_t, size_t);
 void* realloc(void*, size_t);
@@ -58,7 +60,10 @@ int grantpt(int);
 int unlockpt(int);
 char* ptsname(int);
 int abs(int);
+#ifdef __cplusplus
 }
+#endif
+#ifdef __cplusplus
 extern "C++" {
 long abs(long);
 long long abs(long long);
@@ -66,6 +71,7 @@ float abs(float);
 double abs(double);
 long double abs(long double);
 }
+#endif
 #define EXIT_SUCCESS 0
 #define EXIT_FAILURE 1
 #define RAND_MAX 2147483647

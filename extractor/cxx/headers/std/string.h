@@ -1,7 +1,9 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <stddef.h>
+#ifdef __cplusplus
 extern "C" {
+#endif
 void* memcpy(void*, const void*, size_t);
 void* memmove(void*, const void*, size_t);
 void* memset(void*, int, size_t);
@@ -31,8 +33,11 @@ char* index(const char*, int);
 char* rindex(const char*, int);
 void bzero(void*, size_t);
 void bcopy(const void*, void*, size_t);
+#ifdef __cplusplus
 }
+#endif
 // Two overloads each, as in C++ libraries: const in, const out.
+#ifdef __cplusplus
 extern "C++" {
 const void* memchr(const void*, int, size_t);
 void* memchr(void*, int, size_t);
@@ -45,3 +50,10 @@ char* strstr(char*, const char*);
 const char* strpbrk(const char*, const char*);
 char* strpbrk(char*, const char*);
 }
+#else
+void* memchr(const void*, int, size_t);
+char* strchr(const char*, int);
+char* strrchr(const char*, int);
+char* strstr(const char*, const char*);
+char* strpbrk(const char*, const char*);
+#endif

@@ -5,13 +5,17 @@ typedef unsigned int speed_t;
 typedef unsigned int tcflag_t;
 struct termios { tcflag_t c_iflag, c_oflag, c_cflag, c_lflag; cc_t c_line; cc_t c_cc[32]; speed_t c_ispeed, c_ospeed; };
 struct termio { unsigned short c_iflag, c_oflag, c_cflag, c_lflag; unsigned char c_line; unsigned char c_cc[8]; };
+#ifdef __cplusplus
 extern "C" {
+#endif
 int tcgetattr(int, struct termios*); int tcsetattr(int, int, const struct termios*); int tcflush(int, int); int tcdrain(int);
   int tcsendbreak(int, int); int tcflow(int, int);
 speed_t cfgetispeed(const struct termios*); speed_t cfgetospeed(const struct termios*); int cfsetispeed(struct termios*, speed_t);
   int cfsetospeed(struct termios*, speed_t);
 int cfsetspeed(struct termios*, speed_t); void cfmakeraw(struct termios*);
+#ifdef __cplusplus
 }
+#endif
 enum {
   VINTR, VQUIT, VERASE, VKILL, VEOF, VTIME, VMIN, VSWTC, VSTART, VSTOP, VSUSP, VEOL, VREPRINT, VDISCARD, VWERASE, VLNEXT, VEOL2,
   IGNBRK = 1, BRKINT = 2, IGNPAR = 4, PARMRK = 8, INPCK = 16, ISTRIP = 32, INLCR = 64, IGNCR = 128, ICRNL = 256, IUCLC = 512, IXON = 1024,

@@ -6,7 +6,9 @@ struct tm {
   long tm_gmtoff; const char* tm_zone;
 };
 struct sigevent;
+#ifdef __cplusplus
 extern "C" {
+#endif
 time_t time(time_t*);
 clock_t clock(void);
 double difftime(time_t, time_t);
@@ -31,7 +33,9 @@ int timer_create(clockid_t, struct sigevent*, timer_t*);
 int timer_settime(timer_t, int, const struct itimerspec*, struct itimerspec*);
 int timer_delete(timer_t);
 void tzset(void);
+#ifdef __cplusplus
 }
+#endif
 #define CLOCKS_PER_SEC 1000000L
 #define CLOCK_REALTIME 0
 #define CLOCK_MONOTONIC 1

@@ -1,7 +1,9 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <bits/c_types.h>
+#ifdef __cplusplus
 extern "C" {
+#endif
 unsigned sleep(unsigned); int usleep(useconds_t); unsigned alarm(unsigned); int pause(void);
 ssize_t read(int, void*, size_t); ssize_t write(int, const void*, size_t); ssize_t pread(int, void*, size_t, off_t);
   ssize_t pwrite(int, const void*, size_t, off_t);
@@ -19,7 +21,9 @@ void _exit(int) __attribute__((noreturn)); long sysconf(int); int gethostname(ch
   char* getlogin(void);
 int getopt(int, char* const*, const char*); long syscall(long, ...); int daemon(int, int);
 extern char* optarg; extern int optind; extern int opterr; extern int optopt; extern char** environ;
+#ifdef __cplusplus
 }
+#endif
 #define STDIN_FILENO 0
 #define STDOUT_FILENO 1
 #define STDERR_FILENO 2

@@ -44,8 +44,12 @@ struct itimerspec { struct timespec it_interval; struct timespec it_value; };
 typedef struct { unsigned long bits[16]; } sigset_t;
 typedef struct { unsigned long bits[16]; } fd_set;
 #define FD_SETSIZE 1024
+#ifdef __cplusplus
 extern "C" {
+#endif
 void FD_ZERO(fd_set*); void FD_SET(int, fd_set*); void FD_CLR(int, fd_set*); int FD_ISSET(int, const fd_set*);
 int select(int, fd_set*, fd_set*, fd_set*, struct timeval*);
 int pselect(int, fd_set*, fd_set*, fd_set*, const struct timespec*, const sigset_t*);
+#ifdef __cplusplus
 }
+#endif

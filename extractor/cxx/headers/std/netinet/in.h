@@ -10,7 +10,13 @@ struct in6_addr { uint8_t s6_addr[16]; };
 struct sockaddr_in6 { sa_family_t sin6_family; in_port_t sin6_port; uint32_t sin6_flowinfo; struct in6_addr sin6_addr;
   uint32_t sin6_scope_id; };
 struct ip_mreq { struct in_addr imr_multiaddr; struct in_addr imr_interface; };
-extern "C" { uint16_t htons(uint16_t); uint32_t htonl(uint32_t); uint16_t ntohs(uint16_t); uint32_t ntohl(uint32_t); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+uint16_t htons(uint16_t); uint32_t htonl(uint32_t); uint16_t ntohs(uint16_t); uint32_t ntohl(uint32_t);
+#ifdef __cplusplus
+}
+#endif
 #define INADDR_ANY ((in_addr_t)0)
 #define INADDR_BROADCAST ((in_addr_t)0xffffffff)
 #define INADDR_LOOPBACK ((in_addr_t)0x7f000001)

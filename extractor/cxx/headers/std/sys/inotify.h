@@ -2,4 +2,10 @@
 #pragma once
 #include <stdint.h>
 struct inotify_event { int wd; uint32_t mask; uint32_t cookie; uint32_t len; char name[1]; };
-extern "C" { int inotify_init(void); int inotify_add_watch(int, const char*, uint32_t); int inotify_rm_watch(int, int); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+int inotify_init(void); int inotify_add_watch(int, const char*, uint32_t); int inotify_rm_watch(int, int);
+#ifdef __cplusplus
+}
+#endif

@@ -1,6 +1,9 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
-extern "C" int ioctl(int, unsigned long, ...);
+#ifdef __cplusplus
+extern "C"
+#endif
+int ioctl(int, unsigned long, ...);
 struct winsize { unsigned short ws_row, ws_col, ws_xpixel, ws_ypixel; };
 #define TIOCGWINSZ 0x5413
 #define FIONREAD 0x541B

@@ -1,7 +1,10 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <bits/c_types.h>
-extern "C" key_t ftok(const char*, int);
+#ifdef __cplusplus
+extern "C"
+#endif
+key_t ftok(const char*, int);
 #define IPC_CREAT 01000
 #define IPC_EXCL 02000
 #define IPC_NOWAIT 04000

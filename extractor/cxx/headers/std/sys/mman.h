@@ -1,9 +1,15 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <bits/c_types.h>
-extern "C" { void* mmap(void*, size_t, int, int, int, off_t); int munmap(void*, size_t); int msync(void*, size_t, int); int mlockall(int);
+#ifdef __cplusplus
+extern "C" {
+#endif
+void* mmap(void*, size_t, int, int, int, off_t); int munmap(void*, size_t); int msync(void*, size_t, int); int mlockall(int);
   int munlockall(void); int mlock(const void*, size_t); int shm_open(const char*, int, mode_t); int shm_unlink(const char*);
-  int mprotect(void*, size_t, int); }
+  int mprotect(void*, size_t, int);
+#ifdef __cplusplus
+}
+#endif
 #define PROT_READ 1
 #define PROT_WRITE 2
 #define PROT_EXEC 4

@@ -1,5 +1,8 @@
 // Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
 #pragma once
-extern "C" int prctl(int, ...);
+#ifdef __cplusplus
+extern "C"
+#endif
+int prctl(int, ...);
 #define PR_SET_NAME 15
 #define PR_SET_PDEATHSIG 1

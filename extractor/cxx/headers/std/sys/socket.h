@@ -8,7 +8,9 @@ struct sockaddr_storage { sa_family_t ss_family; char data[126]; };
 struct msghdr { void* msg_name; socklen_t msg_namelen; struct iovec* msg_iov; size_t msg_iovlen; void* msg_control; size_t msg_controllen;
   int msg_flags; };
 struct linger { int l_onoff; int l_linger; };
+#ifdef __cplusplus
 extern "C" {
+#endif
 int socket(int, int, int); int socketpair(int, int, int, int*); int bind(int, const struct sockaddr*, socklen_t);
   int connect(int, const struct sockaddr*, socklen_t);
 int listen(int, int); int accept(int, struct sockaddr*, socklen_t*); int shutdown(int, int);
@@ -18,7 +20,9 @@ ssize_t sendto(int, const void*, size_t, int, const struct sockaddr*, socklen_t)
 ssize_t sendmsg(int, const struct msghdr*, int); ssize_t recvmsg(int, struct msghdr*, int);
 int setsockopt(int, int, int, const void*, socklen_t); int getsockopt(int, int, int, void*, socklen_t*);
   int getsockname(int, struct sockaddr*, socklen_t*); int getpeername(int, struct sockaddr*, socklen_t*);
+#ifdef __cplusplus
 }
+#endif
 enum { SOCK_STREAM = 1, SOCK_DGRAM = 2, SOCK_RAW = 3, SOCK_NONBLOCK = 2048, SOCK_CLOEXEC = 524288, PF_UNSPEC = 0, PF_UNIX = 1, PF_INET = 2,
   PF_INET6 = 10, PF_PACKET = 17, PF_CAN = 29,
   AF_UNSPEC = 0, AF_UNIX = 1, AF_LOCAL = 1, AF_INET = 2, AF_INET6 = 10, AF_PACKET = 17, AF_CAN = 29, SOL_SOCKET = 1, SO_DEBUG = 1,

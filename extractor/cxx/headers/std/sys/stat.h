@@ -7,12 +7,16 @@ struct stat {
   blkcnt_t st_blocks; time_t st_atime; time_t st_mtime; time_t st_ctime; struct timespec st_atim; struct timespec st_mtim;
     struct timespec st_ctim;
 };
+#ifdef __cplusplus
 extern "C" {
+#endif
 int stat(const char*, struct stat*); int fstat(int, struct stat*); int lstat(const char*, struct stat*); int mkdir(const char*, mode_t);
 int mkfifo(const char*, mode_t); int chmod(const char*, mode_t); int fchmod(int, mode_t); mode_t umask(mode_t);
 int S_ISDIR(mode_t); int S_ISREG(mode_t); int S_ISLNK(mode_t); int S_ISCHR(mode_t); int S_ISFIFO(mode_t); int S_ISSOCK(mode_t);
   int S_ISBLK(mode_t);
+#ifdef __cplusplus
 }
+#endif
 #define S_IFMT 0170000
 #define S_IFDIR 0040000
 #define S_IFREG 0100000

@@ -2,4 +2,10 @@
 #pragma once
 struct sysinfo { long uptime; unsigned long loads[3]; unsigned long totalram; unsigned long freeram; unsigned short procs;
   unsigned mem_unit; };
-extern "C" { int sysinfo(struct sysinfo*); int get_nprocs(void); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+int sysinfo(struct sysinfo*); int get_nprocs(void);
+#ifdef __cplusplus
+}
+#endif

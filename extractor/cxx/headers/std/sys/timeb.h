@@ -2,4 +2,7 @@
 #pragma once
 #include <bits/c_types.h>
 struct timeb { time_t time; unsigned short millitm; short timezone; short dstflag; };
-extern "C" int ftime(struct timeb*);
+#ifdef __cplusplus
+extern "C"
+#endif
+int ftime(struct timeb*);

@@ -2,4 +2,7 @@
 #pragma once
 #include <bits/c_types.h>
 struct tms { clock_t tms_utime, tms_stime, tms_cutime, tms_cstime; };
-extern "C" clock_t times(struct tms*);
+#ifdef __cplusplus
+extern "C"
+#endif
+clock_t times(struct tms*);

@@ -2,4 +2,10 @@
 #pragma once
 #include <bits/c_types.h>
 struct iovec { void* iov_base; size_t iov_len; };
-extern "C" { ssize_t readv(int, const struct iovec*, int); ssize_t writev(int, const struct iovec*, int); }
+#ifdef __cplusplus
+extern "C" {
+#endif
+ssize_t readv(int, const struct iovec*, int); ssize_t writev(int, const struct iovec*, int);
+#ifdef __cplusplus
+}
+#endif
