@@ -54,7 +54,7 @@ class _Compiler:
             case String():
                 return term.value
             case Number():
-                return number_value(term.text, kind_of(types.of(term), self.types) or "i")
+                return number_value(term.text, kind_of(types.of(term), self.types) or "i", self.types.bits)
             case Nil():
                 return None
             case Record():

@@ -10,6 +10,7 @@ import io
 import os
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
 
@@ -17,6 +18,19 @@ from .errors import Location, Report
 
 _NEEDED = re.compile(r"^[ \t]*#[ \t]*[a-z]|\b__[A-Z_]+__\b", re.MULTILINE)
 LINE_MARK = re.compile(r'^[ \t]*#(?:line)?[ \t]*(\d+)(?:[ \t]+"([^"\n]*)")?[^\n]*$', re.MULTILINE)
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How files are found and read.
+
+    `preprocess`: texts with C preprocessor directives are expanded first, with `macros` (`NAME` or `NAME=VALUE`) defined.
+    `folders`: where `.include` and `#include` look besides the folder of the including file.
+    """
+
+    preprocess: bool = False
+    macros: tuple[str, ...] = ()
+    folders: tuple[Path, ...] = ()
 
 
 def expand(

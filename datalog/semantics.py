@@ -11,6 +11,7 @@ from .expressions import number_value
 from .functors import FUNCTORS
 from .ground import unbound_in_clause
 from .inference import ClauseTypes, Inference, kind_of
+from .inputs import check_directive
 from .strata import atoms_of, check_stratified, components, dependencies
 from .syntax import (
     Argument,
@@ -50,9 +51,9 @@ class Checked:
     clauses: dict[str, list[tuple[Clause, ClauseTypes]]]
 
 
-def check(unit: Unit, report: Report) -> Checked:
-    """Run every check; raises DatalogError with all errors found."""
-    types = build_types(unit.types, report)
+def check(unit: Unit, report: Report, bits: int = 32) -> Checked:
+    """Run every check; raises DatalogError with all errors found. `bits` is the width of numbers."""
+    types = build_types(unit.types, report, bits)
     relations = _check_relations(unit, types, report)
     _check_directives(unit, relations, report)
     usable = [c for c in unit.clauses if _check_names(c, relations, types, unit, report)]
@@ -101,6 +102,7 @@ def _check_directives(unit: Unit, relations: Mapping[str, Relation], report: Rep
     for directive in unit.directives:
         if directive.relation not in relations:
             _unknown_relation(directive.relation, directive.location, relations, report)
+        check_directive(directive, directive.location, report)
 
 
 def _unknown_relation(name: str, location: Location, relations: Mapping[str, Relation], report: Report) -> None:
@@ -280,7 +282,7 @@ class ClauseChecker:
             return
         kind = kind_of(found, self.types)
         try:
-            number_value(node.text, kind)
+            number_value(node.text, kind, self.types.bits)
         except ValueError:
             what = {"i": "number", "u": "unsigned", "f": "float"}[kind]
             self.report.error(f"constant `{node.text}` is not a valid {what}", node.location)

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from .errors import DatalogError, Diagnostic
 from .facts import read_fact_file, write_facts
+from .tables import Layout
 from .values import ValueReader
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def find_souffle() -> str:
 
 def joined_source(program: Program, kept: Collection[str]) -> str:
     """The program as one file that reads its inputs and writes `kept`."""
-    parts = [_SKIPPED.sub(lambda m: m[1] or "", text) for text in program.sources.values()]
+    parts = [_SKIPPED.sub(lambda m: m[1] or "", text) for text in program.parsed.values()]
     for name in program.inputs:
         parts.append(f'.input {name}(IO=file, filename="{name}.facts")')
     for name in kept:
@@ -75,7 +76,7 @@ def evaluate_with_souffle(
 def _read_output(path: Path, program: Program, name: str) -> Collection[Any]:
     relation = program.relations[name]
     errors: list[Diagnostic] = []
-    rows = read_fact_file(path, relation, errors, ValueReader(program.types), delimiter=DELIMITER)
+    rows = read_fact_file(path, relation, errors, ValueReader(program.types), Layout(DELIMITER))
     if errors:
         raise DatalogError(errors)
     return {row[0] for row in rows} if len(relation.attributes) == 1 else set(rows)
