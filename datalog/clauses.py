@@ -12,19 +12,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .compile import eqrel_clauses
-from .components import instantiate
 from .errors import Location, Report
 from .inference import ClauseTypes
-from .semantics import check
 from .parser import parse_text
+from .preparation import prepare
 from .preprocess import Reading
 from .sources import Sources, _Loader, collect
 from .strata import dependencies
 from .syntax import Clause, Relation, Unit
 from .tree import Include, Item
 from .types import Types
-from .witness import ground_witnesses
 
 if TYPE_CHECKING:
     from .program import Program
@@ -126,14 +123,9 @@ def _read(program: Program) -> Rules:
     entered: set[str] = set()
     for shown in program.parsed:
         items.extend(loader.parse_file(Path(shown), shown, None, entered))
-    unit = instantiate(collect(items, report), report)
-    unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
-    written = len(unit.clauses)
-    for relation in unit.relations:
-        if "eqrel" in relation.qualifiers and len(relation.attributes) == 2:
-            unit.clauses.extend(eqrel_clauses(relation))
+    checked, written = prepare(collect(items, report), report, program.types.bits)
+    unit = checked.unit
     numbers = {id(clause): number for number, clause in enumerate(unit.clauses)}
-    checked = check(unit, report, program.types.bits)
     lines = {path: text.splitlines() for path, text in program.sources.items()}
     by_head = {
         name: tuple(

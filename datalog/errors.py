@@ -67,17 +67,17 @@ class Report:
     """Collects diagnostics and fills in the source lines they point at."""
 
     def __init__(self, sources: dict[str, str]) -> None:
-        self._sources = sources
+        self.sources = sources
         self._lines: dict[str, list[str]] = {}
         self._seen: set[tuple[str, Location | None]] = set()
         self.errors: list[Diagnostic] = []
         self.warnings: list[Diagnostic] = []
 
     def _source_line(self, location: Location | None) -> str:
-        if location is None or location.path not in self._sources:
+        if location is None or location.path not in self.sources:
             return ""
         if location.path not in self._lines:
-            self._lines[location.path] = self._sources[location.path].splitlines()
+            self._lines[location.path] = self.sources[location.path].splitlines()
         lines = self._lines[location.path]
         return lines[location.line - 1] if 0 < location.line <= len(lines) else ""
 

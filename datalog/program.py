@@ -226,17 +226,11 @@ def load_program(
 
 def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -> Program:
     """Check and compile a syntax tree."""
-    from .compile import compile_program, eqrel_clauses
-    from .components import instantiate
-    from .semantics import check
-    from .witness import ground_witnesses
+    from .compile import compile_program
+    from .preparation import prepare
 
-    unit = instantiate(unit, report)
-    unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
-    for relation in unit.relations:
-        if "eqrel" in relation.qualifiers and len(relation.attributes) == 2:
-            unit.clauses.extend(eqrel_clauses(relation))
-    checked = check(unit, report, bits)
+    checked, _ = prepare(unit, report, bits)
+    unit = checked.unit
     code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
     bytecode = marshal.dumps(compile(code.source, "<datalog>", "exec"))
     content = hashlib.sha256(f"{cache.engine_version()} {bits}".encode())
