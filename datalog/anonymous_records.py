@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import Counter
 
 from .rewrite import Substitution
-from .syntax import Argument, Clause, Constraint, Literal, Record, Variable, clause_literals, walk
+from .syntax import Argument, Clause, Constraint, Literal, Record, Unnamed, Variable, clause_literals, walk
 
 _ROUNDS = 100
 
@@ -18,20 +18,28 @@ def resolve_records(clause: Clause) -> list[Clause]:
     if not any(isinstance(side, Record) for c in clause.body if isinstance(c, Constraint) for side in (c.left, c.right)):
         return [clause]
     for _ in range(_ROUNDS):
+        clause = _flat(clause)
         named = _named_record(clause)
         if named is None:
             break
         number, name, record = named
-        rest = Clause(
-            clause.head, (*clause.body[:number], *clause.body[number + 1 :]), clause.location, clause.dominating, clause.plan
-        )  # fmt: skip
-        clause = Substitution({name: record}).clause(rest)
+        body = (*clause.body[:number], *clause.body[number + 1 :])
+        clause = Substitution({name: record}).clause(Clause(clause.head, body, clause.location, clause.dominating, clause.plan))
     bodies: list[tuple[Literal, ...]] = [()]
     for literal in clause.body:
         bodies = [body + part for body in bodies for part in _folded(literal)]
-    if len(bodies) == 1 and len(bodies[0]) == len(clause.body):
+    if len(bodies) == 1 and len(bodies[0]) == len(clause.body) and all(a is b for a, b in zip(bodies[0], clause.body, strict=True)):
         return [clause]
     return [Clause(clause.head, body, clause.location, clause.dominating, clause.plan) for body in bodies]
+
+
+def _flat(clause: Clause) -> Clause:
+    """The clause with equations of records field by field, and without those that say nothing."""
+    parts = [_folded(c) if isinstance(c, Constraint) and c.op == "=" else [(c,)] for c in clause.body]
+    body = tuple(x for part in parts for x in part[0])
+    if len(body) == len(clause.body) and all(a is b for a, b in zip(body, clause.body, strict=True)):
+        return clause
+    return Clause(clause.head, body, clause.location, clause.dominating, clause.plan)
 
 
 def _named_record(clause: Clause) -> tuple[int, str, Record] | None:
@@ -55,6 +63,8 @@ def _folded(literal: Literal) -> list[tuple[Literal, ...]]:
     if not isinstance(literal, Constraint) or literal.op not in ("=", "!="):
         return [(literal,)]
     left, right = literal.left, literal.right
+    if literal.op == "=" and (isinstance(left, Unnamed) or isinstance(right, Unnamed)):
+        return [()]
     if not isinstance(left, Record) or not isinstance(right, Record) or len(left.args) != len(right.args):
         return [(literal,)]
     pairs: list[tuple[Argument, Argument]] = list(zip(left.args, right.args, strict=True))

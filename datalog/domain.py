@@ -170,7 +170,7 @@ def domain(bits: int) -> Domain:
 
 def _integer(text: str) -> int:
     try:
-        return int(text, 0) if text[:2].lower() in ("0x", "0b") else int(text)
+        return int(text, 0) if text.lstrip("+-")[:2].lower() in ("0x", "0b") else int(text)
     except ValueError:
         raise EvaluationError(f"`{text}` is not a number") from None
 

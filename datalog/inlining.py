@@ -43,7 +43,7 @@ def inlined_relations(relations: Iterable[Relation], clauses: Sequence[Clause]) 
     marked = {r.name for r in relations if "inline" in r.qualifiers}
     if not marked:
         return set()
-    by_head: dict[str, list[Clause]] = {name: [c for c in clauses if c.head.name == name] for name in marked}
+    by_head = _definitions(marked, clauses)
     hidden = {a.name for c in clauses for a in _hidden_atoms(c)}
     found = {name for name, own in by_head.items() if any(_open(c) or (name not in hidden and _multiplies(c)) for c in own)}
     while True:
@@ -79,6 +79,24 @@ def _multiplies(clause: Clause) -> bool:
     return sum(any(a & g for a in atoms) for g in groups) > 1
 
 
+def _definitions(names: Iterable[str], clauses: Sequence[Clause]) -> dict[str, list[Clause]]:
+    found: dict[str, list[Clause]] = {name: [] for name in names}
+    for clause in clauses:
+        if clause.head.name in found:
+            found[clause.head.name].append(clause)
+    return found
+
+
+def check_cycles(relations: Iterable[Relation], clauses: Sequence[Clause], report: Report) -> None:
+    """Report relations marked `inline` that would be inlined into themselves."""
+    definitions = _definitions([r.name for r in relations if "inline" in r.qualifiers], clauses)
+    reads = {n: {a.name for c in own for a in _atoms(c) if a.name in definitions} for n, own in definitions.items()}
+    for _ in definitions:
+        reads = {n: found.union(*(reads[m] for m in found)) for n, found in reads.items()}
+    for name in sorted(n for n, found in reads.items() if n in found):
+        report.error(f"relation `{name}` cannot be inlined: it is recursive", definitions[name][0].location)
+
+
 def inline_clauses(names: set[str], clauses: Sequence[Clause], report: Report) -> list[Clause]:
     """The clauses of all other relations, with atoms of the named ones replaced."""
     return _Inliner(names, clauses, report).run()
@@ -90,14 +108,9 @@ class _Inliner:
         self.clauses = clauses
         self.report = report
         self.copies = itertools.count()
-        self.definitions: dict[str, list[Clause]] = {name: [] for name in names}
-        for clause in clauses:
-            if clause.head.name in names:
-                self.definitions[clause.head.name].append(clause)
+        self.definitions = _definitions(names, clauses)
 
     def run(self) -> list[Clause]:
-        if self._recursive():
-            return [c for c in self.clauses if c.head.name not in self.names]
         result: list[Clause] = []
         for clause in self.clauses:
             if clause.head.name in self.names:
@@ -109,16 +122,6 @@ class _Inliner:
             head = _AggregateRewriter(self).atom(clause.head)
             result.extend(replace(clause, head=head, body=body, plan=()) for body in bodies)
         return result
-
-    def _recursive(self) -> bool:
-        """Report relations that are inlined into themselves."""
-        reads = {n: {a.name for c in own for a in _atoms(c) if a.name in self.names} for n, own in self.definitions.items()}
-        for _ in self.names:
-            reads = {n: found.union(*(reads[m] for m in found)) for n, found in reads.items()}
-        cyclic = sorted(n for n, found in reads.items() if n in found)
-        for name in cyclic:
-            self.report.error(f"relation `{name}` cannot be inlined: it is recursive", self.definitions[name][0].location)
-        return bool(cyclic)
 
     def _bodies(self, body: Sequence[Literal], clause: Clause) -> list[tuple[Literal, ...]]:
         """The alternatives that a body stands for."""
@@ -163,7 +166,7 @@ class _Inliner:
                 extra.append((parameter, given))
         local = {v: Variable(f"{v}+i{number}", atom.location) for v in own - terms.keys()}
         if negated:
-            self._check_negated(atom, definition, extra)
+            self._check_negated(atom, definition, [(p, g) for p, g in extra if not (isinstance(p, Variable) and p.name in terms)])
         rename = Substitution({**local, **terms})
         equations = [Constraint("=", rename.term(p), g, atom.location) for p, g in extra]
         return [*equations, *(rename.literal(x) for x in definition.body)]

@@ -39,7 +39,7 @@ def layout_of(params: Mapping[str, str], program: Program, directive: Directive)
         if len(parts) < arity or not all(p.isdigit() for p in parts):
             raise failure(program, directive, f"`columns` names a position for each of {arity} attributes, as in `0:2:1`")
         columns = tuple(int(p) for p in parts[:arity])
-    return Layout(delimiter, params.get("headers") == "true", rfc4180, columns)
+    return Layout(delimiter, params.get("headers") == "true", rfc4180, columns, wider=True)
 
 
 class InputReader:

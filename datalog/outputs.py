@@ -34,6 +34,7 @@ class OutputWriter:
         self.result = result
         self.folder = folder
         self.writer = ValueWriter(program.types)
+        self.quoting = ValueWriter(program.types, quoted=True)
         self.printed: list[Iterable[str]] = []
         self.staged: dict[Path, Path] = {}  # temporary file -> destination
         self.later: list[Callable[[], None]] = []
@@ -135,7 +136,7 @@ class OutputWriter:
         relation = self.program.relations[directive.relation]
         if layout.headers:
             yield params.get("attributeNames", params.get("delimiter", "\t").join(a.name for a in relation.attributes)) + "\n"
-        types, show = [a.type for a in relation.attributes], self.writer.show
+        types, show = [a.type for a in relation.attributes], (self.quoting if layout.rfc4180 else self.writer).show
         bases = {a.base for a in relation.attributes}
         for row in self.result.rows(relation.name):
             if not row:

@@ -37,7 +37,7 @@ def expand(
     text: str, path: str, report: Report, texts: dict[str, str], *, macros: Sequence[str] = (), folders: Iterable[Path] = ()
 ) -> str:  # fmt: skip
     """The text with its directives carried out. `texts` receives the files of `#include`; `macros` are `NAME` or `NAME=VALUE`."""
-    if not macros and not _NEEDED.search(text):
+    if not _NEEDED.search(text) and not any(re.search(rf"\b{re.escape(m.partition('=')[0])}\b", text) for m in macros):
         return text  # as most programs are: the preprocessor takes longer than the rest of loading
     import pcpp
 

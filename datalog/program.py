@@ -210,7 +210,7 @@ def load_program(
     if bits not in (32, 64):
         raise DatalogError(f"numbers have 32 or 64 bits, not {bits}")
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
-    reading = Reading(preprocess or bool(macros), tuple(macros), tuple(Path(p) for p in include))
+    reading = Reading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), tuple(Path(p) for p in include))
     key = f"{extra_source}\0{reading!r}\0{bits}"
     program = cache.load(paths, key)
     if not isinstance(program, Program):

@@ -70,6 +70,7 @@ def check(unit: Unit, report: Report, bits: int = 32) -> Checked:
     strata = components(graph.reads)
     check_stratified(graph, strata, report)
     _check_counters(usable, strata, report)
+    _check_plans(usable, strata, report)
     report.raise_errors()
     return Checked(unit, types, relations, strata, grouped)
 
@@ -99,7 +100,13 @@ def _check_relations(unit: Unit, types: Types, report: Report) -> dict[str, Rela
 
 
 def _check_directives(unit: Unit, relations: Mapping[str, Relation], report: Report) -> None:
+    seen: dict[tuple[str, str], Location] = {}
     for directive in unit.directives:
+        first = seen.setdefault((directive.kind, directive.relation), directive.location)
+        if first is not directive.location and directive.kind in ("printsize", "limitsize"):
+            report.error(f"`.{directive.kind}` of `{directive.relation}` is already given at {first}", directive.location)
+        if directive.relation in relations and "inline" in relations[directive.relation].qualifiers and directive.kind != "limitsize":
+            report.error(f"`{directive.relation}` is inline and has no rows to read or write", directive.location)
         if directive.relation not in relations:
             _unknown_relation(directive.relation, directive.location, relations, report)
         check_directive(directive, directive.location, report)
@@ -174,6 +181,24 @@ def _check_counters(clauses: list[Clause], strata: list[list[str]], report: Repo
         reads = {stratum_of[a.name] for literal in clause.body for a, _ in atoms_of(literal)}
         if counters and stratum_of[clause.head.name] in reads:
             report.error("`autoinc()` in a recursive rule", counters[0].location)
+
+
+def _check_plans(clauses: list[Clause], strata: list[list[str]], report: Report) -> None:
+    """A plan orders all atoms, for a version of a recursive rule. It is a hint, which the embedded engine does not need."""
+    stratum_of = {name: i for i, names in enumerate(strata) for name in names}
+    for clause in clauses:
+        if not clause.plan:
+            continue
+        atoms = [a for a in clause.body if isinstance(a, Atom)]
+        recursive = sum(stratum_of[a.name] == stratum_of[clause.head.name] for a in atoms)
+        extra = 0 if clause.dominating is None else 2  # the rows that are compared
+        if not recursive and not extra:
+            report.error("a plan for a rule that is not recursive", clause.location)
+        for version, order in clause.plan:
+            if sorted(order) != list(range(1, len(atoms) + extra + 1)):
+                report.error(f"plan {version} is not an order of the {len(atoms) + extra} atoms of this rule", clause.location)
+            elif version >= max(recursive + extra, 1):
+                report.error(f"plan {version} of a rule with {recursive + extra} versions, which count from 0", clause.location)
 
 
 class ClauseChecker:

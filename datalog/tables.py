@@ -38,6 +38,7 @@ class Layout:
     headers: bool = False
     rfc4180: bool = False
     columns: tuple[int, ...] = ()
+    wider: bool = False  # a line may have more columns than are declared, as souffle allows
 
 
 PLAIN = Layout()
@@ -111,7 +112,7 @@ def parse_table(
     if layout.headers:
         lines = lines[1:]
     if not kinds:
-        return [()] if any(line.strip() for line in lines) else []
+        return [()] if lines else []
     delimiter = layout.delimiter
     if not layout.columns and all(kind == "symbol" for kind in kinds):
         rows = [tuple([share(cell, cell) for cell in line.split(delimiter)]) for line in lines]
@@ -134,11 +135,13 @@ def _convert(
     expected = max(layout.columns, default=-1) + 1 or len(converters)
     result: list[tuple[Any, ...]] = []
     for number, cells in lines:
-        if len(cells) != expected and (not layout.columns or len(cells) < expected):
+        if len(cells) != expected and (len(cells) < expected or not (layout.columns or layout.wider)):
             complain(errors, f"{shown}:{number}: expected {expected} column{'s' * (expected != 1)}, found {len(cells)}")
             continue
         if layout.columns:
             cells = [cells[c] for c in layout.columns]
+        elif len(cells) > expected:
+            cells = cells[:expected]
         try:
             result.append(tuple([convert(cell) for convert, cell in zip(converters, cells, strict=True)]))
         except ValueError as error:

@@ -54,9 +54,10 @@ def show_float(value: float, bits: int = 32) -> str:
 class ValueWriter:
     """Writes values by their declared types."""
 
-    def __init__(self, types: Types) -> None:
+    def __init__(self, types: Types, *, quoted: bool = False) -> None:
         self.types = types
         self.numbers = domain(types.bits)
+        self.quoted = quoted  # whether symbols inside of records are quoted
 
     def show(self, value: Any, type_name: str) -> str:
         """A value of the named type as text."""
@@ -68,8 +69,10 @@ class ValueWriter:
         work: list[tuple[Any, str]] = [(value, type_name)]  # a text to add has no type
         while work:
             item, name = work.pop()
-            if not name or isinstance(item, str):
+            if not name:
                 parts.append(item)
+            elif isinstance(item, str):
+                parts.append('"' + item.replace("\\", "\\\\").replace('"', '\\"') + '"' if self.quoted else item)
             elif item is None:
                 parts.append("nil")
             elif isinstance(item, tuple):
