@@ -99,9 +99,9 @@ def _check_clashes(unit: Unit, report: Report) -> None:
     """Types, relations, components and instances of one scope have names of their own."""
     kinds = {t.name: "type" for t in unit.types}
     for relation in unit.relations:
-        if relation.name in kinds:
+        if kinds.get(relation.name) == "type":
             report.error(f"`{relation.name}` is a relation and a type", relation.location)
-        kinds[relation.name] = "relation"
+    kinds.update((r.name, "relation") for r in unit.relations)
     for component in unit.components:
         if component.type.name in kinds:
             report.error(f"`{component.type.name}` is a component and a {kinds[component.type.name]}", component.type.location)

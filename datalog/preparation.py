@@ -24,7 +24,6 @@ def prepare(unit: Unit, report: Report, bits: int = 32) -> tuple[Checked, int]:
     excluded = {name for key, value in unit.pragmas if key == "inline-exclude" for name in value.split(",")}
     unit.relations = [r if _inlined(r, excluded) else replace(r, qualifiers=r.qualifiers - {"inline"}) for r in unit.relations]
     check_cycles(unit.relations, unit.clauses, report)
-    report.raise_errors()
     names = inlined_relations(unit.relations, unit.clauses)
     if names:
         check(unit, report, bits)  # so that messages speak of the clauses as written
