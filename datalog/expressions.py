@@ -107,7 +107,8 @@ def number_value(text: str, kind: str, bits: int = 32) -> int | float:
 class Expressions:
     """Writes the expressions of one clause, with types from inference."""
 
-    def __init__(self, types: Types, clause_types: ClauseTypes, matchers: dict[str, str]) -> None:
+    def __init__(self, types: Types, clause_types: ClauseTypes, matchers: dict[str, str], *, interned: bool = False) -> None:
+        self.interned = interned  # whether records are those of an evaluation
         self.types = types
         self.clause_types = clause_types
         self.bits = types.bits
@@ -148,9 +149,9 @@ class Expressions:
             case Cast():
                 return self._cast(term, bound)
             case Record():
-                return self._tuple([self.write(a, bound) for a in term.args])
+                return self._record([self.write(a, bound) for a in term.args], [self.kind(a) for a in term.args])
             case Branch():
-                return self._tuple([repr(term.name), *(self.write(a, bound) for a in term.args)])
+                return self._record([repr(term.name), *(self.write(a, bound) for a in term.args)], ["s", *map(self.kind, term.args)])
             case Counter():
                 self.uses_state = True
                 return "S.next_counter()"
@@ -160,13 +161,23 @@ class Expressions:
             case Functor():
                 return self._functor(term, bound)
             case UserFunctor():
-                return f"{PREFIX}{term.name}({', '.join(self.write(a, bound) for a in term.args)})"
+                call = f"{PREFIX}{term.name}({', '.join(self.write(a, bound) for a in term.args)})"
+                return f"S.records.pack_value({call})" if self.interned and self.kind(term) in ("r", "+") else call
             case _:
                 raise DatalogError([Diagnostic(f"unexpected term {type(term).__name__}", term.location)])
 
     @staticmethod
     def _tuple(parts: list[str]) -> str:
         return f"({', '.join(parts)}{',' if len(parts) == 1 else ''})"
+
+    def _record(self, parts: list[str], kinds: list[str]) -> str:
+        fields = self._tuple(parts)
+        if not self.interned:
+            return fields
+        self.uses_state = True
+        if "f" in kinds:
+            return f"S.records.pack_floats({fields}, {''.join('f' if k == 'f' else '.' for k in kinds)!r})"
+        return f"S.records.pack({fields})"
 
     def _cast(self, term: Cast, bound: Mapping[str, str]) -> str:
         source, target = self.kind(term.arg), self.types.kind(term.type)

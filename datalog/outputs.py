@@ -14,12 +14,13 @@ from typing import TYPE_CHECKING, Any
 
 from .errors import DatalogError, did_you_mean
 from .inputs import failure, layout_of
+from .row_text import Show, column_writer
 from .syntax import Directive
 from .tables import Layout
 from .values import ValueWriter
 
 if TYPE_CHECKING:
-    from .program import Program, Result
+    from .program import Attribute, Program, Result
 
 Row = tuple[Any, ...]
 STDOUT = "-"
@@ -33,8 +34,6 @@ class OutputWriter:
         self.program = program
         self.result = result
         self.folder = folder
-        self.writer = ValueWriter(program.types)
-        self.quoting = ValueWriter(program.types, quoted=True)
         self.printed: list[Iterable[str]] = []
         self.staged: dict[Path, Path] = {}  # temporary file -> destination
         self.later: list[Callable[[], None]] = []
@@ -136,17 +135,15 @@ class OutputWriter:
         relation = self.program.relations[directive.relation]
         if layout.headers:
             yield params.get("attributeNames", params.get("delimiter", "\t").join(a.name for a in relation.attributes)) + "\n"
-        types, show = [a.type for a in relation.attributes], (self.quoting if layout.rfc4180 else self.writer).show
-        bases = {a.base for a in relation.attributes}
-        for row in self.result.rows(relation.name):
-            if not row:
-                yield "()\n"
-                continue
-            cells = row if bases == {"symbol"} else map(show, row, types) if bases & {"float", "record", "adt"} else map(str, row)
-            if layout.rfc4180:
-                quoted = (a.base in ("symbol", "record", "adt") for a in relation.attributes)
-                cells = ('"' + c.replace('"', '""') + '"' if q else c for c, q in zip(cells, quoted, strict=True))
-            yield layout.delimiter.join(cells) + "\n"
+        writers = [self._quoting(a) if layout.rfc4180 else column_writer(a.type, self.program.types) for a in relation.attributes]
+        yield from self.result.lines(relation.name, writers, layout.delimiter)
+
+    def _quoting(self, attribute: Attribute) -> Show:
+        """What writes the cells of a column in quotes where they may need them."""
+        if attribute.base not in ("symbol", "record", "adt"):
+            return column_writer(attribute.type, self.program.types)
+        show = ValueWriter(self.program.types, quoted=True).show
+        return lambda value: '"' + show(value, attribute.type).replace('"', '""') + '"'
 
 
 def _umask() -> int:

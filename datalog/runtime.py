@@ -10,6 +10,7 @@ from functools import lru_cache
 from typing import Any
 
 from .domain import EvaluationError, domain
+from .records import Records
 
 
 def substring(text: str, start: int, length: int) -> str:
@@ -69,20 +70,27 @@ def differs(pattern: str, text: str) -> bool:
     return found is not None and found(text) is None
 
 
-def order_key(value: Any) -> Any:
-    """A key that orders values of every kind: nil, then plain values, then records field by field."""
-    if value is None:
-        return (0,)
-    if isinstance(value, tuple):
-        return (2, tuple(order_key(v) for v in value))
-    return (1, value)
+def order_key(value: Any) -> tuple[Any, ...]:
+    """A key that orders values of every kind: nil, then plain values, then records field by field, however deep."""
+    tokens: list[tuple[Any, ...]] = []
+    work = [value]
+    while work:
+        item = work.pop()
+        if item is None:
+            tokens.append((0,))
+        elif isinstance(item, tuple):
+            tokens.append((2, len(item)))
+            work.extend(reversed(item))
+        else:
+            tokens.append((1, item))
+    return tuple(tokens)
 
 
 def ordered(rows: Collection[Any]) -> list[Any]:
-    """The rows sorted; falls back to `order_key` where Python cannot compare (nil against a record)."""
+    """The rows sorted; falls back to `order_key` where Python cannot compare: nil against a record, or records too deep."""
     try:
         return sorted(rows)
-    except TypeError:
+    except (TypeError, RecursionError):
         return sorted(rows, key=order_key)
 
 
@@ -105,12 +113,13 @@ class Ordinals:
 class State:
     """What one evaluation carries besides rows: counters that functors advance."""
 
-    __slots__ = ("counter", "iteration", "ordinals")
+    __slots__ = ("counter", "iteration", "ordinals", "records")
 
     def __init__(self) -> None:
         self.counter = 0
         self.iteration = 0
         self.ordinals = Ordinals()
+        self.records = Records()
 
     def next_counter(self) -> int:
         """The next value of `autoinc()`."""

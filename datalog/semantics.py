@@ -110,6 +110,8 @@ def _check_directives(unit: Unit, relations: Mapping[str, Relation], report: Rep
         if directive.relation not in relations:
             _unknown_relation(directive.relation, directive.location, relations, report)
         check_directive(directive, directive.location, report)
+        if directive.kind == "limitsize" and not dict(directive.params).get("n", "").isdigit():
+            report.error("`.limitsize` needs a number of rows, as in `(n=100)`", directive.location)
 
 
 def _unknown_relation(name: str, location: Location, relations: Mapping[str, Relation], report: Report) -> None:

@@ -79,4 +79,5 @@ def _read_output(path: Path, program: Program, name: str) -> Collection[Any]:
     rows = read_fact_file(path, relation, errors, ValueReader(program.types), Layout(DELIMITER))
     if errors:
         raise DatalogError(errors)
-    return {row[0] for row in rows} if len(relation.attributes) == 1 else set(rows)
+    found = [row[0] for row in rows] if len(relation.attributes) == 1 else rows
+    return found if name in program.code.nested else set(found)
