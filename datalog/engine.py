@@ -12,7 +12,7 @@ from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
-from .errors import DatalogError, Diagnostic
+from .errors import DatalogError, Diagnostic, parse_location
 from .plan import BulkRule, Code, Member, Origin, Rule, Stratum
 from .records import unpack_rows
 from .runtime import NAMES, EvaluationError, State, ordered
@@ -53,7 +53,12 @@ class Control:
 
     @staticmethod
     def _stop(rule: Rule | BulkRule, reason: str) -> None:
-        raise DatalogError([Diagnostic(f"{rule.location}: evaluation stopped, `{rule.target}`: {reason}")])
+        raise _failure(rule, f"evaluation stopped, `{rule.target}`: {reason}")
+
+
+def _failure(rule: Rule | BulkRule, message: str) -> DatalogError:
+    """An error at the clause of a rule."""
+    return DatalogError([Diagnostic(message, parse_location(rule.location))])
 
 
 @contextmanager
@@ -147,9 +152,9 @@ class Evaluation:
         try:
             function(delta, new)
         except EvaluationError as error:
-            raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
+            raise _failure(rule, str(error)) from None
         except MemoryError:
-            raise DatalogError([Diagnostic(f"{rule.location}: evaluation stopped, `{rule.target}`: out of memory")]) from None
+            raise _failure(rule, f"evaluation stopped, `{rule.target}`: out of memory") from None
         except OverflowError:
             if not self._unpack():
                 raise
@@ -220,7 +225,7 @@ class Evaluation:
                             continue
                     try:
                         function(delta, pending[bound.target])
-                    except (EvaluationError, OverflowError):
+                    except (EvaluationError, MemoryError, OverflowError):
                         self.call(bound.rule, delta, pending[bound.target], growing)
                         _forget(rules)
                     if active:

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 
+LONGEST_LINE = 200  # characters of a source line that a message shows
+
+
 class Location(NamedTuple):
     """A position in a rule file; `line` and `column` count from 1."""
 
@@ -40,8 +43,12 @@ class Diagnostic:
     def __str__(self) -> str:
         if not self.source or self.location is None:
             return self.headline
-        pad = "".join("\t" if c == "\t" else " " for c in self.source[: self.location.column - 1])
-        return f"{self.headline}\n    {self.source}\n    {pad}^"
+        source, at = self.source, self.location.column - 1
+        if len(source) > LONGEST_LINE:
+            start = max(0, at - LONGEST_LINE // 2)
+            source, at = source[start : start + LONGEST_LINE], at - start
+        pad = "".join("\t" if c == "\t" else " " for c in source[:at])
+        return f"{self.headline}\n    {source}\n    {pad}^"
 
 
 class DatalogError(Exception):
@@ -55,6 +62,20 @@ class DatalogError(Exception):
 
     def __reduce__(self) -> tuple[type[DatalogError], tuple[list[Diagnostic]]]:
         return type(self), (self.diagnostics,)
+
+
+def with_lines(error: DatalogError, sources: dict[str, str]) -> DatalogError:
+    """The error with the source lines of its places."""
+    report = Report(sources)
+    for diagnostic in error.diagnostics:
+        report.error(diagnostic.message, diagnostic.location, diagnostic.hint)
+    return DatalogError(report.errors)
+
+
+def parse_location(text: str) -> Location:
+    """The location that `path:line:col` shows."""
+    path, line, column = text.rsplit(":", 2)
+    return Location(path, int(line), int(column))
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

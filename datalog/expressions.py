@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .domain import domain
+from .domain import EvaluationError, domain
 from .errors import DatalogError, Diagnostic
 from .functors import Overload
 from .inference import ClauseTypes, kind_of
@@ -238,7 +238,10 @@ class Expressions:
         negated = op[0] == "!"
         if not isinstance(constraint.left, String):
             return f"{'differs' if negated else 'matches'}({left}, {right})"
-        if full_match(constraint.left.value) is None:
-            return "False"
+        try:
+            if full_match(constraint.left.value) is None:
+                return "False"
+        except EvaluationError as error:
+            raise DatalogError([Diagnostic(str(error), constraint.left.location)]) from None
         matcher = self.matchers.setdefault(constraint.left.value, f"match_{len(self.matchers)}")
         return f"{matcher}({right}) is {'' if negated else 'not '}None"

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import cache, engine
-from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean
+from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean, with_lines
 from .inputs import InputReader
 from .plan import Code
 from .preprocess import Reading
@@ -153,9 +153,12 @@ class Program:
         if self._functions is None:
             self._functions = self.load_functions()
         control = engine.Control(limit_rows, time_limit)
-        with engine.collector_paused():
-            # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
-            return kind(self.code, self._functions, self._given(facts), control).run(kept)
+        try:
+            with engine.collector_paused():
+                # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
+                return kind(self.code, self._functions, self._given(facts), control).run(kept)
+        except DatalogError as error:
+            raise with_lines(error, self.sources) from None
 
     def _given(self, facts: Mapping[str, Iterable[Row]] | Path) -> Mapping[str, Iterable[Row]]:
         """Facts by relation, those of a folder read, after a check that they are facts of input relations."""
@@ -214,10 +217,14 @@ def load_program(
     key = f"{extra_source}\0{reading!r}\0{bits}"
     program = cache.load(paths, key)
     if not isinstance(program, Program):
-        from .sources import EXTRA_SOURCE, read_program  # what a cached program does without is imported when it is needed
+        from .sources import EXTRA_SOURCE, TOO_DEEP, deepest, read_program  # what a cached program does without is imported when it is needed
 
         unit, sources, report = read_program(paths, extra_source, reading)
-        program = compile_unit(unit, sources, report, bits)
+        try:
+            program = compile_unit(unit, sources, report, bits)
+        except RecursionError:
+            report.error(TOO_DEEP, deepest(sources.parsed))
+            raise DatalogError(report.errors[-1:]) from None
         digests = {p: hashlib.sha256(Path(p).read_bytes()).hexdigest() for p in sources.texts if p != EXTRA_SOURCE}
         cache.store(paths, key, digests, program)
     program.functors = dict(functors or {})
@@ -231,7 +238,10 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -
 
     checked, _ = prepare(unit, report, bits)
     unit = checked.unit
-    code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
+    try:
+        code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
+    except DatalogError as error:
+        raise with_lines(error, sources.texts) from None
     bytecode = marshal.dumps(compile(code.source, "<datalog>", "exec"))
     content = hashlib.sha256(f"{cache.engine_version()} {bits}".encode())
     for text in sources.parsed.values():

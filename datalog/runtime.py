@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-import re
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable
-from functools import lru_cache
+from collections.abc import Collection, Iterable
 from typing import Any
 
 from .domain import EvaluationError, domain
 from .records import Records
+from .regular import full_match
 
 
 def substring(text: str, start: int, length: int) -> str:
@@ -37,25 +36,6 @@ def string_length(text: str) -> int:
 def symbol_of_float(value: float) -> str:
     """`to_string` of a float: six decimals."""
     return f"{value:f}"
-
-
-_POSIX_CLASSES = {
-    "alnum": "a-zA-Z0-9", "alpha": "a-zA-Z", "blank": r" \t", "digit": "0-9", "lower": "a-z", "space": r"\s",
-    "upper": "A-Z", "xdigit": "0-9a-fA-F", "punct": r"!-/:-@\[-`{-~", "w": r"\w", "d": r"\d", "s": r"\s",
-}  # fmt: skip
-_BARE_BRACE = re.compile(r"(?<!\\)(?:\\\\)*\{(?!\d+(?:,\d*)?\})")
-
-
-@lru_cache(maxsize=4096)
-def full_match(pattern: str) -> Callable[[str], Any] | None:
-    """The matcher of an ECMAScript regular expression, or None when it is not valid."""
-    translated = re.sub(r"\[:(\w+):\]", lambda m: _POSIX_CLASSES.get(m[1], m[0]), pattern)
-    if _BARE_BRACE.search(translated):
-        return None
-    try:
-        return re.compile(translated, re.DOTALL | re.ASCII).fullmatch
-    except re.error:
-        return None
 
 
 def matches(pattern: str, text: str) -> bool:

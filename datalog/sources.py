@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -25,6 +26,8 @@ from .syntax import (
 )  # fmt: skip
 from .tree import ComponentBody, Include, Item, Override, Pragma
 
+TOO_DEEP = "a term is nested too deeply"
+MANY_BRACKETS = 50  # nested; with fewer it is a chain of operators that is deep
 EXTRA_SOURCE = "<extra>"
 
 
@@ -79,7 +82,12 @@ class _Loader:
         if reading.preprocess:
             text = expand(text, shown, self.report, texts, macros=reading.macros, folders=reading.folders)
         self.sources.parsed[shown] = text
-        return self._splice(parse_text(text, shown, self.report, texts), entered)
+        try:
+            items = parse_text(text, shown, self.report, texts)
+        except RecursionError:
+            self.report.error(TOO_DEEP, deepest({shown: text}))
+            return []
+        return self._splice(items, entered)
 
     def _splice(self, items: Sequence[Item], entered: set[str]) -> list[Item]:
         result: list[Item] = []
@@ -100,6 +108,25 @@ class _Loader:
         including = item.location.path
         beside = (Path() if including == EXTRA_SOURCE else Path(including).parent) / item.path
         return next((p for p in (beside, *(f / item.path for f in self.reading.folders)) if p.is_file()), beside)
+
+
+_BRACKETS = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/|[\[({]|[\])}]', re.DOTALL)
+
+
+def deepest(texts: Mapping[str, str]) -> Location:
+    """Where the brackets of some texts are nested most deeply."""
+    found = (0, Location(next(iter(texts), ""), 1, 1))
+    for path, text in texts.items():
+        depth = 0
+        for token in _BRACKETS.finditer(text):
+            depth += (token[0] in "[({") - (token[0] in "])}")
+            if depth > found[0]:
+                at = token.start()
+                found = depth, Location(path, text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at))
+    if found[0] >= MANY_BRACKETS:
+        return found[1]
+    path, lines = max(((p, t.splitlines()) for p, t in texts.items()), key=lambda item: max(map(len, item[1]), default=0))
+    return Location(path, max(range(len(lines)), key=lambda i: len(lines[i]), default=0) + 1, 1)
 
 
 def collect(items: Sequence[Item], report: Report) -> Unit:
