@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import Counter
 
 from .rewrite import Substitution
-from .syntax import Argument, Clause, Constraint, Literal, Record, Unnamed, Variable, clause_literals, walk
+from .syntax import Argument, Clause, Constraint, Literal, Record, Unnamed, Variable, clause_literals, variables, walk
 
 _ROUNDS = 100
 
@@ -52,9 +52,10 @@ def _named_record(clause: Clause) -> tuple[int, str, Record] | None:
     for number, literal in enumerate(clause.body):
         if isinstance(literal, Constraint) and literal.op == "=":
             for one, other in ((literal.left, literal.right), (literal.right, literal.left)):
-                if isinstance(one, Variable) and isinstance(other, Record) and uses[one.name] == equated[one.name] > 1:
-                    if not any(isinstance(n, Variable) and n.name == one.name for n in walk(other)):
-                        return number, one.name, other
+                if not isinstance(one, Variable) or not isinstance(other, Record) or one.name in variables(other):
+                    continue
+                if uses[one.name] == equated[one.name] > 1:
+                    return number, one.name, other
     return None
 
 

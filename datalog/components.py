@@ -183,7 +183,9 @@ class _Expander:
             inner = _Scope({c.type.name: (c, scope) for c in component.unit.components}, {}, scope)
             self.check_overrides(component.unit.components, inner)
             inherited = self._inherited(component, scope, [])
-            for name in component.unit.overrides if inherited is not None else ():
+            for name in component.unit.overrides:
+                if inherited is None:
+                    break
                 if name not in inherited:
                     self.report.error(f"relation `{name}` is overridden, but not inherited", component.type.location)
                 elif "overridable" not in inherited[name].qualifiers:

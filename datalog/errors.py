@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-
 LONGEST_LINE = 200  # characters of a source line that a message shows
 
 

@@ -145,7 +145,7 @@ class _Inliner:
                 conjunction: list[tuple[Literal, ...]] = [()]
                 for definition in self.definitions[literal.atom.name]:
                     parts = [self._negated(part) for part in self._unfolded(literal.atom, definition, negated=True)]
-                    conjunction = [one + (part,) for one in conjunction for part in parts]
+                    conjunction = [(*one, part) for one in conjunction for part in parts]
                     if len(conjunction) > MAX_CLAUSES:
                         self.report.error(f"inlining makes more than {MAX_CLAUSES} clauses of this one", clause.location)
                         return []
@@ -208,4 +208,3 @@ class _AggregateRewriter(Rewriter):
             return Aggregate(term.op, target, bodies[0], term.location)
         self.inliner.report.error("a relation with several clauses cannot be inlined in an aggregate", term.location)
         return Aggregate(term.op, target, (), term.location)
-

@@ -9,10 +9,10 @@ import json
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from .cells import ValueError_
 from .domain import domain
 from .errors import DatalogError
 from .types import Types
+from .values import ValueError_
 
 if TYPE_CHECKING:
     from .program import Program, RelationDecl

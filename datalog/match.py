@@ -11,13 +11,13 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from .domain import EvaluationError, domain
 from .errors import DatalogError, Diagnostic
 from .goals import ANY, fits, is_ground
 from .ground import grounded_variables, is_bound
 from .inference import ClauseTypes
 from .normalise import Absent, Fold, Generate, Normaliser, Scan, Step
 from .rows import Row, RowStore
-from .domain import EvaluationError, domain
 from .syntax import (
     Aggregate,
     Argument,

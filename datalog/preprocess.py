@@ -48,11 +48,11 @@ def expand(
             return True
 
         def on_error(self, file: str, line: int, msg: str) -> None:
-            report.error(msg.strip().replace("\n", " "), Location(file or path, max(line, 1), 1))
+            report.error(msg.strip().replace("\n", " "), Location(_as_given(file or path, texts), max(line, 1), 1))
             self.return_code += 1
 
         def on_include_not_found(self, is_malformed: bool, is_system_include: bool, curdir: str, includepath: str) -> None:
-            report.error(f"cannot find `{includepath}`", Location(self.macros["__FILE__"].value[0].value.strip('"'), self.linemacro, 1))
+            report.error(f"cannot find `{includepath}`", _place_of_include(includepath, {path: text, **texts}))
             raise pcpp.OutputDirective(pcpp.Action.IgnoreAndRemove)
 
         def on_file_open(self, is_system_include: bool, includepath: str) -> IO[str]:
@@ -78,6 +78,20 @@ def expand(
     return result.getvalue()
 
 
+def _place_of_include(name: str, texts: dict[str, str]) -> Location:
+    """Where a file is included."""
+    directive = re.compile(rf'^[ \t]*#[ \t]*include[ \t]*["<]{re.escape(name)}[">]', re.MULTILINE)
+    found = next(((path, m) for path, text in texts.items() if (m := directive.search(text))), None)
+    if found is None:
+        return Location(next(iter(texts)), 1, 1)
+    return Location(found[0], texts[found[0]].count("\n", 0, found[1].start()) + 1, 1)
+
+
+def _as_given(path: str, texts: dict[str, str]) -> str:
+    """A path as the program names the file: the preprocessor makes paths relative."""
+    return next((known for known in texts if os.path.abspath(known) == os.path.abspath(path)), path)
+
+
 class Origins:
     """Where the lines of an expanded text come from, by its `#line` marks."""
 
@@ -87,10 +101,13 @@ class Origins:
         self._originals: dict[str, list[str]] = {}
         self._places: list[tuple[str, int]] = []
         at, number = path, 1
+        shown: dict[str, str] = {}
         for line in self._lines:
             mark = LINE_MARK.match(line)
             if mark is not None:
-                at, number = mark[2] if mark[2] is not None else at, int(mark[1])
+                if mark[2] is not None:
+                    at = shown.setdefault(mark[2], _as_given(mark[2], {path: "", **texts}))
+                number = int(mark[1])
                 self._places.append((at, number))
                 continue
             self._places.append((at, number))

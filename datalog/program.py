@@ -17,7 +17,7 @@ from .preprocess import Reading
 from .row_text import Show, line_chunks
 from .runtime import names, ordered
 from .types import Types, build_types
-from .user_functors import FunctorUse, Functors, bind, functor_uses
+from .user_functors import Functors, FunctorUse, bind, functor_uses
 
 if TYPE_CHECKING:
     from .sources import Sources
@@ -206,8 +206,8 @@ def load_program(
     """Parse, check and compile a program: one or more root files and what they include.
 
     `extra_source` is appended as if it were a last file. `preprocess` runs the C preprocessor over texts with its directives, with
-    `macros` (`NAME` or `NAME=VALUE`) defined; `include` are folders for `.include` and `#include`. `bits` is the width of numbers, 32 or 64.
-    `functors` are the functions behind `.functor` declarations. Compiled programs are cached by the content of all files.
+    `macros` (`NAME` or `NAME=VALUE`) defined; `include` are folders for `.include` and `#include`. `bits` is the width of numbers,
+    32 or 64. `functors` are the functions behind `.functor` declarations. Compiled programs are cached by the content of all files.
     Raises DatalogError with every diagnostic.
     """
     if bits not in (32, 64):
@@ -217,7 +217,12 @@ def load_program(
     key = f"{extra_source}\0{reading!r}\0{bits}"
     program = cache.load(paths, key)
     if not isinstance(program, Program):
-        from .sources import EXTRA_SOURCE, TOO_DEEP, deepest, read_program  # what a cached program does without is imported when it is needed
+        from .sources import (  # what a cached program does without is imported when it is needed
+            EXTRA_SOURCE,
+            TOO_DEEP,
+            deepest,
+            read_program,
+        )
 
         unit, sources, report = read_program(paths, extra_source, reading)
         try:

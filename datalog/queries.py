@@ -12,9 +12,9 @@ from .ground import outer_variables
 from .inference import ClauseTypes
 from .parser import parse_text
 from .program import Program, Result, compile_unit
-from .sources import Sources
 from .rows import Given, row_store
 from .semantics import check
+from .sources import Sources
 from .strata import atoms_of
 from .syntax import Atom, AttributeDecl, Clause, Directive, Relation, Unit, Variable
 from .types import Types

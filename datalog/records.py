@@ -1,6 +1,7 @@
 """Records and branches while a program is evaluated: equal ones are one object, compared and hashed by identity.
 
-So a list of a million cells costs no more in a join than a number, and no depth is too much. Outside of an evaluation they are plain tuples.
+So a list of a million cells costs no more in a join than a number, and no depth is too much. Outside of an evaluation they are plain
+tuples.
 """
 
 from __future__ import annotations
@@ -17,10 +18,10 @@ class Interned(tuple[Any, ...]):
     __hash__ = object.__hash__
     __eq__ = object.__eq__
     __ne__ = object.__ne__
-    __lt__ = object.__lt__  # type: ignore[assignment]
-    __le__ = object.__le__  # type: ignore[assignment]
-    __gt__ = object.__gt__  # type: ignore[assignment]
-    __ge__ = object.__ge__  # type: ignore[assignment]
+    __lt__ = object.__lt__  # type: ignore[operator]
+    __le__ = object.__le__  # type: ignore[operator]
+    __gt__ = object.__gt__  # type: ignore[operator]
+    __ge__ = object.__ge__  # type: ignore[operator]
 
 
 class Records:

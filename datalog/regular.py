@@ -7,17 +7,17 @@ whose time is linear in the text. Backward references and the like, of which no 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
+from importlib import import_module
 from typing import Any
 
 from .domain import EvaluationError
 
-try:
-    from re import _constants, _parser  # type: ignore[attr-defined]
-except ImportError:  # Python 3.10
-    import sre_constants as _constants  # type: ignore[no-redef]
-    import sre_parse as _parser  # type: ignore[no-redef]
+_NEW_NAMES = sys.version_info >= (3, 11)
+_constants: Any = import_module("re._constants" if _NEW_NAMES else "sre_constants")
+_parser: Any = import_module("re._parser" if _NEW_NAMES else "sre_parse")
 
 Matcher = Callable[[str], Any]
 MAX_REPEATS = 2  # unbounded repetitions side by side that backtracking may try: cubic in the text
@@ -140,9 +140,7 @@ class Automaton:
                 continue
             found.add(state)
             test = self.tests[state]
-            if test is None:
-                work.extend(self.next[state])
-            elif test[0] is _constants.AT and (start if test[1] else end):
+            if test is None or (test[0] is _constants.AT and (start if test[1] else end)):
                 work.extend(self.next[state])
         return frozenset(found)
 
@@ -166,7 +164,7 @@ class Automaton:
         if op is _constants.SUBPATTERN:
             return self._sequence(list(value[3]), after)
         if op in _REPEATS and op is not getattr(_constants, "POSSESSIVE_REPEAT", None):
-            return self._repeat(*value, after)
+            return self._repeat(value[0], value[1], value[2], after)
         if op is _constants.AT and value in (_constants.AT_BEGINNING, _constants.AT_BEGINNING_STRING):
             return self._add((op, True), (after,))
         if op is _constants.AT and value in (_constants.AT_END, _constants.AT_END_STRING):
@@ -203,9 +201,9 @@ def _accepts(test: tuple[Any, Any], character: str) -> bool:
     if op is _constants.ANY:
         return True
     if op is _constants.LITERAL:
-        return ord(character) == value
+        return bool(ord(character) == value)
     if op is _constants.NOT_LITERAL:
-        return ord(character) != value
+        return bool(ord(character) != value)
     return op is _constants.IN and _in_set(value, character)
 
 

@@ -111,7 +111,8 @@ class State:
 def names(bits: int) -> dict[str, Any]:
     """What generated code may call, for a number domain of 32 or 64 bits."""
     own = (substring, string_length, symbol_of_float, full_match, matches, differs, ordered)
-    return {"defaultdict": defaultdict, "EMPTY": (), "ONCE": (0,), "fsum": math.fsum, **domain(bits).functions(), **{f.__name__: f for f in own}}
+    constants = {"defaultdict": defaultdict, "EMPTY": (), "ONCE": (0,), "fsum": math.fsum}
+    return {**constants, **domain(bits).functions(), **{f.__name__: f for f in own}}
 
 
 NAMES = names(32)

@@ -59,12 +59,20 @@ def read_text(path: Path, *, strict: bool = False) -> str:
         with path.open("rb") as stream:
             if stream.peek(2)[:2] != _GZIP:
                 return decode(read_bytes(stream, str(path)), str(path), strict)
-            import gzip
-
-            with gzip.open(stream) as unpacked:
-                return decode(read_bytes(unpacked, str(path)), str(path), strict)
+            return decode(_unpacked(stream, str(path)), str(path), strict)
     except (OSError, EOFError) as error:
         raise DatalogError(f"{path}: cannot read: {getattr(error, 'strerror', None) or error}") from None
+
+
+def _unpacked(stream: IO[bytes], shown: str) -> bytes:
+    import gzip
+    import zlib
+
+    try:
+        with gzip.open(stream) as unpacked:
+            return read_bytes(unpacked, shown)
+    except zlib.error as error:
+        raise DatalogError(f"{shown}: cannot read: {error}") from None
 
 
 def read_bytes(stream: IO[bytes] | Any, shown: str) -> bytes:
