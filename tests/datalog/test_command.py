@@ -202,7 +202,7 @@ def test_errors_have_a_place(run: Run, source: str, message: str) -> None:
 
 
 def test_time_limit_names_the_rule(run: Run) -> None:
-    code, _, err = run(".decl r(a: symbol)\n.output r\nr(\"\").\nr(cat(x, \"a\")) :- r(x).\n", "--time-limit", "0.2")
+    code, _, err = run('.decl r(a: symbol)\n.output r\nr("").\nr(cat(x, "a")) :- r(x).\n', "--time-limit", "0.2")
     assert (code, err.splitlines()[0]) == (2, "p.dl:4:1: evaluation stopped, `r`: still running after 0.2 s")
 
 
@@ -263,5 +263,7 @@ def test_options_without_a_meaning_are_refused(run: Run, options: list[str]) -> 
 
 def test_start_up_leaves_out_what_a_cached_program_does_without(run: Run) -> None:
     run(".decl r(a: number)\n.output r\nr(1).\n")
-    probe = "import sys; from rosarch.datalog.__main__ import main; main(['p.dl']); print([m for m in ('lark', 'pcpp') if m in sys.modules])"
+    probe = (
+        "import sys; from rosarch.datalog.__main__ import main; main(['p.dl']); print([m for m in ('lark', 'pcpp') if m in sys.modules])"
+    )
     assert subprocess.run([sys.executable, "-c", probe], capture_output=True, text=True, check=True).stdout == "[]\n"

@@ -71,6 +71,8 @@ def test_errors(errors: Callable[[str], str], rules: str, message: str) -> None:
 
 
 def test_explanations_speak_of_the_clause_as_written(load: Callable[[str], Program], tmp_path: Path) -> None:
-    program = load(f"{NUMBERS}.decl plus(a: number, b: number) inline\nplus(a, b) :- b = a + 1.\n.decl r(x: number)\n.output r\nr(y) :- n(x), plus(x, y).\n")
+    program = load(
+        f"{NUMBERS}.decl plus(a: number, b: number) inline\nplus(a, b) :- b = a + 1.\n.decl r(x: number)\n.output r\nr(y) :- n(x), plus(x, y).\n"
+    )
     text = proof_text(explain(program, program.evaluate({}, keep="all"), "r(4)")).replace(f"{tmp_path}/", "")
     assert text == "r(4)  p.dl:7\n├─ n(3)  p.dl:2\n└─ 4 = 3 + 1\n"

@@ -62,7 +62,11 @@ def test_long_expressions(rows: Callable[..., list[tuple[Any, ...]]]) -> None:
 
 @pytest.mark.parametrize("pattern", ["(a+)+b", "(a|aa)*b", "(.*)(.*)(.*)(.*)x", "([a-z]+[0-9]*)+!", "(a*)*b", r"(\w+\s?)*-"])
 def test_expressions_that_backtrack_are_bounded(load: Callable[[str], Program], pattern: str) -> None:
-    program = load('.decl s(x: symbol)\n.input s\n.decl r(x: symbol)\n.output r\nr(x) :- s(x), match("PATTERN", x).\n'.replace("PATTERN", pattern.replace("\\", "\\\\")))
+    program = load(
+        '.decl s(x: symbol)\n.input s\n.decl r(x: symbol)\n.output r\nr(x) :- s(x), match("PATTERN", x).\n'.replace(
+            "PATTERN", pattern.replace("\\", "\\\\")
+        )
+    )
     start = time.monotonic()
     assert program.evaluate({"s": [("a" * 5000,)]}).rows("r") == []
     assert time.monotonic() - start < 10
@@ -105,7 +109,9 @@ def test_recursion_stops_at_a_size(load: Callable[[str], Program]) -> None:
 
 
 def test_wide_numbers(tmp_path: Path) -> None:
-    (tmp_path / "p.dl").write_text(".decl e(x: number)\n.input e\n.decl r(x: number, u: unsigned)\n.output r\nr(x * x, to_unsigned(x) - 4) :- e(x).\n")
+    (tmp_path / "p.dl").write_text(
+        ".decl e(x: number)\n.input e\n.decl r(x: number, u: unsigned)\n.output r\nr(x * x, to_unsigned(x) - 4) :- e(x).\n"
+    )
     narrow, wide = load_program(tmp_path / "p.dl"), load_program(tmp_path / "p.dl", bits=64)
     facts = {"e": [(3,), (100_000,)]}
     assert narrow.evaluate(facts).rows("r") == [(9, 2**32 - 1), (1_410_065_408, 99_996)]
