@@ -40,6 +40,10 @@ def find_souffle() -> str:
     return found
 
 
+def _version(binary: str) -> str:
+    return subprocess.run([binary, "--version"], capture_output=True, check=False, text=True, errors="replace").stdout
+
+
 def joined_source(program: Program, kept: Collection[str]) -> str:
     """The program as one file that reads its inputs and writes `kept`."""
     parts = [_SKIPPED.sub(lambda m: m[1] or "", text) for text in program.parsed.values()]
@@ -55,6 +59,8 @@ def evaluate_with_souffle(
 ) -> dict[str, Collection[Any]]:
     """Run the binary; rows of unary relations come back as bare values, as from the embedded engine."""
     binary = find_souffle()
+    if program.types.bits != 32 and f"Word size: {program.types.bits}" not in _version(binary):
+        raise DatalogError(f"this souffle was not built for numbers of {program.types.bits} bits")
     with tempfile.TemporaryDirectory(prefix="rosarch-souffle-") as folder:
         root = Path(folder)
         inputs, outputs = root / "facts", root / "out"
