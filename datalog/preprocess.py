@@ -72,6 +72,9 @@ def expand(
         expander.parse(text, path)
         result = io.StringIO()
         expander.write(result)
+    except RecursionError:
+        report.error("files include each other without end", Location(path, 1, 1))
+        return ""
     except (OSError, UnicodeDecodeError) as error:
         report.error(f"cannot read an included file: {error}", Location(path, 1, 1))
         return ""

@@ -156,7 +156,13 @@ class Program:
         try:
             with engine.collector_paused():
                 # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
-                return kind(self.code, self._functions, self._given(facts), control).run(kept)
+                evaluation = kind(self.code, self._functions, self._given(facts), control)
+                if not control.active:
+                    return evaluation.run(kept)
+                from .watch import watching
+
+                with watching(evaluation):
+                    return evaluation.run(kept)
         except DatalogError as error:
             raise with_lines(error, self.sources) from None
 

@@ -56,6 +56,10 @@ def check(unit: Unit, report: Report, bits: int = 32) -> Checked:
     types = build_types(unit.types, report, bits)
     relations = _check_relations(unit, types, report)
     _check_directives(unit, relations, report)
+    before = len(report.errors)
+    _check_functors(unit, types, report)
+    if len(report.errors) > before:
+        report.raise_errors()
     usable = [c for c in unit.clauses if _check_names(c, relations, types, unit, report)]
     functors = {f.name: (f.params, f.result) for f in unit.functors}
     grouped: dict[str, list[tuple[Clause, ClauseTypes]]] = {}
@@ -97,6 +101,17 @@ def _check_relations(unit: Unit, types: Types, report: Report) -> dict[str, Rela
         if "eqrel" in relation.qualifiers and len(relation.attributes) != 2:
             report.error(f"equivalence relation `{relation.name}` is not binary", relation.location)
     return relations
+
+
+def _check_functors(unit: Unit, types: Types, report: Report) -> None:
+    seen: dict[str, Location] = {}
+    for functor in unit.functors:
+        if seen.setdefault(functor.name, functor.location) is not functor.location:
+            report.error(f"functor `{functor.name}` is already declared at {seen[functor.name]}", functor.location)
+        for name in (*functor.params, functor.result):
+            if not types.known(name):
+                hint = did_you_mean(name, [n for n in (*types.table, *types.aliases) if n[0] != "@"])
+                report.error(f"unknown type `{name}`", functor.location, hint)
 
 
 def _check_directives(unit: Unit, relations: Mapping[str, Relation], report: Report) -> None:

@@ -206,6 +206,12 @@ def test_time_limit_names_the_rule(run: Run) -> None:
     assert (code, err.splitlines()[0]) == (2, "p.dl:4:1: evaluation stopped, `r`: still running after 0.2 s")
 
 
+@pytest.mark.parametrize("limit", [("--time-limit", "0.3"), ("--limit-rows", "1000")])
+def test_limits_hold_within_one_rule(run: Run, limit: tuple[str, str]) -> None:
+    code, _, err = run(".decl r(a: number)\n.output r\nr(x) :- x = range(0, 2000000000).\n", *limit)
+    assert (code, err.splitlines()[0].split(":")[:3]) == (2, ["p.dl", "3", "1"])
+
+
 def test_missing_files_are_empty_without_warnings(run: Run) -> None:
     assert run(COPY.format("", ""), "-w") == (0, "", "")
     assert Path("r.csv").read_text() == ""

@@ -60,6 +60,17 @@ def test_errors(tmp_path: Path, function: Callable[..., Any] | None, message: st
     assert caught.value.diagnostics[0].headline == f"{tmp_path}/p.dl:{message}"
 
 
+def test_declarations_are_checked(tmp_path: Path) -> None:
+    (tmp_path / "p.dl").write_text(".functor f(a: nambers): number\n.decl r(x: number)\nr(@f(1)).\n.functor f(): number\n")
+    with pytest.raises(DatalogError) as caught:
+        load_program(tmp_path / "p.dl")
+    found = [d.headline.removeprefix(f"{tmp_path}/") for d in caught.value.diagnostics]
+    assert found == [
+        "p.dl:1:10: unknown type `nambers`, did you mean `number`?",
+        "p.dl:4:10: functor `f` is already declared at " + f"{tmp_path}/p.dl:1:10",
+    ]
+
+
 def test_queries_may_call_them(tmp_path: Path) -> None:
     loaded = program(tmp_path, "number", "number", "1", lambda a: a + 1)
     assert query(loaded, loaded.evaluate({}, keep="all"), "r(X), Y = @f(X)").rows == ((2, 3),)

@@ -56,6 +56,14 @@ def test_a_missing_file_is_an_error_where_it_is_included(tmp_path: Path) -> None
     assert caught.value.diagnostics[0].headline == f"{path}:2:1: cannot find `nowhere.dl`"
 
 
+def test_files_that_include_each_other(tmp_path: Path) -> None:
+    path = tmp_path / "p.dl"
+    path.write_text('#include "p.dl"\n')
+    with pytest.raises(DatalogError) as caught:
+        load_program(path, preprocess=True)
+    assert caught.value.diagnostics[0].headline == f"{path}:1:1: files include each other without end"
+
+
 def test_a_file_may_be_included_in_two_components(tmp_path: Path) -> None:
     (tmp_path / "body.dl").write_text(".decl r(x: number)\nr(1).\n")
     path = tmp_path / "p.dl"
