@@ -99,6 +99,7 @@ class Evaluation:
         self.state = State()
         self.codes: Codes | None = None  # of the values of relations that are kept as bitmaps
         self.unpacked: set[int] = set()  # slots of relations that no bitmap can hold
+        self.growing: Collection[int] = ()  # relations of the stratum that is run in rounds
         self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
         self.slots: list[Any] = [set(self._packed(name, code.facts.get(name, ()))) for name in code.relation_slot]
         self.slots += [None] * len(code.indexes)
@@ -301,6 +302,7 @@ class Evaluation:
     def _run_rounds(self, stratum: Stratum, fresh: dict[str, set[Any]]) -> None:
         """Iteration in which the rows of a round become visible together at its end."""
         slots, growing = self.slots, {m.full for m in stratum.members}
+        self.growing = growing
         deltas: dict[str, set[Any]] = {}
         for member in stratum.members:
             if stratum.chooses:
@@ -344,7 +346,7 @@ class Evaluation:
         rejected: set[Any] = set()
         for rule in member.subsumption:
             if delta:
-                self.call(rule, delta, rejected, (member.full,))
+                self.call(rule, delta, rejected, self.growing)
         if rejected:
             self.slots[member.full] -= rejected
             delta -= rejected
