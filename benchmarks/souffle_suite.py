@@ -1,26 +1,31 @@
 """Run Soufflé's own test programs with the embedded engine and compare every expected output.
 
-    benchmarks/souffle_suite.py SOUFFLE_SOURCE_DIR [--only evaluation|example] [--test NAME]... [--list]
+    benchmarks/souffle_suite.py SOUFFLE_SOURCE_DIR [--only FOLDER] [--test NAME]... [--list]
 
 A case is a folder of `tests/evaluation` or `tests/example` with a program and expected outputs: `.csv` files, and a `.out` file where the
-program prints. It passes when each of them has the same set of rows. Prints a table, and the cases that do not pass with the reason.
-The exit code is 1 when one does not pass.
+program prints. It passes when each of them has the same lines, each as often, in any order, and when no `.csv` is written besides; so does
+souffle compare them. In `tests/semantic` and `tests/syntactic` there are programs without outputs too: a program that souffle refuses
+passes when it is refused, without a traceback. Prints a table, and the cases that do not pass with the reason. The exit code is 1 when one
+does not pass.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import re
 import resource
 import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 FOLDERS = ("evaluation", "example")
+CHECKS = ("semantic", "syntactic")
 
 
 @dataclass(frozen=True)
@@ -32,6 +37,7 @@ class Case:
     program: Path
     facts: Path
     expected: tuple[Path, ...]
+    refused: bool = False
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,9 @@ class Outcome:
 
 def cases(root: Path, folder: str) -> Iterator[Case]:
     """The cases of `tests/evaluation` or `tests/example`; a program with several sets of facts is several cases."""
+    if folder in CHECKS:
+        yield from _checks(root, folder)
+        return
     for home in sorted(p for p in (root / "tests" / folder).iterdir() if p.is_dir()):
         program = home / f"{home.name}.dl"
         if not program.is_file():
@@ -55,6 +64,16 @@ def cases(root: Path, folder: str) -> Iterator[Case]:
             continue
         for facts in sorted(p for p in home.iterdir() if p.is_dir() and any(p.glob("*.csv"))):
             yield Case(folder, f"{home.name}/{facts.name}", program, facts, _expected(facts, home.name))
+
+
+def _checks(root: Path, folder: str) -> Iterator[Case]:
+    """The tests that are listed as positive or negative ones."""
+    listed = (root / "tests" / folder / "CMakeLists.txt").read_text(encoding="utf-8")
+    for kind, name in sorted(re.findall(r"^\s*(positive|negative)_test\((\w+)[ )]", listed, re.MULTILINE), key=lambda found: found[1]):
+        home = root / "tests" / folder / name
+        facts = home / "facts"
+        expected = () if kind == "negative" else _expected(home, name)
+        yield Case(folder, name, home / f"{name}.dl", facts if facts.is_dir() else home, expected, kind == "negative")
 
 
 def _expected(home: Path, name: str) -> tuple[Path, ...]:
@@ -70,7 +89,7 @@ def run(case: Case, time_limit: float, memory_limit: int, cache: Path) -> Outcom
 
     with tempfile.TemporaryDirectory(prefix="rosarch-suite-") as name:
         out = Path(name)
-        command = [sys.executable, "-m", "rosarch.datalog", str(case.program), "-w", "-F", str(case.facts), "-D", "."]
+        command = [sys.executable, "-m", "rosarch.datalog", str(case.program), "-F", str(case.facts), "-D", "."]
         start = time.perf_counter()
         with (out / ".out").open("wb") as printed, (out / ".err").open("wb") as errors:
             try:
@@ -82,6 +101,10 @@ def run(case: Case, time_limit: float, memory_limit: int, cache: Path) -> Outcom
             except subprocess.TimeoutExpired:
                 return Outcome(time_limit, f"still running after {time_limit:g} s")
         seconds = time.perf_counter() - start
+        if case.refused and done.returncode == 2:
+            return Outcome(seconds)
+        if case.refused:
+            return Outcome(seconds, "not refused" if not done.returncode else f"exit code {done.returncode}")
         if done.returncode:
             lines = (out / ".err").read_text(errors="replace").strip().splitlines() or [f"exit code {done.returncode}"]
             return Outcome(seconds, lines[-1] if lines[0].startswith("Traceback") else lines[0])
@@ -94,31 +117,36 @@ def _differences(case: Case, out: Path) -> Iterator[str]:
         if not actual.is_file():
             yield f"{path.name} is not written"
             continue
-        wanted, found = _rows(path), _rows(actual)
+        wanted, found = _lines(path), _lines(actual)
         if wanted != found:
             parts = [
                 f"`{row}` {what}"
                 for rows, what in ((wanted - found, "is missing"), (found - wanted, "is wrong"))
                 for row in sorted(rows)[:1]
             ]
-            yield f"{path.name}: {len(wanted - found)} rows missing, {len(found - wanted)} wrong ({', '.join(parts)})"
+            yield f"{path.name}: {(wanted - found).total()} rows missing, {(found - wanted).total()} wrong ({', '.join(parts)})"
+    names = {path.name for path in case.expected}
+    for extra in sorted(p.name for p in out.glob("*.csv") if p.name not in names):
+        yield f"{extra} is written and not expected"
 
 
-def _rows(path: Path) -> set[str]:
-    return set(path.read_text(encoding="utf-8", errors="replace").splitlines())
+def _lines(path: Path) -> Counter[str]:
+    """The lines of a file, each with how often it is there."""
+    return Counter(path.read_text(encoding="utf-8", errors="replace").splitlines())
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("souffle", type=Path, help="a checkout of souffle-lang/souffle")
-    parser.add_argument("--only", choices=FOLDERS, help="one of the two folders")
+    parser.add_argument("--only", choices=(*FOLDERS, *CHECKS), help="one of the folders")
+    parser.add_argument("--checks", action="store_true", help="run semantic and syntactic too")
     parser.add_argument("--test", action="append", help="only the case of this name")
     parser.add_argument("--list", action="store_true", help="tell every case with its time as it ends")
     parser.add_argument("--time-limit", type=float, default=60, metavar="SECONDS")
     parser.add_argument("--memory-limit", type=int, default=3072, metavar="MEBIBYTES")
     options = parser.parse_args(argv)
-    folders = [options.only] if options.only else FOLDERS
+    folders = [options.only] if options.only else (*FOLDERS, *CHECKS) if options.checks else FOLDERS
     outcomes: dict[Case, Outcome] = {}
     with tempfile.TemporaryDirectory(prefix="rosarch-cache-") as cache:
         for case in (c for folder in folders for c in cases(options.souffle.resolve(), folder)):

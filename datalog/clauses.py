@@ -12,17 +12,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .compile import eqrel_clauses
-from .components import instantiate
 from .errors import Location, Report
 from .inference import ClauseTypes
-from .semantics import check
-from .sources import EXTRA_SOURCE, Sources, _Loader, collect
+from .parser import parse_text
+from .preparation import prepare
+from .preprocess import Reading
+from .sources import Sources, _Loader, collect
 from .strata import dependencies
 from .syntax import Clause, Relation, Unit
-from .tree import Item
+from .tree import Include, Item
 from .types import Types
-from .witness import ground_witnesses
 
 if TYPE_CHECKING:
     from .program import Program
@@ -85,17 +84,24 @@ class Rules:
 
 
 class _KnownTexts(_Loader):
-    """Reads the files of a program from memory."""
+    """Reads the files of a program from memory, as they went to the parser."""
 
-    def __init__(self, texts: Mapping[str, str], report: Report) -> None:
-        super().__init__(report, Sources())
-        self.texts = texts
+    def __init__(self, texts: Mapping[str, str], report: Report, sources: Sources) -> None:
+        super().__init__(report, sources, Reading())
+        self.known = texts
 
-    def parse_file(self, path: Path, shown: str, included_at: Location | None) -> list[Item]:
+    def parse_file(self, path: Path, shown: str, included_at: Location | None, entered: set[str]) -> list[Item]:
         """The items of a file that has not been entered yet."""
-        if shown in self.sources.texts or shown not in self.texts:
+        if shown in entered or shown not in self.known:
             return []
-        return self.parse(self.texts[shown], shown, path.parent)
+        entered.add(shown)
+        return self._splice(parse_text(self.known[shown], shown, self.report, self.sources.texts), entered)
+
+    def find(self, item: Include) -> Path:
+        """The known file that an `.include` names."""
+        found = super().find(item)
+        ending = f"/{item.path}"
+        return found if str(found) in self.known else Path(next((p for p in self.known if p.endswith(ending)), str(found)))
 
 
 def rules_of(program: Program) -> Rules:
@@ -112,19 +118,14 @@ def rules_of(program: Program) -> Rules:
 
 def _read(program: Program) -> Rules:
     report = Report(program.sources)
-    loader = _KnownTexts(program.sources, report)
+    loader = _KnownTexts(program.parsed, report, Sources(dict(program.sources)))
     items: list[Item] = []
-    for shown in program.sources:
-        folder = Path.cwd() / "x" if shown == EXTRA_SOURCE else Path(shown)
-        items.extend(loader.parse_file(folder, shown, None))
-    unit = instantiate(collect(items, report), report)
-    unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
-    written = len(unit.clauses)
-    for relation in unit.relations:
-        if "eqrel" in relation.qualifiers and len(relation.attributes) == 2:
-            unit.clauses.extend(eqrel_clauses(relation))
+    entered: set[str] = set()
+    for shown in program.parsed:
+        items.extend(loader.parse_file(Path(shown), shown, None, entered))
+    checked, written = prepare(collect(items, report), report, program.types.bits)
+    unit = checked.unit
     numbers = {id(clause): number for number, clause in enumerate(unit.clauses)}
-    checked = check(unit, report)
     lines = {path: text.splitlines() for path, text in program.sources.items()}
     by_head = {
         name: tuple(

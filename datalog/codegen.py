@@ -410,7 +410,7 @@ class Emitter:
 
     @staticmethod
     def _wrapped(value: str, kind: str) -> str:
-        return f"wrap({value})" if kind == "i" else f"{value} & 4294967295"
+        return f"wrap({value})" if kind == "i" else f"wrap_unsigned({value})"
 
 
 def step_variables(step: Step) -> set[str]:

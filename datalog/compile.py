@@ -54,7 +54,7 @@ class _Compiler:
             case String():
                 return term.value
             case Number():
-                return number_value(term.text, kind_of(types.of(term), self.types) or "i")
+                return number_value(term.text, kind_of(types.of(term), self.types) or "i", self.types.bits)
             case Nil():
                 return None
             case Record():
@@ -120,7 +120,7 @@ class _Compiler:
     ) -> Rule:  # fmt: skip
         counts, ordinals = _effects(clause)
         self.code.uses_ordinals |= ordinals
-        expressions = Expressions(self.types, types, self.matchers)
+        expressions = Expressions(self.types, types, self.matchers, interned=True)
         growing = () if delta is None else stratum.names
         emitter = Emitter(self.storage, expressions, ordered=counts or ordinals, delta=delta, growing=growing)
         wanted = {v for a in head.args for v in (n.name for n in walk(a) if isinstance(n, Variable))}
@@ -191,7 +191,7 @@ class _Compiler:
         columns = {a.name: i for i, a in enumerate(relation.attributes)}
         choices = tuple(tuple(columns[c] for c in choice) for choice in relation.choices)
         counts = len(columns) == 1 and self.types.kind(relation.attributes[0].type) in ("i", "u")
-        return Member(name, self.code.relation_slot[name], self.index_slots(name), counts, choices, tuple(subsumption))
+        return Member(name, self.code.relation_slot[name], self.index_slots(name), counts, choices, tuple(subsumption), relation.limit)
 
 
 @dataclass(slots=True)
@@ -247,7 +247,7 @@ def compile_program(
     for names in strata:
         own = [(clause, clause_types) for name in names for clause, clause_types in clauses.get(name, ())]
         chooses = any(relations[n].choices for n in names)
-        staged = chooses or any(c.dominating is not None or any(_effects(c)) for c, _ in own)
+        staged = chooses or any(relations[n].limit for n in names) or any(c.dominating is not None or any(_effects(c)) for c, _ in own)
         plan = _Plan(names, chooses, staged, None if staged or not all(map(compiler.plain, names)) else [])
         for clause, clause_types in own:
             if compiler.fact(clause, clause_types):
@@ -261,6 +261,8 @@ def compile_program(
                 plan.loop.extend(again)
         plans.append(plan)
     compiler.assemble()
+    kinds = {name: [types.kind(a.type) for a in relation.attributes] for name, relation in relations.items()}
+    compiler.code.nested = {name: found for name, ks in kinds.items() if (found := tuple(i for i, k in enumerate(ks) if k in "r+"))}
     compiler.code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
     heads = {*compiler.code.facts, *(rule.target for plan in plans for rule in plan.rules())}
     compiler.code.scanned = frozenset(relations) - heads - compiler.storage.probed

@@ -66,7 +66,8 @@ class _Content:
 
 def instantiate(unit: Unit, report: Report) -> Unit:
     """The program without components: every instance expanded under its name."""
-    if not unit.inits:
+    _check_clashes(unit, report)
+    if not unit.components and not unit.inits:
         return unit
     scope = _Scope()
     scope.components = {c.type.name: (c, scope) for c in unit.components}
@@ -82,11 +83,33 @@ def instantiate(unit: Unit, report: Report) -> Unit:
         unit.pragmas,
     )
     expander = _Expander(result, report)
+    expander.check_overrides(unit.components, scope)
     pending: list[Clause] = []
     for init in unit.inits:
         expander.expand(init, scope, "", ({}, {}, {}), pending, 0)
     result.clauses.extend(pending)
+    types = {t.name for t in result.types}
+    for relation in result.relations:
+        if relation.name in types:
+            report.error(f"`{relation.name}` is a relation and a type", relation.location)
     return result
+
+
+def _check_clashes(unit: Unit, report: Report) -> None:
+    """Types, relations, components and instances of one scope have names of their own."""
+    kinds = {t.name: "type" for t in unit.types}
+    for relation in unit.relations:
+        if kinds.get(relation.name) == "type":
+            report.error(f"`{relation.name}` is a relation and a type", relation.location)
+    kinds.update((r.name, "relation") for r in unit.relations)
+    for component in unit.components:
+        if component.type.name in kinds:
+            report.error(f"`{component.type.name}` is a component and a {kinds[component.type.name]}", component.type.location)
+        _check_clashes(component.unit, report)
+    kinds.update((c.type.name, "component") for c in unit.components)
+    for init in unit.inits:
+        if init.name in kinds:
+            report.error(f"`{init.name}` is an instance and a {kinds[init.name]}", init.location)
 
 
 class _Expander:
@@ -154,12 +177,36 @@ class _Expander:
         content.inits.extend([*inherited.inits, *((i, inner) for i in unit.inits)])
         return inner
 
+    def check_overrides(self, components: Iterable[Component], scope: _Scope) -> None:
+        """Report overrides of what cannot be overridden; components with a parameter as base are not known well enough."""
+        for component in components:
+            inner = _Scope({c.type.name: (c, scope) for c in component.unit.components}, {}, scope)
+            self.check_overrides(component.unit.components, inner)
+            inherited = self._inherited(component, scope, [])
+            for name in component.unit.overrides:
+                if inherited is None:
+                    break
+                if name not in inherited:
+                    self.report.error(f"relation `{name}` is overridden, but not inherited", component.type.location)
+                elif "overridable" not in inherited[name].qualifiers:
+                    self.report.error(f"relation `{name}` is overridden, but not declared overridable", component.type.location)
+
+    def _inherited(self, component: Component, scope: _Scope, active: list[Component]) -> dict[str, Relation] | None:
+        """The relations of the bases of a component; None when a base is not known before it is instantiated."""
+        result: dict[str, Relation] = {}
+        for base in component.bases:
+            found = None if base.name in component.type.params else scope.find(base.name)
+            if found is None or found[0] in active:
+                return None
+            more = self._inherited(found[0], found[1], [*active, component])
+            if more is None:
+                return None
+            result.update(more)
+            result.update((r.name, r) for r in found[0].unit.relations)
+        return result
+
     def _override(self, component: Component, inherited: _Content) -> None:
         """Drop the inherited clauses of overridden relations."""
-        declared = {r.name: r for r in inherited.relations}
-        for name in component.unit.overrides:
-            if name in declared and "overridable" not in declared[name].qualifiers:
-                self.report.error(f"relation `{name}` is overridden, but not declared overridable", component.type.location)
         dropped = set(component.unit.overrides)
         inherited.clauses[:] = [c for c in inherited.clauses if c.head.name not in dropped]
 

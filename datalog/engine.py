@@ -12,8 +12,9 @@ from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
-from .errors import DatalogError, Diagnostic
+from .errors import DatalogError, Diagnostic, parse_location
 from .plan import BulkRule, Code, Member, Origin, Rule, Stratum
+from .records import unpack_rows
 from .runtime import NAMES, EvaluationError, State, ordered
 
 if TYPE_CHECKING:
@@ -52,7 +53,12 @@ class Control:
 
     @staticmethod
     def _stop(rule: Rule | BulkRule, reason: str) -> None:
-        raise DatalogError([Diagnostic(f"{rule.location}: evaluation stopped, `{rule.target}`: {reason}")])
+        raise _failure(rule, f"evaluation stopped, `{rule.target}`: {reason}")
+
+
+def _failure(rule: Rule | BulkRule, message: str) -> DatalogError:
+    """An error at the clause of a rule."""
+    return DatalogError([Diagnostic(message, parse_location(rule.location))])
 
 
 @contextmanager
@@ -93,11 +99,12 @@ class Evaluation:
         self.state = State()
         self.codes: Codes | None = None  # of the values of relations that are kept as bitmaps
         self.unpacked: set[int] = set()  # slots of relations that no bitmap can hold
+        self.growing: Collection[int] = ()  # relations of the stratum that is run in rounds
         self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
-        self.slots: list[Any] = [set(code.facts.get(name, ())) for name in code.relation_slot]
+        self.slots: list[Any] = [set(self._packed(name, code.facts.get(name, ()))) for name in code.relation_slot]
         self.slots += [None] * len(code.indexes)
         for name, given in facts.items():
-            rows = _loaded(name, given, code.arity[name])
+            rows = self._packed(name, _loaded(name, given, code.arity[name]))
             if name in code.scanned:
                 unique = set(rows)
                 self.slots[code.relation_slot[name]] = rows if len(unique) == len(rows) else list(unique)
@@ -114,8 +121,19 @@ class Evaluation:
             for slot in stratum.drops:
                 if slot not in kept:
                     self.slots[slot] = None
-        found = {name: self.slots[self.code.relation_slot[name]] for name in keep}
-        return {name: tuple(rows) if isinstance(rows, list) else rows for name, rows in found.items()}  # a list is the caller's
+        return {name: self._kept(name) for name in keep}
+
+    def _packed(self, name: str, rows: Collection[Any]) -> Collection[Any]:
+        """Rows from outside with their records as those of this evaluation."""
+        columns = self.code.nested.get(name)
+        return rows if columns is None else self.state.records.pack_rows(rows, columns, self.code.arity[name])
+
+    def _kept(self, name: str) -> Collection[Any]:
+        rows = self.slots[self.code.relation_slot[name]]
+        columns = self.code.nested.get(name)
+        if columns is not None:
+            return unpack_rows(rows, columns, self.code.arity[name])
+        return tuple(rows) if isinstance(rows, list) else rows  # a list is the caller's
 
     def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
         """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""
@@ -135,7 +153,9 @@ class Evaluation:
         try:
             function(delta, new)
         except EvaluationError as error:
-            raise DatalogError([Diagnostic(f"{rule.location}: {error}")]) from None
+            raise _failure(rule, str(error)) from None
+        except MemoryError:
+            raise _failure(rule, f"evaluation stopped, `{rule.target}`: out of memory") from None
         except OverflowError:
             if not self._unpack():
                 raise
@@ -206,7 +226,7 @@ class Evaluation:
                             continue
                     try:
                         function(delta, pending[bound.target])
-                    except (EvaluationError, OverflowError):
+                    except (EvaluationError, MemoryError, OverflowError):
                         self.call(bound.rule, delta, pending[bound.target], growing)
                         _forget(rules)
                     if active:
@@ -282,6 +302,7 @@ class Evaluation:
     def _run_rounds(self, stratum: Stratum, fresh: dict[str, set[Any]]) -> None:
         """Iteration in which the rows of a round become visible together at its end."""
         slots, growing = self.slots, {m.full for m in stratum.members}
+        self.growing = growing
         deltas: dict[str, set[Any]] = {}
         for member in stratum.members:
             if stratum.chooses:
@@ -297,7 +318,13 @@ class Evaluation:
             for rule in stratum.loop:
                 if deltas[rule.delta]:
                     self.call(rule, deltas[rule.delta], new[rule.target], growing)
+            if any(m.limit and len(slots[m.full]) >= m.limit for m in stratum.members):
+                break
             deltas = {m.name: self._merge(m, new[m.name]) for m in stratum.members}
+            for member in stratum.members if len(stratum.members) > 1 else ():
+                if member.subsumption:  # a row may be dominated by way of new rows of the other relations
+                    self._subsume(member, set(slots[member.full]))
+                    deltas[member.name] &= slots[member.full]
         self.state.iteration = 0
 
     def _merge(self, member: Member, new: set[Any]) -> set[Any]:
@@ -319,7 +346,7 @@ class Evaluation:
         rejected: set[Any] = set()
         for rule in member.subsumption:
             if delta:
-                self.call(rule, delta, rejected, (member.full,))
+                self.call(rule, delta, rejected, self.growing)
         if rejected:
             self.slots[member.full] -= rejected
             delta -= rejected
@@ -351,4 +378,4 @@ def _choose(member: Member, full: set[Any], new: set[Any]) -> set[Any]:
 
 
 def _key(row: Any, columns: tuple[int, ...]) -> Any:
-    return tuple(row[c] for c in columns) if isinstance(row, tuple) else row
+    return tuple(row[c] for c in columns) if type(row) is tuple else row  # a record is another type

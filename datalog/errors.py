@@ -7,6 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+LONGEST_LINE = 200  # characters of a source line that a message shows
+
 
 class Location(NamedTuple):
     """A position in a rule file; `line` and `column` count from 1."""
@@ -40,8 +42,12 @@ class Diagnostic:
     def __str__(self) -> str:
         if not self.source or self.location is None:
             return self.headline
-        pad = "".join("\t" if c == "\t" else " " for c in self.source[: self.location.column - 1])
-        return f"{self.headline}\n    {self.source}\n    {pad}^"
+        source, at = self.source, self.location.column - 1
+        if len(source) > LONGEST_LINE:
+            start = max(0, at - LONGEST_LINE // 2)
+            source, at = source[start : start + LONGEST_LINE], at - start
+        pad = "".join("\t" if c == "\t" else " " for c in source[:at])
+        return f"{self.headline}\n    {source}\n    {pad}^"
 
 
 class DatalogError(Exception):
@@ -57,6 +63,20 @@ class DatalogError(Exception):
         return type(self), (self.diagnostics,)
 
 
+def with_lines(error: DatalogError, sources: dict[str, str]) -> DatalogError:
+    """The error with the source lines of its places."""
+    report = Report(sources)
+    for diagnostic in error.diagnostics:
+        report.error(diagnostic.message, diagnostic.location, diagnostic.hint)
+    return DatalogError(report.errors)
+
+
+def parse_location(text: str) -> Location:
+    """The location that `path:line:col` shows."""
+    path, line, column = text.rsplit(":", 2)
+    return Location(path, int(line), int(column))
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """The hint for a misspelt `name`, or an empty string when nothing known is close."""
     close = difflib.get_close_matches(name, list(known), n=1, cutoff=0.7)
@@ -67,17 +87,17 @@ class Report:
     """Collects diagnostics and fills in the source lines they point at."""
 
     def __init__(self, sources: dict[str, str]) -> None:
-        self._sources = sources
+        self.sources = sources
         self._lines: dict[str, list[str]] = {}
         self._seen: set[tuple[str, Location | None]] = set()
         self.errors: list[Diagnostic] = []
         self.warnings: list[Diagnostic] = []
 
     def _source_line(self, location: Location | None) -> str:
-        if location is None or location.path not in self._sources:
+        if location is None or location.path not in self.sources:
             return ""
         if location.path not in self._lines:
-            self._lines[location.path] = self._sources[location.path].splitlines()
+            self._lines[location.path] = self.sources[location.path].splitlines()
         lines = self._lines[location.path]
         return lines[location.line - 1] if 0 < location.line <= len(lines) else ""
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .domain import EvaluationError, domain
 from .errors import DatalogError, Diagnostic
 from .functors import Overload
 from .inference import ClauseTypes, kind_of
-from .runtime import full_match, single
+from .runtime import full_match
 from .syntax import (
     Argument,
     Branch,
@@ -25,11 +26,13 @@ from .syntax import (
     Variable,
 )  # fmt: skip
 from .types import Types
+from .user_functors import PREFIX
 
+# `HALF`, `MASK` and `LAST` stand for constants of the number domain.
 _NUMBER_BINARY = {
-    "+": "(({0} + {1} + 2147483648 & 4294967295) - 2147483648)",
-    "-": "(({0} - {1} + 2147483648 & 4294967295) - 2147483648)",
-    "*": "(({0} * {1} + 2147483648 & 4294967295) - 2147483648)",
+    "+": "(({0} + {1} + HALF & MASK) - HALF)",
+    "-": "(({0} - {1} + HALF & MASK) - HALF)",
+    "*": "(({0} * {1} + HALF & MASK) - HALF)",
     "/": "divide_number({0}, {1})",
     "%": "modulo_number({0}, {1})",
     "^": "power_number({0}, {1})",
@@ -44,15 +47,15 @@ _NUMBER_BINARY = {
     "lxor": "(1 if (not {0}) != (not {1}) else 0)",
 }
 _UNSIGNED_BINARY = {
-    "+": "({0} + {1} & 4294967295)",
-    "-": "({0} - {1} & 4294967295)",
-    "*": "({0} * {1} & 4294967295)",
+    "+": "({0} + {1} & MASK)",
+    "-": "({0} - {1} & MASK)",
+    "*": "({0} * {1} & MASK)",
     "/": "quotient({0}, {1})",
     "%": "modulo_number({0}, {1})",
     "^": "power_unsigned({0}, {1})",
-    "bshl": "({0} << ({1} & 31) & 4294967295)",
-    "bshr": "({0} >> ({1} & 31))",
-    "bshru": "({0} >> ({1} & 31))",
+    "bshl": "({0} << ({1} & LAST) & MASK)",
+    "bshr": "({0} >> ({1} & LAST))",
+    "bshru": "({0} >> ({1} & LAST))",
     **{op: _NUMBER_BINARY[op] for op in ("band", "bor", "bxor", "land", "lor", "lxor")},
 }
 _FLOAT_BINARY = {
@@ -62,11 +65,12 @@ _FLOAT_BINARY = {
     "/": "divide_float({0}, {1})",
     "^": "power_float({0}, {1})",
 }
+_BINARY = {"i": _NUMBER_BINARY, "u": _UNSIGNED_BINARY, "f": _FLOAT_BINARY}
 _UNARY = {
     ("neg", "i"): "wrap(-{0})",
     ("neg", "f"): "(-{0})",
     ("bnot", "i"): "(~{0})",
-    ("bnot", "u"): "(~{0} & 4294967295)",
+    ("bnot", "u"): "(~{0} & MASK)",
     ("lnot", "i"): "(0 if {0} else 1)",
     ("lnot", "u"): "(0 if {0} else 1)",
 }
@@ -74,35 +78,41 @@ _CONVERSIONS = {
     "ii": "{0}", "uu": "{0}", "ff": "{0}", "ss": "{0}",
     "if": "single({0})", "uf": "single({0})", "sf": "float_of_symbol({0})",
     "ui": "wrap({0})", "fi": "number_of_float({0})", "si": "number_of_symbol({0})",
-    "iu": "({0} & 4294967295)", "fu": "unsigned_of_float({0})", "su": "unsigned_of_symbol({0})",
+    "iu": "({0} & MASK)", "fu": "unsigned_of_float({0})", "su": "unsigned_of_symbol({0})",
     "is": "str({0})", "us": "str({0})", "fs": "symbol_of_float({0})",
 }  # fmt: skip
 _COMPARISONS = {"=": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 
 
-def number_value(text: str, kind: str) -> int | float:
-    """The value of a numeric constant of the given kind; ValueError when it does not fit."""
+def number_value(text: str, kind: str, bits: int = 32) -> int | float:
+    """The value of a numeric constant of the given kind; ValueError when it does not fit the number domain."""
+    numbers = domain(bits)
     if kind == "f":
-        return single(float(text) if "x" not in text and "b" not in text else float(int(text, 0)))
+        return numbers.single(float(text) if "x" not in text and "b" not in text else float(int(text, 0)))
     negative, digits = text.startswith("-"), text.lstrip("-")
     if "." in digits:
         raise ValueError(text)
-    value = int(digits, 0) if digits[:2] in ("0x", "0b") else int(digits)
+    patterned = digits[:2] in ("0x", "0b")
+    value = int(digits, 0) if patterned else int(digits)
     value = -value if negative else value
     if kind == "u":
-        if not 0 <= value <= 0xFFFFFFFF:
+        if not 0 <= value <= numbers.mask:
             raise ValueError(text)
-    elif not -0x80000000 <= value <= (0xFFFFFFFF if digits[:2] in ("0x", "0b") else 0x7FFFFFFF):
+        return value
+    if not -numbers.half <= value <= (numbers.mask if patterned else numbers.half - 1):
         raise ValueError(text)
-    return value if kind == "u" else (value + 0x80000000 & 0xFFFFFFFF) - 0x80000000
+    return numbers.wrap(value)
 
 
 class Expressions:
     """Writes the expressions of one clause, with types from inference."""
 
-    def __init__(self, types: Types, clause_types: ClauseTypes, matchers: dict[str, str]) -> None:
+    def __init__(self, types: Types, clause_types: ClauseTypes, matchers: dict[str, str], *, interned: bool = False) -> None:
+        self.interned = interned  # whether records are those of an evaluation
         self.types = types
         self.clause_types = clause_types
+        self.bits = types.bits
+        self.constants = {"HALF": str(1 << types.bits - 1), "MASK": str((1 << types.bits) - 1), "LAST": str(types.bits - 1)}
         self.matchers = matchers  # regular expression -> name of its module-level matcher
         self.uses_state = False
 
@@ -133,15 +143,15 @@ class Expressions:
             case String():
                 return repr(term.value)
             case Number():
-                return repr(number_value(term.text, self.kind(term)))
+                return repr(number_value(term.text, self.kind(term), self.bits))
             case Nil():
                 return "None"
             case Cast():
                 return self._cast(term, bound)
             case Record():
-                return self._tuple([self.write(a, bound) for a in term.args])
+                return self._record([self.write(a, bound) for a in term.args], [self.kind(a) for a in term.args])
             case Branch():
-                return self._tuple([repr(term.name), *(self.write(a, bound) for a in term.args)])
+                return self._record([repr(term.name), *(self.write(a, bound) for a in term.args)], ["s", *map(self.kind, term.args)])
             case Counter():
                 self.uses_state = True
                 return "S.next_counter()"
@@ -151,8 +161,8 @@ class Expressions:
             case Functor():
                 return self._functor(term, bound)
             case UserFunctor():
-                message = f"user-defined functor `@{term.name}` needs the souffle engine"
-                raise DatalogError([Diagnostic(message, term.location)])
+                call = f"{PREFIX}{term.name}({', '.join(self.write(a, bound) for a in term.args)})"
+                return f"S.records.pack_value({call})" if self.interned and self.kind(term) in ("r", "+") else call
             case _:
                 raise DatalogError([Diagnostic(f"unexpected term {type(term).__name__}", term.location)])
 
@@ -160,13 +170,22 @@ class Expressions:
     def _tuple(parts: list[str]) -> str:
         return f"({', '.join(parts)}{',' if len(parts) == 1 else ''})"
 
+    def _record(self, parts: list[str], kinds: list[str]) -> str:
+        fields = self._tuple(parts)
+        if not self.interned:
+            return fields
+        self.uses_state = True
+        if "f" in kinds:
+            return f"S.records.pack_floats({fields}, {''.join('f' if k == 'f' else '.' for k in kinds)!r})"
+        return f"S.records.pack({fields})"
+
     def _cast(self, term: Cast, bound: Mapping[str, str]) -> str:
         source, target = self.kind(term.arg), self.types.kind(term.type)
         inner = self.write(term.arg, bound)
         if source == target or isinstance(term.arg, Number):
             return inner
         if (source, target) == ("i", "u"):
-            return f"({inner} & 4294967295)"
+            return f"wrap_unsigned({inner})"
         if (source, target) == ("u", "i"):
             return f"wrap({inner})"
         if source == "s" and target in "iu":
@@ -182,12 +201,11 @@ class Expressions:
         if op == "cat" or (op == "+" and kind == "s"):
             return f"({' + '.join(args)})" if args else "''"
         if len(args) == 2 and op in _NUMBER_BINARY:
-            table = {"i": _NUMBER_BINARY, "u": _UNSIGNED_BINARY, "f": _FLOAT_BINARY}[kind]
-            return table[op].format(*args)
+            return self._filled(_BINARY[kind][op], args)
         if (op, kind) in _UNARY:
-            return _UNARY[op, kind].format(*args)
+            return self._filled(_UNARY[op, kind], args)
         if op.startswith("to_"):
-            return _CONVERSIONS[overload.params + kind].format(*args)
+            return self._filled(_CONVERSIONS[overload.params + kind], args)
         match op:
             case "min" | "max":
                 return args[0] if len(args) == 1 else f"{op}({', '.join(args)})"
@@ -203,6 +221,12 @@ class Expressions:
                 return args[0] if inner == "i" else f"S.ordinals.number({args[0]})"
         raise DatalogError([Diagnostic(f"unknown functor `{op}`", term.location)])
 
+    def _filled(self, template: str, args: Sequence[str]) -> str:
+        """A template with the constants of the number domain and the arguments put in."""
+        for name, value in self.constants.items():
+            template = template.replace(name, value)
+        return template.format(*args)
+
     def condition(self, constraint: Constraint, bound: Mapping[str, str]) -> str:
         """The Python condition of a constraint."""
         left, right = self.write(constraint.left, bound), self.write(constraint.right, bound)
@@ -214,7 +238,10 @@ class Expressions:
         negated = op[0] == "!"
         if not isinstance(constraint.left, String):
             return f"{'differs' if negated else 'matches'}({left}, {right})"
-        if full_match(constraint.left.value) is None:
-            return "False"
+        try:
+            if full_match(constraint.left.value) is None:
+                return "False"
+        except EvaluationError as error:
+            raise DatalogError([Diagnostic(str(error), constraint.left.location)]) from None
         matcher = self.matchers.setdefault(constraint.left.value, f"match_{len(self.matchers)}")
         return f"{matcher}({right}) is {'' if negated else 'not '}None"

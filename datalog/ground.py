@@ -128,6 +128,38 @@ def _unbound_in_aggregate(aggregate: Aggregate, outer: set[str]) -> Iterator[tup
 
 def _unbound(node: Argument | Literal, bound: set[str]) -> Iterator[tuple[Variable | Unnamed, str]]:
     negated = isinstance(node, Negation)
+    yield from _loose(node, bound)
     for variable in outer_variables(node):
         if isinstance(variable, Variable) and variable.name not in bound:
             yield variable, "in a negation" if negated else ""
+
+
+def _loose(node: Argument | Literal, bound: set[str]) -> Iterator[tuple[Unnamed, str]]:
+    """Every `_` that is part of a value to compute: it stands for nothing there, as it does in a pattern."""
+    match node:
+        case Negation():
+            for arg in node.atom.args:
+                yield from ((u, "in a term of a negated atom") for u in _unnamed(arg) if u is not arg)
+        case Atom():
+            for arg in node.args:
+                yield from ((u, "in a functor") for u in _unnamed_below_functors(arg))
+        case Constraint() if node.op == "=":
+            for side, other in ((node.left, node.right), (node.right, node.left)):
+                if not is_bound(other, bound) and not isinstance(side, Unnamed) and not isinstance(other, Unnamed):
+                    yield from ((u, "in an equation") for u in _unnamed(side))
+        case Constraint():
+            yield from ((u, "in a comparison") for side in (node.left, node.right) for u in _unnamed(side))
+        case Aggregate():
+            return
+
+
+def _unnamed(term: Argument) -> Iterator[Unnamed]:
+    return (v for v in outer_variables(term) if isinstance(v, Unnamed))
+
+
+def _unnamed_below_functors(term: Argument) -> Iterator[Unnamed]:
+    if isinstance(term, (Functor, UserFunctor, Cast)):
+        yield from _unnamed(term)
+    elif isinstance(term, (Record, Branch)):
+        for arg in term.args:
+            yield from _unnamed_below_functors(arg)

@@ -306,9 +306,9 @@ class Inference:
                 if all(possible(k, a) for k, a in zip(o.kinds(len(args)), args, strict=True)) and possible(o.result, key)
             ]  # fmt: skip
             if len(overloads) > 1 or (term.op == "ord" and overloads):
-                if term.op == "ord" and not decided:
+                if not decided and len({o.result for o in overloads}) == 1:  # whatever the arguments are
                     decided = True
-                    sets[key] = frozenset((CONSTANT_TYPES["i"],))
+                    sets[key] = frozenset((CONSTANT_TYPES[overloads[0].result],))
                     return True
                 return False
             if not overloads:

@@ -11,13 +11,13 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from .domain import EvaluationError, domain
 from .errors import DatalogError, Diagnostic
 from .goals import ANY, fits, is_ground
 from .ground import grounded_variables, is_bound
 from .inference import ClauseTypes
 from .normalise import Absent, Fold, Generate, Normaliser, Scan, Step
 from .rows import Row, RowStore
-from .runtime import EvaluationError, single, wrap
 from .syntax import (
     Aggregate,
     Argument,
@@ -338,18 +338,19 @@ class Body:
 
     def _combined(self, step: Fold, values: Sequence[Any]) -> Any:
         kind = self.terms.expressions.kind(step.aggregate)
+        numbers = domain(self.types.bits)
         match step.aggregate.op:
             case "count":
                 return len(values)
             case "min" | "max" as op:
                 return (min(values) if op == "min" else max(values)) if values else None
             case "mean":
-                return single(math.fsum(values) / len(values)) if values else None
+                return numbers.single(math.fsum(values) / len(values)) if values else None
             case _ if kind == "f":
-                return single(math.fsum(values))
+                return numbers.single(math.fsum(values))
             case _:
                 total = sum(values)
-                return wrap(total) if kind == "i" else total & 0xFFFFFFFF
+                return numbers.wrap(total) if kind == "i" else numbers.wrap_unsigned(total)
 
 
 def _parts(term: Record | Branch, value: Any) -> list[tuple[Argument, Any]] | None:

@@ -72,6 +72,7 @@ class Fold:
     distinct: tuple[str, ...] = ()  # variables of which each combination counts once; empty: every row counts
 
 
+MAX_DEPTH = 20
 Step: TypeAlias = Scan | Absent | Generate | Fold | Constraint | Truth
 
 
@@ -81,6 +82,7 @@ class Normaliser:
     def __init__(self, types: ClauseTypes) -> None:
         self.fresh = 0
         self.types = types
+        self.depths: dict[int, int] = {}  # of functors in functors
         self.rebuilt: list[Argument] = []  # keeps rebuilt terms alive: their types are stored by identity
 
     def variable(self, term: Argument) -> Variable:
@@ -152,7 +154,7 @@ class Normaliser:
             case Aggregate():
                 return self._fold(term, steps, bound)
             case Functor():
-                lifted = self.rebuild(term, tuple(self._lift(a, steps, bound) for a in term.args))
+                lifted = self.rebuild(term, tuple([self._shallow(self._lift(a, steps, bound), steps) for a in term.args]))
                 if term.op in MULTI_RESULT:
                     fresh = self.variable(term)
                     steps.append(Generate(fresh.name, lifted))  # type: ignore[arg-type]
@@ -166,6 +168,18 @@ class Normaliser:
                 return self.rebuild(term, (self._lift(term.arg, steps, bound),))
             case _:
                 return term
+
+    def _shallow(self, term: Argument, steps: list[Step]) -> Argument:
+        """The term, or a variable for one so deep that the Python expression for it would have too many brackets."""
+        if not isinstance(term, Functor):
+            return term
+        depth = 1 + max((self.depths.get(id(a), 0) for a in term.args), default=0)
+        if depth < MAX_DEPTH:
+            self.depths[id(term)] = depth
+            return term
+        fresh = self.variable(term)
+        steps.append(Constraint("=", fresh, term, term.location))
+        return fresh
 
     def _field(self, term: Argument, steps: list[Step], bound: set[str]) -> Argument:
         """A field of a record, which may serve as a pattern: a functor in it becomes an equation."""

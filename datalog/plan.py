@@ -60,6 +60,7 @@ class Member:
     counts: bool = False  # of one column of numbers
     choices: tuple[tuple[int, ...], ...] = ()
     subsumption: tuple[Rule, ...] = ()
+    limit: int = 0  # rows after which its stratum is left, if any
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +93,7 @@ class Code:
     facts: dict[str, list[Any]] = field(default_factory=dict)
     relation_slot: dict[str, int] = field(default_factory=dict)
     arity: dict[str, int] = field(default_factory=dict)
+    nested: dict[str, tuple[int, ...]] = field(default_factory=dict)  # columns of records, of relations that have some
     indexes: tuple[Index, ...] = ()  # their slots follow those of the relations
     scanned: frozenset[str] = frozenset()  # relations that are never asked whether they have a row, nor added to
     uses_ordinals: bool = False

@@ -10,6 +10,7 @@ import io
 import os
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
 
@@ -19,11 +20,24 @@ _NEEDED = re.compile(r"^[ \t]*#[ \t]*[a-z]|\b__[A-Z_]+__\b", re.MULTILINE)
 LINE_MARK = re.compile(r'^[ \t]*#(?:line)?[ \t]*(\d+)(?:[ \t]+"([^"\n]*)")?[^\n]*$', re.MULTILINE)
 
 
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How files are found and read.
+
+    `preprocess`: texts with C preprocessor directives are expanded first, with `macros` (`NAME` or `NAME=VALUE`) defined.
+    `folders`: where `.include` and `#include` look besides the folder of the including file.
+    """
+
+    preprocess: bool = False
+    macros: tuple[str, ...] = ()
+    folders: tuple[Path, ...] = ()
+
+
 def expand(
     text: str, path: str, report: Report, texts: dict[str, str], *, macros: Sequence[str] = (), folders: Iterable[Path] = ()
 ) -> str:  # fmt: skip
     """The text with its directives carried out. `texts` receives the files of `#include`; `macros` are `NAME` or `NAME=VALUE`."""
-    if not macros and not _NEEDED.search(text):
+    if not _NEEDED.search(text) and not any(re.search(rf"\b{re.escape(m.partition('=')[0])}\b", text) for m in macros):
         return text  # as most programs are: the preprocessor takes longer than the rest of loading
     import pcpp
 
@@ -34,11 +48,11 @@ def expand(
             return True
 
         def on_error(self, file: str, line: int, msg: str) -> None:
-            report.error(msg.strip().replace("\n", " "), Location(file or path, max(line, 1), 1))
+            report.error(msg.strip().replace("\n", " "), Location(_as_given(file or path, texts), max(line, 1), 1))
             self.return_code += 1
 
         def on_include_not_found(self, is_malformed: bool, is_system_include: bool, curdir: str, includepath: str) -> None:
-            report.error(f"cannot find `{includepath}`", Location(self.macros["__FILE__"].value[0].value.strip('"'), self.linemacro, 1))
+            report.error(f"cannot find `{includepath}`", _place_of_include(includepath, {path: text, **texts}))
             raise pcpp.OutputDirective(pcpp.Action.IgnoreAndRemove)
 
         def on_file_open(self, is_system_include: bool, includepath: str) -> IO[str]:
@@ -58,10 +72,27 @@ def expand(
         expander.parse(text, path)
         result = io.StringIO()
         expander.write(result)
+    except RecursionError:
+        report.error("files include each other without end", Location(path, 1, 1))
+        return ""
     except (OSError, UnicodeDecodeError) as error:
         report.error(f"cannot read an included file: {error}", Location(path, 1, 1))
         return ""
     return result.getvalue()
+
+
+def _place_of_include(name: str, texts: dict[str, str]) -> Location:
+    """Where a file is included."""
+    directive = re.compile(rf'^[ \t]*#[ \t]*include[ \t]*["<]{re.escape(name)}[">]', re.MULTILINE)
+    found = next(((path, m) for path, text in texts.items() if (m := directive.search(text))), None)
+    if found is None:
+        return Location(next(iter(texts)), 1, 1)
+    return Location(found[0], texts[found[0]].count("\n", 0, found[1].start()) + 1, 1)
+
+
+def _as_given(path: str, texts: dict[str, str]) -> str:
+    """A path as the program names the file: the preprocessor makes paths relative."""
+    return next((known for known in texts if os.path.abspath(known) == os.path.abspath(path)), path)
 
 
 class Origins:
@@ -73,10 +104,13 @@ class Origins:
         self._originals: dict[str, list[str]] = {}
         self._places: list[tuple[str, int]] = []
         at, number = path, 1
+        shown: dict[str, str] = {}
         for line in self._lines:
             mark = LINE_MARK.match(line)
             if mark is not None:
-                at, number = mark[2] if mark[2] is not None else at, int(mark[1])
+                if mark[2] is not None:
+                    at = shown.setdefault(mark[2], _as_given(mark[2], {path: "", **texts}))
+                number = int(mark[1])
                 self._places.append((at, number))
                 continue
             self._places.append((at, number))

@@ -10,15 +10,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import cache, engine
-from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean
-from .facts import read_facts
+from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean, with_lines
+from .inputs import InputReader
 from .plan import Code
+from .preprocess import Reading
 from .row_text import Show, line_chunks
-from .runtime import ordered
+from .runtime import names, ordered
 from .types import Types, build_types
-from .values import ValueReader
+from .user_functors import Functors, FunctorUse, bind, functor_uses
 
 if TYPE_CHECKING:
+    from .sources import Sources
     from .syntax import Directive, Unit
 
 Row = tuple[Any, ...]
@@ -90,13 +92,17 @@ class Program:
     code: Code
     types: Types
     directives: list[Directive]
-    sources: dict[str, str]
+    sources: dict[str, str]  # the texts of all files as written
+    parsed: dict[str, str]  # those of rule files after the preprocessor
+    pragmas: dict[str, str]
+    functor_uses: dict[str, FunctorUse]
     bytecode: bytes
+    functors: Functors = field(default_factory=dict)  # user-defined ones, as Python functions
     _functions: dict[str, Any] | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         state = {name: getattr(self, name) for name in self.__dataclass_fields__}
-        return {**state, "_functions": None}
+        return {**state, "functors": {}, "_functions": None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():
@@ -145,17 +151,30 @@ class Program:
         limit_rows: int | None = None, time_limit: float | None = None, kind: type[engine.Evaluation] = engine.Evaluation,
     ) -> Mapping[str, Collection[Any]]:  # fmt: skip
         if self._functions is None:
-            self._functions = engine.load_functions(marshal.loads(self.bytecode))
+            self._functions = self.load_functions()
         control = engine.Control(limit_rows, time_limit)
-        with engine.collector_paused():
-            # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
-            return kind(self.code, self._functions, self._given(facts), control).run(kept)
+        try:
+            with engine.collector_paused():
+                # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
+                evaluation = kind(self.code, self._functions, self._given(facts), control)
+                if not control.active:
+                    return evaluation.run(kept)
+                from .watch import watching
+
+                with watching(evaluation):
+                    return evaluation.run(kept)
+        except DatalogError as error:
+            raise with_lines(error, self.sources) from None
 
     def _given(self, facts: Mapping[str, Iterable[Row]] | Path) -> Mapping[str, Iterable[Row]]:
         """Facts by relation, those of a folder read, after a check that they are facts of input relations."""
         found = self.read_facts(Path(facts)) if isinstance(facts, (str, Path)) else facts
         self._check_facts(found)
         return found
+
+    def load_functions(self) -> dict[str, Any]:
+        """The functions of the generated module, with what they call."""
+        return engine.load_functions(marshal.loads(self.bytecode), {**names(self.types.bits), **bind(self)})
 
     def _kept(self, keep: Collection[str] | str | None) -> list[str]:
         if keep is None:
@@ -176,66 +195,79 @@ class Program:
             if not relation.is_input:
                 raise DatalogError(f"facts given for `{name}`, which is not an `.input` relation")
 
-    def read_facts(self, folder: Path) -> dict[str, list[Row]]:
-        """The rows of every `.input` relation that has a file in the folder.
+    def read_facts(self, folder: Path, *, strict: bool = False) -> dict[str, list[Row]]:
+        """The rows of every `.input` relation, read as its directives say, from files in the folder.
 
-        Of the parameters of `.input`, `filename` and `delimiter` are honoured.
+        A relation whose file is missing has no rows; with `strict`, that is an error.
         """
         if not folder.is_dir():
             raise DatalogError(f"no such folder of facts: `{folder}`")
-        inputs = {n: r for n, r in self.relations.items() if r.is_input}
-        params = {d.relation: dict(d.params) for d in self.directives if d.kind == "input" and d.params}
-        return read_facts(folder, inputs, reader=ValueReader(self.types), params=params)
+        return InputReader(self, folder, strict=strict).read()
 
 
-def load_program(path: Path | str | Sequence[Path | str], *, extra_source: str = "") -> Program:
+def load_program(
+    path: Path | str | Sequence[Path | str], *, extra_source: str = "", preprocess: bool = False, macros: Sequence[str] = (),
+    include: Sequence[Path | str] = (), bits: int = 32, functors: Functors | None = None,
+) -> Program:  # fmt: skip
     """Parse, check and compile a program: one or more root files and what they include.
 
-    `extra_source` is appended as if it were a last file. Compiled programs are cached by the content of all files.
+    `extra_source` is appended as if it were a last file. `preprocess` runs the C preprocessor over texts with its directives, with
+    `macros` (`NAME` or `NAME=VALUE`) defined; `include` are folders for `.include` and `#include`. `bits` is the width of numbers,
+    32 or 64. `functors` are the functions behind `.functor` declarations. Compiled programs are cached by the content of all files.
     Raises DatalogError with every diagnostic.
     """
+    if bits not in (32, 64):
+        raise DatalogError(f"numbers have 32 or 64 bits, not {bits}")
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
-    cached = cache.load(paths, extra_source)
-    if isinstance(cached, Program):
-        return cached
-    from .sources import EXTRA_SOURCE, read_program  # what a cached program does without is imported when it is needed
+    reading = Reading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), tuple(Path(p) for p in include))
+    key = f"{extra_source}\0{reading!r}\0{bits}"
+    program = cache.load(paths, key)
+    if not isinstance(program, Program):
+        from .sources import (  # what a cached program does without is imported when it is needed
+            EXTRA_SOURCE,
+            TOO_DEEP,
+            deepest,
+            read_program,
+        )
 
-    unit, sources, report = read_program(paths, extra_source)
-    program = compile_unit(unit, sources.texts, report)
-    digests = {
-        p: hashlib.sha256(Path(p).read_bytes()).hexdigest() for p in sources.order if p != EXTRA_SOURCE
-    }  # fmt: skip
-    cache.store(paths, extra_source, digests, program)
+        unit, sources, report = read_program(paths, extra_source, reading)
+        try:
+            program = compile_unit(unit, sources, report, bits)
+        except RecursionError:
+            report.error(TOO_DEEP, deepest(sources.parsed))
+            raise DatalogError(report.errors[-1:]) from None
+        digests = {p: hashlib.sha256(Path(p).read_bytes()).hexdigest() for p in sources.texts if p != EXTRA_SOURCE}
+        cache.store(paths, key, digests, program)
+    program.functors = dict(functors or {})
     return program
 
 
-def compile_unit(unit: Unit, texts: dict[str, str], report: Report) -> Program:
+def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -> Program:
     """Check and compile a syntax tree."""
-    from .compile import compile_program, eqrel_clauses
-    from .components import instantiate
-    from .semantics import check
-    from .witness import ground_witnesses
+    from .compile import compile_program
+    from .preparation import prepare
 
-    unit = instantiate(unit, report)
-    unit.clauses = [ground_witnesses(clause) for clause in unit.clauses]
-    for relation in unit.relations:
-        if "eqrel" in relation.qualifiers and len(relation.attributes) == 2:
-            unit.clauses.extend(eqrel_clauses(relation))
-    checked = check(unit, report)
-    code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
+    checked, _ = prepare(unit, report, bits)
+    unit = checked.unit
+    try:
+        code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
+    except DatalogError as error:
+        raise with_lines(error, sources.texts) from None
     bytecode = marshal.dumps(compile(code.source, "<datalog>", "exec"))
-    content = hashlib.sha256(cache.engine_version().encode())
-    for text in texts.values():
+    content = hashlib.sha256(f"{cache.engine_version()} {bits}".encode())
+    for text in sources.parsed.values():
         content.update(text.encode("utf-8", "surrogateescape") + b"\0")
-    relations = _declarations(unit, checked.types)
     return Program(
-        relations,
+        _declarations(unit, checked.types),
         report.warnings,
         content.hexdigest()[:32],
         code,
         checked.types,
         unit.directives,
-        dict(texts),
+        dict(sources.texts),
+        dict(sources.parsed),
+        dict(unit.pragmas),
+        functor_uses(unit, checked.types),
         bytecode,
     )
 

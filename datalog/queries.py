@@ -14,6 +14,7 @@ from .parser import parse_text
 from .program import Program, Result, compile_unit
 from .rows import Given, row_store
 from .semantics import check
+from .sources import Sources
 from .strata import atoms_of
 from .syntax import Atom, AttributeDecl, Clause, Directive, Relation, Unit, Variable
 from .types import Types
@@ -43,6 +44,7 @@ def query(program: Program, rows: Given, text: str, *, engine: str = "embedded")
     store = row_store(program, rows, engine=engine)
     rules = rules_of(program)
     compiled, columns, types = _compile(text, rules)
+    compiled.functors = program.functors
     facts = {name: store.rows(name) for name in compiled.inputs}
     return Table(columns, types, tuple(compiled.evaluate(facts).rows(compiled.outputs[0])))
 
@@ -90,7 +92,7 @@ def _compiled(text: str, rules: Rules) -> tuple[Program, tuple[str, ...], tuple[
         report.error("a query is one rule body, such as `edge(X, Y), X != Y`", at)
     report.raise_errors()
     asked = Relation(name, (), frozenset(), (), at)
-    checked = check(_unit(rules, [*rules.relations.values()], asked, clauses), report)
+    checked = check(_unit(rules, [*rules.relations.values()], asked, clauses), report, rules.types.bits)
     columns = _columns(clauses)
     types = tuple(_type(column, [t for _, t in checked.clauses[name]], rules.types) for column in columns)
     declared = replace(asked, attributes=tuple(AttributeDecl(c, t, at) for c, t in zip(columns, types, strict=True)))
@@ -99,7 +101,8 @@ def _compiled(text: str, rules: Rules) -> tuple[Program, tuple[str, ...], tuple[
     relations = [replace(rules.relations[n], qualifiers=frozenset(), choices=()) for n in used]
     unit = _unit(rules, relations, declared, [Clause(head, c.body, c.location) for c in clauses])
     unit.directives = [*(Directive("input", n, (), at) for n in used), Directive("output", name, (), at)]
-    return compile_unit(unit, {QUERY: source}, Report({QUERY: source})), columns, types
+    texts = {QUERY: source}
+    return compile_unit(unit, Sources(texts, texts), Report(texts), rules.types.bits), columns, types
 
 
 def _unit(rules: Rules, relations: Sequence[Relation], asked: Relation, clauses: Sequence[Clause]) -> Unit:

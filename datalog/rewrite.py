@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from .syntax import (
     Aggregate,
     Argument,
@@ -85,3 +87,20 @@ class Rewriter:
                 return self.aggregate(term)
             case _:
                 return term
+
+
+class Substitution(Rewriter):
+    """Replaces variables by terms, and one aggregate by another term."""
+
+    def __init__(self, terms: Mapping[str, Argument], aggregate: Aggregate | None = None, by: Argument | None = None) -> None:
+        self.replacement = terms
+        self.replaced = aggregate
+        self.by = by
+
+    def variable(self, term: Variable) -> Argument:
+        """The term for a variable."""
+        return self.replacement.get(term.name, term)
+
+    def aggregate(self, term: Aggregate) -> Argument:
+        """The term for the aggregate."""
+        return self.by if term is self.replaced and self.by is not None else super().aggregate(term)

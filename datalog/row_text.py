@@ -8,7 +8,7 @@ from typing import Any
 
 from .runtime import ordered
 from .types import Types
-from .values import ValueWriter, show_float
+from .values import ValueWriter
 
 CHUNK = 1 << 14  # rows
 Show = Callable[[Any], str]
@@ -21,9 +21,9 @@ def column_writer(type_name: str, types: Types) -> Show:
         return _same
     if kind in ("i", "u"):
         return str
-    if kind == "f":
-        return show_float
     writer = ValueWriter(types)
+    if kind == "f":
+        return writer.numbers.show_float
     return lambda value: writer.show(value, type_name)
 
 

@@ -11,6 +11,7 @@ from .expressions import number_value
 from .functors import FUNCTORS
 from .ground import unbound_in_clause
 from .inference import ClauseTypes, Inference, kind_of
+from .inputs import check_directive
 from .strata import atoms_of, check_stratified, components, dependencies
 from .syntax import (
     Argument,
@@ -50,11 +51,15 @@ class Checked:
     clauses: dict[str, list[tuple[Clause, ClauseTypes]]]
 
 
-def check(unit: Unit, report: Report) -> Checked:
-    """Run every check; raises DatalogError with all errors found."""
-    types = build_types(unit.types, report)
+def check(unit: Unit, report: Report, bits: int = 32) -> Checked:
+    """Run every check; raises DatalogError with all errors found. `bits` is the width of numbers."""
+    types = build_types(unit.types, report, bits)
     relations = _check_relations(unit, types, report)
     _check_directives(unit, relations, report)
+    before = len(report.errors)
+    _check_functors(unit, types, report)
+    if len(report.errors) > before:
+        report.raise_errors()
     usable = [c for c in unit.clauses if _check_names(c, relations, types, unit, report)]
     functors = {f.name: (f.params, f.result) for f in unit.functors}
     grouped: dict[str, list[tuple[Clause, ClauseTypes]]] = {}
@@ -69,6 +74,7 @@ def check(unit: Unit, report: Report) -> Checked:
     strata = components(graph.reads)
     check_stratified(graph, strata, report)
     _check_counters(usable, strata, report)
+    _check_plans(usable, strata, report)
     report.raise_errors()
     return Checked(unit, types, relations, strata, grouped)
 
@@ -97,10 +103,30 @@ def _check_relations(unit: Unit, types: Types, report: Report) -> dict[str, Rela
     return relations
 
 
+def _check_functors(unit: Unit, types: Types, report: Report) -> None:
+    seen: dict[str, Location] = {}
+    for functor in unit.functors:
+        if seen.setdefault(functor.name, functor.location) is not functor.location:
+            report.error(f"functor `{functor.name}` is already declared at {seen[functor.name]}", functor.location)
+        for name in (*functor.params, functor.result):
+            if not types.known(name):
+                hint = did_you_mean(name, [n for n in (*types.table, *types.aliases) if n[0] != "@"])
+                report.error(f"unknown type `{name}`", functor.location, hint)
+
+
 def _check_directives(unit: Unit, relations: Mapping[str, Relation], report: Report) -> None:
+    seen: dict[tuple[str, str], Location] = {}
     for directive in unit.directives:
+        first = seen.setdefault((directive.kind, directive.relation), directive.location)
+        if first is not directive.location and directive.kind in ("printsize", "limitsize"):
+            report.error(f"`.{directive.kind}` of `{directive.relation}` is already given at {first}", directive.location)
+        if directive.relation in relations and "inline" in relations[directive.relation].qualifiers and directive.kind != "limitsize":
+            report.error(f"`{directive.relation}` is inline and has no rows to read or write", directive.location)
         if directive.relation not in relations:
             _unknown_relation(directive.relation, directive.location, relations, report)
+        check_directive(directive, directive.location, report)
+        if directive.kind == "limitsize" and not dict(directive.params).get("n", "").isdigit():
+            report.error("`.limitsize` needs a number of rows, as in `(n=100)`", directive.location)
 
 
 def _unknown_relation(name: str, location: Location, relations: Mapping[str, Relation], report: Report) -> None:
@@ -172,6 +198,24 @@ def _check_counters(clauses: list[Clause], strata: list[list[str]], report: Repo
         reads = {stratum_of[a.name] for literal in clause.body for a, _ in atoms_of(literal)}
         if counters and stratum_of[clause.head.name] in reads:
             report.error("`autoinc()` in a recursive rule", counters[0].location)
+
+
+def _check_plans(clauses: list[Clause], strata: list[list[str]], report: Report) -> None:
+    """A plan orders all atoms, for a version of a recursive rule. It is a hint, which the embedded engine does not need."""
+    stratum_of = {name: i for i, names in enumerate(strata) for name in names}
+    for clause in clauses:
+        if not clause.plan:
+            continue
+        atoms = [a for a in clause.body if isinstance(a, Atom)]
+        recursive = sum(stratum_of[a.name] == stratum_of[clause.head.name] for a in atoms)
+        extra = 0 if clause.dominating is None else 2  # the rows that are compared
+        if not recursive and not extra:
+            report.error("a plan for a rule that is not recursive", clause.location)
+        for version, order in clause.plan:
+            if sorted(order) != list(range(1, len(atoms) + extra + 1)):
+                report.error(f"plan {version} is not an order of the {len(atoms) + extra} atoms of this rule", clause.location)
+            elif version >= max(recursive + extra, 1):
+                report.error(f"plan {version} of a rule with {recursive + extra} versions, which count from 0", clause.location)
 
 
 class ClauseChecker:
@@ -280,7 +324,7 @@ class ClauseChecker:
             return
         kind = kind_of(found, self.types)
         try:
-            number_value(node.text, kind)
+            number_value(node.text, kind, self.types.bits)
         except ValueError:
             what = {"i": "number", "u": "unsigned", "f": "float"}[kind]
             self.report.error(f"constant `{node.text}` is not a valid {what}", node.location)

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from .errors import DatalogError, Diagnostic
 from .facts import read_fact_file, write_facts
+from .tables import Layout
 from .values import ValueReader
 
 if TYPE_CHECKING:
@@ -39,9 +40,13 @@ def find_souffle() -> str:
     return found
 
 
+def _version(binary: str) -> str:
+    return subprocess.run([binary, "--version"], capture_output=True, check=False, text=True, errors="replace").stdout
+
+
 def joined_source(program: Program, kept: Collection[str]) -> str:
     """The program as one file that reads its inputs and writes `kept`."""
-    parts = [_SKIPPED.sub(lambda m: m[1] or "", text) for text in program.sources.values()]
+    parts = [_SKIPPED.sub(lambda m: m[1] or "", text) for text in program.parsed.values()]
     for name in program.inputs:
         parts.append(f'.input {name}(IO=file, filename="{name}.facts")')
     for name in kept:
@@ -54,6 +59,8 @@ def evaluate_with_souffle(
 ) -> dict[str, Collection[Any]]:
     """Run the binary; rows of unary relations come back as bare values, as from the embedded engine."""
     binary = find_souffle()
+    if program.types.bits != 32 and f"Word size: {program.types.bits}" not in _version(binary):
+        raise DatalogError(f"this souffle was not built for numbers of {program.types.bits} bits")
     with tempfile.TemporaryDirectory(prefix="rosarch-souffle-") as folder:
         root = Path(folder)
         inputs, outputs = root / "facts", root / "out"
@@ -75,7 +82,8 @@ def evaluate_with_souffle(
 def _read_output(path: Path, program: Program, name: str) -> Collection[Any]:
     relation = program.relations[name]
     errors: list[Diagnostic] = []
-    rows = read_fact_file(path, relation, errors, ValueReader(program.types), delimiter=DELIMITER)
+    rows = read_fact_file(path, relation, errors, ValueReader(program.types), Layout(DELIMITER))
     if errors:
         raise DatalogError(errors)
-    return {row[0] for row in rows} if len(relation.attributes) == 1 else set(rows)
+    found = [row[0] for row in rows] if len(relation.attributes) == 1 else rows
+    return found if name in program.code.nested else set(found)

@@ -1,14 +1,16 @@
-"""Files to one syntax tree: resolves `.include`, each file once."""
+"""Files to one syntax tree: resolves `.include`, each file once per scope, after the C preprocessor where that is asked for."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from .errors import DatalogError, Diagnostic, Location, Report
 from .parser import parse_text
+from .preprocess import Reading, expand
 from .syntax import (
     AdtDecl,
     Clause,
@@ -24,20 +26,17 @@ from .syntax import (
 )  # fmt: skip
 from .tree import ComponentBody, Include, Item, Override, Pragma
 
+TOO_DEEP = "a term is nested too deeply"
+MANY_BRACKETS = 50  # nested; with fewer it is a chain of operators that is deep
 EXTRA_SOURCE = "<extra>"
 
 
 @dataclass(slots=True)
 class Sources:
-    """The text of every file of a program, in the order of inclusion."""
+    """The text of every file of a program, and of those of `#include`; `parsed` has the texts that went to the parser, in order."""
 
     texts: dict[str, str] = field(default_factory=dict)
-    order: list[str] = field(default_factory=list)
-
-    def add(self, path: str, text: str) -> None:
-        """Remember the text of a file."""
-        self.texts[path] = text
-        self.order.append(path)
+    parsed: dict[str, str] = field(default_factory=dict)
 
 
 def digest(text: str) -> str:
@@ -45,44 +44,89 @@ def digest(text: str) -> str:
     return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
 
+def read_text(path: Path, shown: str, included_at: Location | None, report: Report) -> str | None:
+    """The text of a rule file; None, and an error where the byte or the `.include` stands, when it cannot be read."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        report.error(f"cannot read `{shown}`: {error.strerror}", included_at)
+        return None
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        column = len(data[data.rfind(b"\n", 0, error.start) + 1 : error.start].decode("utf-8", "replace")) + 1
+        report.error(f"not UTF-8 text: byte 0x{data[error.start]:02x}", Location(shown, line, column))
+        return None
+
+
 class _Loader:
-    def __init__(self, report: Report, sources: Sources) -> None:
+    def __init__(self, report: Report, sources: Sources, reading: Reading) -> None:
         self.report = report
         self.sources = sources
-        self.entered: set[str] = set()
+        self.reading = reading
 
-    def parse_file(self, path: Path, shown: str, included_at: Location | None) -> list[Item]:
+    def parse_file(self, path: Path, shown: str, included_at: Location | None, entered: set[str]) -> list[Item]:
         """The items of a file with its includes spliced in; nothing when the file was already entered."""
         identity = str(path.resolve())
-        if identity in self.entered:
+        if identity in entered:
             return []
-        self.entered.add(identity)
-        try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-            self.report.error(f"cannot read `{shown}`: {reason}", included_at)
-            return []
-        return self.parse(text, shown, path.parent)
+        entered.add(identity)
+        text = read_text(path, shown, included_at, self.report)
+        return [] if text is None else self.parse(text, shown, entered)
 
-    def parse(self, text: str, shown: str, folder: Path) -> list[Item]:
+    def parse(self, text: str, shown: str, entered: set[str]) -> list[Item]:
         """The items of a text."""
-        self.sources.add(shown, text)
-        return self._splice(parse_text(text, shown, self.report), folder)
+        texts, reading = self.sources.texts, self.reading
+        texts[shown] = text
+        if reading.preprocess:
+            text = expand(text, shown, self.report, texts, macros=reading.macros, folders=reading.folders)
+        self.sources.parsed[shown] = text
+        try:
+            items = parse_text(text, shown, self.report, texts)
+        except RecursionError:
+            self.report.error(TOO_DEEP, deepest({shown: text}))
+            return []
+        return self._splice(items, entered)
 
-    def _splice(self, items: Sequence[Item], folder: Path) -> list[Item]:
+    def _splice(self, items: Sequence[Item], entered: set[str]) -> list[Item]:
         result: list[Item] = []
         for item in items:
             match item:
                 case Include():
-                    target = folder / item.path
-                    result.extend(self.parse_file(target, str(target), item.location))
-                case ComponentBody():
-                    unit = collect(self._splice(item.items, folder), self.report)
+                    target = self.find(item)
+                    result.extend(self.parse_file(target, str(target), item.location, entered))
+                case ComponentBody():  # two components may include the same file
+                    unit = collect(self._splice(item.items, set(entered)), self.report)
                     result.append(Component(item.type, item.bases, unit))
                 case _:
                     result.append(item)
         return result
+
+    def find(self, item: Include) -> Path:
+        """The file that an `.include` names: beside the including file, or in one of the folders."""
+        including = item.location.path
+        beside = (Path() if including == EXTRA_SOURCE else Path(including).parent) / item.path
+        return next((p for p in (beside, *(f / item.path for f in self.reading.folders)) if p.is_file()), beside)
+
+
+_BRACKETS = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/|[\[({]|[\])}]', re.DOTALL)
+
+
+def deepest(texts: Mapping[str, str]) -> Location:
+    """Where the brackets of some texts are nested most deeply."""
+    found = (0, Location(next(iter(texts), ""), 1, 1))
+    for path, text in texts.items():
+        depth = 0
+        for token in _BRACKETS.finditer(text):
+            depth += (token[0] in "[({") - (token[0] in "])}")
+            if depth > found[0]:
+                at = token.start()
+                found = depth, Location(path, text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at))
+    if found[0] >= MANY_BRACKETS:
+        return found[1]
+    path, lines = max(((p, t.splitlines()) for p, t in texts.items()), key=lambda item: max(map(len, item[1]), default=0))
+    return Location(path, max(range(len(lines)), key=lambda i: len(lines[i]), default=0) + 1, 1)
 
 
 def collect(items: Sequence[Item], report: Report) -> Unit:
@@ -113,20 +157,22 @@ def collect(items: Sequence[Item], report: Report) -> Unit:
     return unit
 
 
-def read_program(paths: Sequence[Path], extra_source: str = "") -> tuple[Unit, Sources, Report]:
+def read_program(
+    paths: Sequence[Path], extra_source: str = "", reading: Reading | None = None
+) -> tuple[Unit, Sources, Report]:  # fmt: skip
     """Parse root files, everything they include, and `extra_source` after them.
 
-    Each file is parsed once, wherever and however often it is included (souffle needs `.once` for that).
-    Includes are relative to the including file.
+    Each file is parsed once, wherever and however often it is included (souffle needs `.once` for that); within each component, once more.
     """
     sources = Sources()
     report = Report(sources.texts)
-    loader = _Loader(report, sources)
+    loader = _Loader(report, sources, reading or Reading())
     items: list[Item] = []
+    entered: set[str] = set()
     for path in paths:
         if not path.is_file():
             raise DatalogError([Diagnostic(f"no such file: `{path}`")])
-        items.extend(loader.parse_file(path, str(path), None))
+        items.extend(loader.parse_file(path, str(path), None, entered))
     if extra_source:
-        items.extend(loader.parse(extra_source, EXTRA_SOURCE, Path.cwd()))
+        items.extend(loader.parse(extra_source, EXTRA_SOURCE, entered))
     return collect(items, report), sources, report

@@ -194,6 +194,7 @@ class Relation:
     choices: tuple[tuple[str, ...], ...]
     location: Location
     doc: str = ""
+    limit: int = 0  # rows after which its recursion ends (`.limitsize`), if any
 
 
 @dataclass(frozen=True, slots=True)

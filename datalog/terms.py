@@ -7,7 +7,7 @@ from typing import Any
 
 from .expressions import Expressions
 from .inference import ClauseTypes
-from .runtime import NAMES, State, full_match
+from .runtime import State, full_match, names
 from .syntax import (
     Argument,
     Branch,
@@ -18,6 +18,7 @@ from .syntax import (
     Literal,
     Record,
     Unnamed,
+    UserFunctor,
     Variable,
     walk,
 )  # fmt: skip
@@ -34,8 +35,8 @@ class _Python(dict[str, str]):
 
 
 def opaque(term: Argument | Literal) -> bool:
-    """Whether a value depends on the course of an evaluation, and so cannot be computed again."""
-    return any(isinstance(n, (Counter, IterationCounter)) or (isinstance(n, Functor) and n.op == "ord") for n in walk(term))
+    """Whether a value depends on the course of an evaluation or on functions from outside, and so cannot be computed again."""
+    return any(isinstance(n, (Counter, IterationCounter, UserFunctor)) or (isinstance(n, Functor) and n.op == "ord") for n in walk(term))
 
 
 class Terms:
@@ -44,7 +45,7 @@ class Terms:
     def __init__(self, types: Types, clause_types: ClauseTypes) -> None:
         self.matchers: dict[str, str] = {}
         self.expressions = Expressions(types, clause_types, self.matchers)
-        self.names: dict[str, Any] = {**NAMES, "S": State()}
+        self.names: dict[str, Any] = {**names(types.bits), "S": State()}
         self.known: dict[int, tuple[Any, Callable[[Bound], Any]]] = {}
 
     def _compiled(self, node: Any, text: Callable[[], str]) -> Callable[[Bound], Any]:

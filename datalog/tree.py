@@ -224,6 +224,8 @@ class TreeBuilder(Transformer[Token, list[Item]]):
     ) -> list[Item]:  # fmt: skip
         doc = self.docs.get((start.line or 1) - 1, "")
         items: list[Item] = []
+        for q in sorted({q for q in qualifiers if qualifiers.count(q) > 1}):
+            self.report.error(f"qualifier `{q}` is given twice", self._at(start))
         for token in names:
             at = self._at(token)
             tags = frozenset(qualifiers) - {"input", "output", "printsize"}
@@ -296,9 +298,18 @@ class TreeBuilder(Transformer[Token, list[Item]]):
         return [Clause(head, disjunct, head.location, None, plan or ()) for head in heads for disjunct in body]
 
     def subsumption(self, less: Atom, greater: Atom, body: Dnf, plan: tuple[tuple[int, tuple[int, ...]], ...] | None) -> list[Item]:
-        args = tuple(Variable(f"_{i}+", a.location) if isinstance(a, Unnamed) else a for i, a in enumerate(less.args))
-        less = Atom(less.name, args, less.location)
+        less, greater = self._all_named(less, "<"), self._all_named(greater, ">")
+        if less.name != greater.name:
+            self.report.error(f"`{less.name}` is compared with `{greater.name}`, subsumption compares rows of one relation", less.location)
+        if not less.args:
+            self.report.error(f"subsumption needs attributes, `{less.name}` has none", less.location)
         return [Clause(less, disjunct, less.location, greater, plan or ()) for disjunct in body]
+
+    @staticmethod
+    def _all_named(atom: Atom, mark: str) -> Atom:
+        """The atom with a variable for every `_`: both rows of a subsumption are needed whole."""
+        args = tuple(Variable(f"_{i}+{mark}", a.location) if isinstance(a, Unnamed) else a for i, a in enumerate(atom.args))
+        return Atom(atom.name, args, atom.location)
 
     def atom(self, name: Name, *args: Argument) -> Atom:
         return Atom(name[0], args, name[1])

@@ -25,6 +25,7 @@ class Type:
     base: str = ""  # of a subset type
     members: tuple[str, ...] = ()  # of a union type
     fields: tuple[str, ...] = ()  # of a record type: the types of its fields
+    names: tuple[str, ...] = ()  # of a record type: the names of its fields
     branches: tuple[tuple[str, tuple[str, ...]], ...] = ()  # of an algebraic data type
 
 
@@ -35,6 +36,7 @@ class Types:
     table: dict[str, Type] = field(default_factory=dict)
     aliases: dict[str, str] = field(default_factory=dict)
     branch_owner: dict[str, str] = field(default_factory=dict)
+    bits: int = 32  # the width of numbers
     _subtype: dict[tuple[str, str], bool] = field(default_factory=dict)
     _common: dict[tuple[str, str], frozenset[str]] = field(default_factory=dict)
 
@@ -60,6 +62,10 @@ class Types:
         while found.base and not found.base.startswith("@"):
             found = self.get(found.base)
         return found
+
+    def field_names(self, name: str) -> tuple[str, ...]:
+        """The names of the fields of a record type."""
+        return self.root(name).names
 
     def is_subtype(self, a: str, b: str) -> bool:
         """Whether every value of `a` is a value of `b`, by declaration."""
@@ -104,9 +110,9 @@ class Types:
         return a if a == b and len(a) == 1 else frozenset(t for x in a for y in b for t in self.common(x, y))
 
 
-def build_types(declarations: Iterable[TypeDecl], report: Report) -> Types:
+def build_types(declarations: Iterable[TypeDecl], report: Report, bits: int = 32) -> Types:
     """Resolve type declarations; undefined, cyclic and clashing ones are reported and left out."""
-    types = Types()
+    types = Types(bits=bits)
     for name, kind in PRIMITIVES.items():
         types.table[CONSTANT_TYPES[kind]] = Type(CONSTANT_TYPES[kind], kind)
         types.table[name] = Type(name, kind, base=CONSTANT_TYPES[kind])
@@ -175,7 +181,7 @@ class _Builder:
         table = self.types.table
         match decl:
             case RecordDecl():
-                table[decl.name] = Type(decl.name, "r", fields=tuple(f.type for f in decl.fields))
+                table[decl.name] = Type(decl.name, "r", fields=tuple(f.type for f in decl.fields), names=tuple(f.name for f in decl.fields))
             case AdtDecl():
                 branches = tuple((b.name, tuple(f.type for f in b.fields)) for b in decl.branches)
                 table[decl.name] = Type(decl.name, "+", branches=branches)

@@ -7,28 +7,11 @@ GroundWitnesses.cpp, the body of the aggregate is repeated in the clause with th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from .ground import aggregates, grounded_variables, outer_variables
-from .rewrite import Rewriter
+from .rewrite import Substitution
 from .syntax import Aggregate, Argument, Clause, Constraint, Literal, Variable, children, clause_literals, variables
-
-
-class _Substitution(Rewriter):
-    """Replaces variables by terms, and one aggregate by a variable."""
-
-    def __init__(self, terms: Mapping[str, Argument], aggregate: Aggregate | None = None, by: Argument | None = None) -> None:
-        self.replacement = terms
-        self.replaced = aggregate
-        self.by = by
-
-    def variable(self, term: Variable) -> Argument:
-        """The term for a variable."""
-        return self.replacement.get(term.name, term)
-
-    def aggregate(self, term: Aggregate) -> Argument:
-        """The variable for the aggregate."""
-        return self.by if term is self.replaced and self.by is not None else super().aggregate(term)
 
 
 def ground_witnesses(clause: Clause) -> Clause:
@@ -73,15 +56,15 @@ def _ground(clause: Clause, aggregate: Aggregate, witnesses: set[str], number: i
     inside = {v for part in children(aggregate) for v in variables(part)}
     local = (inside - outer) | variables(target)
     inner = {w: Variable(f"{w}+w{number}", at) for w in witnesses}
-    renamed = _Substitution(inner).aggregate(aggregate)
+    renamed = Substitution(inner).aggregate(aggregate)
     copies: dict[str, Argument] = {v: Variable(f"{v}+c{number}", at) for v in local - witnesses}
     extra: list[Literal] = []
     if isinstance(target, Variable):
         copies[target.name] = result
     else:
-        extra.append(Constraint("=", result, _Substitution(copies).term(target), at))
-    extra.extend(_Substitution(copies).literal(literal) for literal in aggregate.body)
+        extra.append(Constraint("=", result, Substitution(copies).term(target), at))
+    extra.extend(Substitution(copies).literal(literal) for literal in aggregate.body)
     outermost = any(a is aggregate for literal in clause_literals(clause) for a in aggregates(literal))
-    rest = _Substitution({}, aggregate, result if outermost else renamed).clause(clause)
+    rest = Substitution({}, aggregate, result if outermost else renamed).clause(clause)
     body = (*rest.body, Constraint("=", result, renamed, at), *extra)
     return Clause(rest.head, body, clause.location, rest.dominating, clause.plan)

@@ -51,7 +51,7 @@ def test_missing_files_are_empty_and_windows_line_ends_are_read(load: Callable[[
 @pytest.mark.parametrize(
     ("name", "text", "message"),
     [
-        ("e", "a\t1\na\t1\t2\n", "e.facts:2: expected 2 columns, found 3"),
+        ("e", "a\t1\na\n", "e.facts:2: expected 2 columns, found 1"),
         ("e", "a\tx\n", "e.facts:1: column 2 (`n`): `x` is not a number"),
         ("e", "a\t2147483648\n", "e.facts:1: column 2 (`n`): `2147483648` is out of range for a number"),
         ("f", "1\t-1\t0\n", "f.facts:1: column 2 (`u`): `-1` is out of range for an unsigned"),

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import itertools
+import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -125,3 +127,46 @@ def test_engine_agrees_with_naive_evaluation(tmp_path: Path, program: list[Rule]
     result = load_program(tmp_path / "random.dl").evaluate(facts, keep="all")
     expected = naive(program, facts)
     assert {name: set(result.rows(name)) for name in ARITY} == expected
+
+
+@pytest.mark.skipif(shutil.which("souffle") is None, reason="souffle is not on PATH")
+@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(program=st.lists(rules(), min_size=1, max_size=6), facts=FACTS)
+def test_both_engines_agree(tmp_path: Path, program: list[Rule], facts: dict[str, set[tuple[int, ...]]]) -> None:
+    lines = [f".decl {n}({', '.join(f'c{i}: number' for i in range(a))})" for n, a in ARITY.items()]
+    lines += [f".input {name}" for name in INPUTS]
+    (tmp_path / "random.dl").write_text("\n".join([*lines, *map(str, program)]) + "\n")
+    loaded = load_program(tmp_path / "random.dl")
+    embedded, souffle = loaded.evaluate(facts, keep="all"), loaded.evaluate(facts, keep="all", engine="souffle")
+    for name in ARITY:
+        assert embedded.rows(name) == souffle.rows(name), name
+
+
+TERMS = st.recursive(
+    st.one_of(st.sampled_from(("x", "y")), st.integers(-(2**31), 2**31 - 1).map(lambda n: str(n) if n >= 0 else f"({n})")),
+    lambda inner: st.one_of(
+        st.tuples(
+            inner, st.sampled_from(("+", "-", "*", "band", "bor", "bxor", "bshl", "bshr", "bshru", "land", "lor", "lxor")), inner
+        ).map(lambda t: f"({t[0]} {t[1]} {t[2]})"),
+        inner.map(lambda t: f"(bnot {t})"),
+        inner.map(lambda t: f"(lnot {t})"),
+        inner.map(lambda t: f"strlen(to_string({t}))"),
+        inner.map(lambda t: f"to_number(to_unsigned({t}))"),
+        st.tuples(inner, inner).map(lambda t: f"max({t[0]}, {t[1]})"),
+    ),
+    max_leaves=8,
+)
+
+
+@pytest.mark.skipif(shutil.which("souffle") is None, reason="souffle is not on PATH")
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    terms=st.lists(TERMS, min_size=1, max_size=8), values=st.lists(st.integers(-(2**31), 2**31 - 1), min_size=1, max_size=4, unique=True)
+)
+def test_both_engines_compute_the_same(tmp_path: Path, terms: list[str], values: list[int]) -> None:
+    rules = [f"r({number}, x, y, {term}) :- n(x), n(y)." for number, term in enumerate(terms)]
+    source = [".decl n(x: number)", ".input n", ".decl r(i: number, x: number, y: number, z: number)", ".output r", *rules]
+    (tmp_path / "terms.dl").write_text("\n".join(source) + "\n")
+    loaded = load_program(tmp_path / "terms.dl")
+    facts = {"n": [(v,) for v in values]}
+    assert loaded.evaluate(facts).rows("r") == loaded.evaluate(facts, engine="souffle").rows("r")

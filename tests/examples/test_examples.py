@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -43,6 +44,13 @@ def rows(found: list[dict[str, Any]], expected: list[dict[str, Any]]) -> list[di
     """What was found, with no other fields than are expected: conditions have more forms than the text that is written by hand."""
     fields = {key for row in expected for key in row}
     return [{key: value for key, value in row.items() if key in fields} for row in found]
+
+
+@pytest.mark.skipif(shutil.which("souffle") is None, reason="there is no souffle on PATH")
+@pytest.mark.parametrize("name", NAMES)
+def test_models_are_the_same_with_souffle(name: str, rosarch: Callable, tmp_path: Path) -> None:
+    assert rosarch("analyze", EXAMPLES / name, "--engine", "souffle", "-o", tmp_path).code == 0
+    assert documents(tmp_path) == documents(EXAMPLES / name / "expected")
 
 
 @pytest.mark.parametrize("name", NAMES)
