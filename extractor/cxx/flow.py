@@ -21,6 +21,15 @@ class Block:
     loop: str | None = None
 
 
+@dataclass(eq=False)
+class Loop:
+    """A loop: the block that chooses between a further round and the end, and the blocks of its test and of its body."""
+
+    head: Block | None = None
+    test: list[Block] = field(default_factory=list)
+    body: list[Block] = field(default_factory=list)
+
+
 @dataclass
 class Switch:
     """A switch in work: the block that chooses, and whether it has a default."""
@@ -41,6 +50,8 @@ class Flow:
         self._handlers: list[tuple[list[Block], bool]] = []
         self._switches: list[Switch] = []
         self._labels: dict[str, Block] = {}
+        self._loops: list[Loop] = []
+        self._open: list[list[Block]] = []
 
     def evaluate(self, expr: str) -> None:
         """Record that `expr`, which may have an effect, is evaluated now."""
@@ -56,6 +67,8 @@ class Flow:
         """Make a block; inside a try block it may pass to each handler, out to the first that catches everything."""
         block = Block()
         self._blocks.append(block)
+        for part in self._open:
+            part.append(block)
         for handlers, everything in reversed(self._handlers):
             block.edges += [(handler, "exception") for handler in handlers]
             if everything:
@@ -123,6 +136,18 @@ class Flow:
         yield
         self._handlers.pop()
 
+    def loop(self) -> Loop:
+        """A loop to be grown."""
+        self._loops.append(Loop())
+        return self._loops[-1]
+
+    @contextmanager
+    def within(self, part: list[Block]) -> Iterator[None]:
+        """Within, every block that is made belongs to `part` of a loop."""
+        self._open.append(part)
+        yield
+        self._open.pop()
+
     @contextmanager
     def switching(self, after: Block) -> Iterator[Switch]:
         """Within, `case` and `default` are entered from the current block, `break` leads to `after`."""
@@ -160,3 +185,8 @@ class Flow:
                 unit.add("block_condition", name, block.condition)
             if block.loop is not None:
                 unit.add("loop_head", name, block.loop)
+        for loop in self._loops:
+            for part, blocks in (("test", loop.test), ("body", loop.body)):
+                for block in blocks:
+                    if id(block) in names and id(loop.head) in names:
+                        unit.add("loop_block", names[id(loop.head)], names[id(block)], part)

@@ -15,7 +15,7 @@ from rosarch.extractor.cxx.libclang import Tree
 def lower_statement(body: Body, tree: Tree) -> None:
     """Record the statement at `tree`."""
     if kinds.is_expression(tree.kind):
-        lower_expression(body, tree)
+        lower_expression(body, tree, text=True)
         return
     lower = _STATEMENTS.get(tree.kind)
     if lower is not None:
@@ -118,26 +118,30 @@ def _lower_if(body: Body, tree: Tree) -> None:
 def _loop(body: Body, kind: str, condition: Callable[[], str | None], again: Callable[[], None] | None, inner: Tree) -> None:
     """A loop that tests `condition` first; `again` reads the increment of a for loop."""
     flow = body.flow
-    head = flow.block()
-    flow.to(head)
-    flow.start(head)
-    test = condition()
+    loop = flow.loop()
+    with flow.within(loop.test):
+        head = flow.block()
+        flow.to(head)
+        flow.start(head)
+        test = condition()
+    loop.head = flow.current
     flow.current.loop = kind
     after = flow.block()
-    start = flow.block()
-    flow.current.condition = test
-    flow.to(start, "true" if test else "next")
-    if test:
-        flow.to(after, "false")
-    step = flow.block() if again is not None else head
-    flow.start(start)
-    with flow.breaking(after, step):
-        lower_statement(body, inner)
-    flow.to(step)
-    if again is not None:
-        flow.start(step)
-        again()
-        flow.to(head)
+    with flow.within(loop.body):
+        start = flow.block()
+        flow.current.condition = test
+        flow.to(start, "true" if test else "next")
+        if test:
+            flow.to(after, "false")
+        step = flow.block() if again is not None else head
+        flow.start(start)
+        with flow.breaking(after, step):
+            lower_statement(body, inner)
+        flow.to(step)
+        if again is not None:
+            flow.start(step)
+            again()
+            flow.to(head)
     flow.start(after)
 
 
@@ -148,14 +152,20 @@ def _lower_while(body: Body, tree: Tree) -> None:
 
 def _lower_do(body: Body, tree: Tree) -> None:
     flow = body.flow
-    start, test, after = flow.block(), flow.block(), flow.block()
-    flow.to(start)
-    flow.start(start)
-    with flow.breaking(after, test):
-        lower_statement(body, tree.children[0])
-    flow.to(test)
-    flow.start(test)
-    condition = _condition(body, tree.children[1:])
+    loop = flow.loop()
+    after = flow.block()
+    with flow.within(loop.body):
+        start = flow.block()
+        with flow.within(loop.test):
+            test = flow.block()
+        flow.to(start)
+        flow.start(start)
+        with flow.breaking(after, test):
+            lower_statement(body, tree.children[0])
+        flow.to(test)
+        flow.start(test)
+        condition = _condition(body, tree.children[1:])
+    loop.head = flow.current
     flow.current.loop = "do"
     flow.current.condition = condition
     flow.to(start, "true")

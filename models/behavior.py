@@ -1,0 +1,250 @@
+"""What a component does: periodic and reactive sending, state variables and their transitions, from the relations that the rules derive."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from rosarch.models import formula
+from rosarch.models.formula import Formula
+from rosarch.models.guards import Guards
+from rosarch.models.places import Place
+
+Row = tuple[Any, ...]
+Relations = Mapping[str, Iterable[Row]]
+PortIds = Mapping[Any, str]
+
+
+@dataclass(frozen=True)
+class Periodic:
+    """What a timed loop or timer sends under one guard; `hz` is None when the frequency is not known."""
+
+    mechanism: str
+    hz: float | None
+    hz_from_param: str | None
+    publishes: tuple[str, ...]
+    at: Place
+    guard: Formula
+
+
+@dataclass(frozen=True)
+class Reactive:
+    """The component sends through `output` when something arrives at `input`; `must`: always."""
+
+    input: str
+    output: str
+    at: tuple[Place, ...]
+    must: bool
+    guard: Formula
+
+
+@dataclass(frozen=True)
+class StateVariable:
+    """A variable that decides what the component does; `initial` is C++ text, or the default of `from_param`."""
+
+    name: str
+    type: str
+    initial: str | None
+    from_param: str | None
+    at: Place
+
+
+@dataclass(frozen=True)
+class Transition:
+    """An assignment to a state variable; `field` is the part that is assigned, `trigger` has port ids and kinds of activities."""
+
+    variable: str
+    field: str | None
+    trigger: tuple[str, ...]
+    guard: Formula
+    value: str | None
+    at: Place
+
+
+@dataclass(frozen=True)
+class Behavior:
+    """All of it."""
+
+    periodic: tuple[Periodic, ...] = ()
+    reactive: tuple[Reactive, ...] = ()
+    state_variables: tuple[StateVariable, ...] = ()
+    configuration: tuple[StateVariable, ...] = ()
+    transitions: tuple[Transition, ...] = ()
+
+
+def build_behavior(relations: Relations, places: Mapping[str, Place], ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> Behavior:
+    """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
+    guards = Guards(relations, places)
+    names = {row[0]: _variable_name(row[1], row[2]) for row in sorted(relations["variable_display"])}
+    return Behavior(
+        _periodic(relations, places, ports, guards),
+        _reactive(relations, places, ports, guards, callbacks),
+        _variables("state_variable", relations, places, names),
+        _variables("configuration_variable", relations, places, names),
+        _transitions(relations, places, names, guards, _triggers(relations, ports, callbacks)),
+    )
+
+
+def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards) -> tuple[Periodic, ...]:
+    rates: dict[str, list[tuple[float | None, str | None]]] = defaultdict(list)
+    for site, amount, per_second, parameter in sorted(relations["period"]):
+        rates[site].append((frequency(amount, per_second), parameter or None))
+    sent: dict[tuple[str, str], dict[Formula, set[str]]] = defaultdict(lambda: defaultdict(set))
+    roots = sorted(relations["periodic"])
+    for site, port, call in sorted(relations["sends_periodically"], key=repr):
+        if port in ports:
+            for other, root, _mechanism in roots:
+                if other == site:
+                    sent[site, root][guards.guard(root, call)].add(ports[port])
+    found = []
+    for site, root, mechanism in roots:
+        hz, parameter = _best_rate(rates[site])
+        for guard, published in (sent[site, root] or {formula.TRUE: set()}).items():
+            found.append(Periodic(mechanism, hz, parameter, tuple(sorted(published, key=_number)), places[site], guard))
+    return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
+
+
+def _best_rate(rates: list[tuple[float | None, str | None]]) -> tuple[float | None, str | None]:
+    """A known frequency if there is one, with the parameter it may be read from."""
+    known = [rate for rate in rates if rate[0] is not None]
+    parameters = sorted({parameter for _, parameter in rates if parameter})
+    return (known[0][0] if known else None), (parameters[0] if parameters else None)
+
+
+_NUMBER = re.compile(r"[0-9.()*/eE+-]+")
+
+
+def frequency(amount: str, per_second: int) -> float | None:
+    """How often in a second something runs with a period of `amount` units, `per_second` of which are a second (0: `amount` is the answer)."""
+    value = _calculated(amount)
+    if value is None:
+        return None
+    if per_second == 0:
+        return value
+    return round(per_second / value, 6) if value else None
+
+
+def _calculated(text: str) -> float | None:
+    """The value of a number, or of bracketed numbers joined by `*` and `/`; None when it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    if not text.startswith("("):
+        return None
+    depth = 0
+    for index, char in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(char, 0)
+        if depth == 0:
+            left, operator, right = text[1:index], text[index + 1 : index + 2], text[index + 3 : -1]
+            first, second = _calculated(left), _calculated(right)
+            if first is None or second is None or operator not in ("*", "/"):
+                return None
+            if operator == "*":
+                return first * second
+            if second == 0:
+                return None
+            whole = re.fullmatch(r"-?\d+", left) and re.fullmatch(r"-?\d+", right)
+            return float(int(first) // int(second)) if whole else first / second
+    return None
+
+
+def _reactive(
+    relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards, callbacks: Iterable[tuple[Any, str]]
+) -> tuple[Reactive, ...]:
+    functions: dict[Any, list[str]] = defaultdict(list)
+    for port, function in callbacks:
+        functions[port].append(function)
+    calls: dict[tuple[Any, Any], list[str]] = defaultdict(list)
+    for source, sink, call in relations["reacts"]:
+        calls[source, sink].append(call)
+    always = set(relations["always_reacts"])
+    found = []
+    for (source, sink), sites in calls.items():
+        if source in ports and sink in ports:
+            guard = formula.either(guards.guard(function, site) for function in sorted(functions[source]) for site in sorted(sites))
+            at = tuple(sorted(places[site] for site in sites))
+            found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
+    return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
+
+
+def _number(port: str) -> int:
+    return int(port[1:])
+
+
+def _variable_name(owner: str, name: str) -> str:
+    """`Class::member`, `Class::method::static`, `::global`; without namespaces of classes."""
+    return f"{'::'.join(owner.split('::')[-2:])}::{name}" if owner else f"::{name}"
+
+
+def _variables(relation: str, relations: Relations, places: Mapping[str, Place], names: Mapping[str, str]) -> tuple[StateVariable, ...]:
+    texts = dict(relations["node_text"])
+    types = {row[0]: row[3] for row in relations["variable_display"]}
+    read = {node: (text, parameter) for node, text, parameter in sorted(relations["node_value"], reverse=True)}
+    values: dict[str, list[tuple[int, Place, str]]] = defaultdict(list)
+    for variable, order, node in relations["initial_value"]:
+        if node in places:
+            values[variable].append((order, places[node], node))
+    found = []
+    for (variable,) in relations[relation]:
+        initial, parameter = None, None
+        for _order, _place, node in sorted(values[variable]):
+            if node in read:
+                parameter = read[node][1]
+                initial = read[node][0] if read[node][0] != "?" else initial
+            else:
+                initial = texts.get(node, initial)
+        if variable in places and variable in names:
+            found.append(StateVariable(names[variable], types[variable], initial, parameter, places[variable]))
+    return tuple(sorted(found, key=lambda v: (v.at, v.name)))
+
+
+def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> dict[str, tuple[str, ...]]:
+    """What starts each activity: port ids for callbacks, else a word."""
+    found: dict[str, set[str]] = defaultdict(set)
+    words = {"timer": "periodic", "loop": "periodic", "thread": "thread", "signal": "signal", "main": "main"}
+    for root, kind in relations["activity"]:
+        if kind in words:
+            found[root].add(words[kind])
+    for port, function in callbacks:
+        if port in ports:
+            found[function].add(ports[port])
+    return {root: tuple(sorted(triggers)) for root, triggers in found.items()}
+
+
+def _transitions(
+    relations: Relations, places: Mapping[str, Place], names: Mapping[str, str], guards: Guards, triggers: Mapping[str, tuple[str, ...]]
+) -> tuple[Transition, ...]:
+    texts = dict(relations["node_text"])
+    parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
+    found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
+    for assignment, variable, root in relations["transition"]:
+        found[assignment, variable, guards.guard(root, assignment)].update(triggers.get(root, ()))
+    result = []
+    for (assignment, variable, guard), causes in found.items():
+        how, target, value = parts.get(assignment, ("call", "", ""))
+        if assignment in places and variable in names:
+            field = _field(texts.get(target, ""), names[variable])
+            text = _value(how, texts.get(assignment), texts.get(target), texts.get(value))
+            result.append(Transition(names[variable], field, tuple(sorted(causes)), guard, text, places[assignment]))
+    return tuple(sorted(result, key=lambda t: (t.at, t.variable, formula.text(t.guard) or "", t.trigger)))
+
+
+def _field(target: str, name: str) -> str | None:
+    """The part of the variable that is assigned: of `cmd->linear.x` it is `linear.x`."""
+    match = re.search(rf"\b{re.escape(name.rpartition('::')[2])}\b(?:\.|->)(.+)$", target)
+    return match.group(1) if match else None
+
+
+def _value(how: str, whole: str | None, target: str | None, value: str | None) -> str | None:
+    """The new value as C++ text."""
+    if how == "=":
+        return value
+    if how.endswith("=") and target is not None and value is not None:
+        operator = how[:-1]
+        looser = formula.loosest(value) and not (operator in "+-" and re.fullmatch(r"[^+-]*", value)) and not value.startswith("(")
+        return f"{target} {operator} ({value})" if looser else f"{target} {operator} {value}"
+    return whole
