@@ -52,6 +52,7 @@ class Flow:
         self._labels: dict[str, Block] = {}
         self._loops: list[Loop] = []
         self._open: list[list[Block]] = []
+        self._marks: list[tuple[int, Block, int]] = []
 
     def evaluate(self, expr: str) -> None:
         """Record that `expr`, which may have an effect, is evaluated now."""
@@ -62,6 +63,10 @@ class Flow:
     def read(self, expr: str) -> None:
         """Record that the variable named by `expr` is read (or named as a target) now."""
         self.current.exprs.append(expr)
+
+    def mark(self, offset: int) -> None:
+        """What stands after `offset`, and clang drops, would be evaluated now."""
+        self._marks.append((offset, self.current, len(self.current.exprs)))
 
     def block(self) -> Block:
         """Make a block; inside a try block it may pass to each handler, out to the first that catches everything."""
@@ -185,6 +190,7 @@ class Flow:
                 unit.add("block_condition", name, block.condition)
             if block.loop is not None:
                 unit.add("loop_head", name, block.loop)
+        unit.marks[function] = sorted((offset, names[id(block)], index) for offset, block, index in self._marks if id(block) in names)
         for loop in self._loops:
             for part, blocks in (("test", loop.test), ("body", loop.body)):
                 for block in blocks:

@@ -8,7 +8,7 @@ made here is marked: `call_unresolved(call, "recovered")`.
 from __future__ import annotations
 
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -139,7 +139,17 @@ class _Reader:
     def node(self, begin: int, end: int, form: str) -> str:
         expr = self.unit.node(Span(self.holder.file, begin, end), form)
         self.unit.add("expr_function", expr, self.holder.function)
+        if form in ("call", "op"):
+            self._place(expr, begin)
         return expr
+
+    def _place(self, expr: str, offset: int) -> None:
+        """Put an expression into the control-flow graph, behind the statement before it."""
+        marks = self.unit.marks.get(self.holder.function, [])
+        index = bisect_right(marks, (offset, "\uffff", 0)) - 1
+        if index >= 0:
+            _, block, position = marks[index]
+            self.unit.add("block_expr", block, position, expr)
 
     def source(self, begin: int, end: int) -> str:
         return self.holder.file.data[begin:end].decode("utf-8", "replace")

@@ -70,6 +70,14 @@ def _lower_each(body: Body, tree: Tree) -> None:
         lower_statement(body, child)
 
 
+def _lower_compound(body: Body, tree: Tree) -> None:
+    """Statements in a row; clang drops those that it does not understand, so where each ends is marked."""
+    body.flow.mark(body.unit.span(tree.cursor).begin)
+    for child in tree.children:
+        lower_statement(body, child)
+        body.flow.mark(body.unit.span(child.cursor).end)
+
+
 def _lower_declaration(body: Body, tree: Tree) -> None:
     from rosarch.extractor.cxx.walk import walk_class  # a class in a function has functions of its own
 
@@ -299,7 +307,7 @@ def _lower_label(body: Body, tree: Tree) -> None:
 
 
 _STATEMENTS: dict[int, Callable[[Body, Tree], None]] = {
-    kinds.COMPOUND: _lower_each,
+    kinds.COMPOUND: _lower_compound,
     kinds.DECLARATION_STATEMENT: _lower_declaration,
     kinds.IF: _lower_if,
     kinds.WHILE: _lower_while,

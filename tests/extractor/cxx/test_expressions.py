@@ -113,7 +113,8 @@ def test_text_is_the_source_folded(facts_of) -> None:
 
 def test_text_is_cut_at_500_characters(facts_of) -> None:
     facts = facts_of(f'void g(const char*); void f() {{ g("{"x" * 900}"); }}')
-    ((_, text),) = facts["expr_text"]
+    texts = {text for _, text in facts["expr_text"]}
+    (text,) = (text for text in texts if text.startswith('"'))
     assert len(text) == 500
     assert text.endswith("...")
     assert literals(facts) == [("string", "x" * 900)]
