@@ -190,16 +190,30 @@ def _variables(relation: str, relations: Relations, places: Mapping[str, Place],
             values[variable].append((order, places[node], node))
     found = []
     for (variable,) in relations[relation]:
-        initial, parameter = None, None
-        for _order, _place, node in sorted(values[variable]):
-            if node in read:
-                parameter = read[node][1]
-                initial = read[node][0] if read[node][0] != "?" else initial
-            else:
-                initial = texts.get(node, initial)
         if variable in places and variable in names:
+            initial, parameter = _initial(sorted(values[variable]), texts, read, names[variable].rpartition("::")[2])
             found.append(StateVariable(names[variable], types[variable], initial, parameter, places[variable]))
     return tuple(sorted(found, key=lambda v: (v.at, v.name)))
+
+
+def _initial(
+    values: list[tuple[int, Place, str]], texts: Mapping[str, str], read: Mapping[str, tuple[str, str]], name: str
+) -> tuple[str | None, str | None]:
+    """The value that is given last, and the parameter that it is read from; of several parts of a variable none is its value."""
+    initial, parameter = None, None
+    for order, _place, node in values:
+        if node in read:
+            parameter = read[node][1]
+            initial = read[node][0] if read[node][0] != "?" else initial
+        elif order > 0 or len(values) == 1:
+            initial = _constructed(texts.get(node, initial), name)
+    return initial, parameter
+
+
+def _constructed(text: str | None, name: str) -> str | None:
+    """The argument in `name(argument)`, a declaration's or an initialiser list's way to give a value."""
+    match = re.fullmatch(rf"{re.escape(name)}\s*(?:\((.*)\)|\{{(.*)\}})", text or "", re.DOTALL)
+    return (match.group(1) or match.group(2) or None) if match else text
 
 
 def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> dict[str, tuple[str, ...]]:

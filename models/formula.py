@@ -117,10 +117,21 @@ def text(formula: Formula) -> str | None:
     shared = {item.key for item in common}
     rest = [tuple(item for item in conjunction if item.key not in shared) for conjunction in formula.alternatives]
     parts = [_item(item, alone=len(common) == 1 and not rest[0]) for item in common]
-    if rest[0]:
+    if rest[0] and all(len(conjunction) == 1 and _negative(conjunction[0]) for conjunction in rest):
+        parts.append(f"!({' && '.join(_opposite(conjunction[0]) for conjunction in rest)})")
+    elif rest[0]:
         choice = " || ".join(_conjunction(conjunction, alone=False) for conjunction in rest)
         parts.append(f"({choice})" if parts else choice)
     return " && ".join(parts)
+
+
+def _negative(item: Condition) -> bool:
+    return not item.holds or (item.text.startswith("!") and loosest(item.text[1:]) == "")
+
+
+def _opposite(item: Condition) -> str:
+    """The negation of a negative condition, without a double one."""
+    return item.text[1:] if item.holds else _item(Condition(item.text, True), alone=False)
 
 
 def _conjunction(items: tuple[Condition, ...], *, alone: bool) -> str:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 
 from rosarch.extractor.cxx.declarations import declare_unknown_type
 from rosarch.extractor.cxx.literals import decode_string
-from rosarch.extractor.cxx.unit import FunctionSpan, SourceFile, Span, UnitFacts
+from rosarch.extractor.cxx.unit import TEXT_LIMIT, FunctionSpan, SourceFile, Span, UnitFacts
 
 _HIDDEN = re.compile(
     rb"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^()\s\\]{0,16})\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'"""
@@ -170,7 +170,7 @@ class _Reader:
         for read in (self._literal, self._sum, self._name, self._call):
             expr = read(text, begin, end)
             if expr is not None:
-                self.unit.add("expr_text", expr, " ".join(text.split())[:500])
+                self.unit.add("expr_text", expr, " ".join(text.split())[:TEXT_LIMIT])
                 return expr
         expr = self.node(begin, end, "unknown")
         self.unit.add("expr_unknown", expr, "recovered")

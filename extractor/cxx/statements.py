@@ -70,6 +70,12 @@ def _lower_each(body: Body, tree: Tree) -> None:
         lower_statement(body, child)
 
 
+def _lower_arm(body: Body, tree: Tree) -> None:
+    """A statement that begins a block."""
+    body.flow.mark(body.unit.span(tree.cursor).begin)
+    lower_statement(body, tree)
+
+
 def _lower_compound(body: Body, tree: Tree) -> None:
     """Statements in a row; clang drops those that it does not understand, so where each ends is marked."""
     body.flow.mark(body.unit.span(tree.cursor).begin)
@@ -114,11 +120,11 @@ def _lower_if(body: Body, tree: Tree) -> None:
     yes, no = flow.branch(condition)
     after = flow.block()
     flow.start(yes)
-    lower_statement(body, arms[0])
+    _lower_arm(body, arms[0])
     flow.to(after)
     flow.start(no)
     if len(arms) > 1:
-        lower_statement(body, arms[1])
+        _lower_arm(body, arms[1])
     flow.to(after)
     flow.start(after)
 
@@ -144,7 +150,7 @@ def _loop(body: Body, kind: str, condition: Callable[[], str | None], again: Cal
         step = flow.block() if again is not None else head
         flow.start(start)
         with flow.breaking(after, step):
-            lower_statement(body, inner)
+            _lower_arm(body, inner)
         flow.to(step)
         if again is not None:
             flow.start(step)
@@ -169,7 +175,7 @@ def _lower_do(body: Body, tree: Tree) -> None:
         flow.to(start)
         flow.start(start)
         with flow.breaking(after, test):
-            lower_statement(body, tree.children[0])
+            _lower_arm(body, tree.children[0])
         flow.to(test)
         flow.start(test)
         condition = _condition(body, tree.children[1:])
@@ -257,6 +263,7 @@ def _lower_case(body: Body, tree: Tree) -> None:
     if tree.kind == kinds.CASE:
         rest = tree.children[-1:] if len(tree.children) > 1 else []
     flow.start(block)
+    flow.mark(body.unit.span(tree.cursor).begin)
     for child in rest:
         lower_statement(body, child)
 

@@ -16,7 +16,7 @@ from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range
 from rosarch.extractor.files import path_text, read_file
 
-TEXT_LIMIT = 500
+TEXT_LIMIT = 2000
 
 
 @lru_cache(maxsize=4096)
