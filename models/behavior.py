@@ -78,7 +78,7 @@ class Behavior:
 def build_behavior(relations: Relations, places: Mapping[str, Place], ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> Behavior:
     """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
     guards = Guards(relations, places)
-    names = {row[0]: _variable_name(row[1], row[2]) for row in sorted(relations["variable_display"])}
+    names = {row[0]: _variable_name(row[1], row[2], row[3]) for row in sorted(relations["variable_display"])}
     return Behavior(
         _periodic(relations, places, ports, guards),
         _reactive(relations, places, ports, guards, callbacks),
@@ -175,14 +175,15 @@ def _number(port: str) -> int:
     return int(port[1:])
 
 
-def _variable_name(owner: str, name: str) -> str:
-    """`Class::member`, `Class::method::static`, `::global`; without namespaces of classes."""
-    return f"{'::'.join(owner.split('::')[-2:])}::{name}" if owner else f"::{name}"
+def _variable_name(scope: str, owner: str, name: str) -> str:
+    """`Class::member`, `Class::method::static`, `function::static`, `::global`, without namespaces."""
+    parts = owner.split("::")
+    return f"{'::'.join(parts[-2:] if scope else parts[-1:])}::{name}"
 
 
 def _variables(relation: str, relations: Relations, places: Mapping[str, Place], names: Mapping[str, str]) -> tuple[StateVariable, ...]:
     texts = dict(relations["node_text"])
-    types = {row[0]: row[3] for row in relations["variable_display"]}
+    types = {row[0]: row[4] for row in relations["variable_display"]}
     read = {node: (text, parameter) for node, text, parameter in sorted(relations["node_value"], reverse=True)}
     values: dict[str, list[tuple[int, Place, str]]] = defaultdict(list)
     for variable, order, node in relations["initial_value"]:
@@ -219,7 +220,7 @@ def _constructed(text: str | None, name: str) -> str | None:
 def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> dict[str, tuple[str, ...]]:
     """What starts each activity: port ids for callbacks, else a word."""
     found: dict[str, set[str]] = defaultdict(set)
-    words = {"timer": "periodic", "loop": "periodic", "thread": "thread", "signal": "signal", "main": "main"}
+    words = {"timer": "periodic", "loop": "periodic", "thread": "thread", "signal": "signal", "end": "main", "main": "main"}
     for root, kind in relations["activity"]:
         if kind in words:
             found[root].add(words[kind])
