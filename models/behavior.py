@@ -11,6 +11,7 @@ from typing import Any
 from rosarch.models import formula
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards
+from rosarch.models.numbers import calculated, frequency
 from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
@@ -68,11 +69,11 @@ class Transition:
 class Behavior:
     """All of it."""
 
-    periodic: tuple[Periodic, ...] = ()
-    reactive: tuple[Reactive, ...] = ()
-    state_variables: tuple[StateVariable, ...] = ()
-    configuration: tuple[StateVariable, ...] = ()
-    transitions: tuple[Transition, ...] = ()
+    periodic: tuple[Periodic, ...]
+    reactive: tuple[Reactive, ...]
+    state_variables: tuple[StateVariable, ...]
+    configuration: tuple[StateVariable, ...]
+    transitions: tuple[Transition, ...]
 
 
 def build_behavior(relations: Relations, places: Mapping[str, Place], ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> Behavior:
@@ -112,44 +113,6 @@ def _best_rate(rates: list[tuple[float | None, str | None]]) -> tuple[float | No
     known = [rate for rate in rates if rate[0] is not None]
     parameters = sorted({parameter for _, parameter in rates if parameter})
     return (known[0][0] if known else None), (parameters[0] if parameters else None)
-
-
-_NUMBER = re.compile(r"[0-9.()*/eE+-]+")
-
-
-def frequency(amount: str, per_second: int) -> float | None:
-    """How often in a second something runs with a period of `amount` units, `per_second` of which are a second (0: `amount` is the answer)."""
-    value = _calculated(amount)
-    if value is None:
-        return None
-    if per_second == 0:
-        return value
-    return round(per_second / value, 6) if value else None
-
-
-def _calculated(text: str) -> float | None:
-    """The value of a number, or of bracketed numbers joined by `*` and `/`; None when it is none."""
-    try:
-        return float(text)
-    except ValueError:
-        pass
-    if not text.startswith("("):
-        return None
-    depth = 0
-    for index, char in enumerate(text):
-        depth += {"(": 1, ")": -1}.get(char, 0)
-        if depth == 0:
-            left, operator, right = text[1:index], text[index + 1 : index + 2], text[index + 3 : -1]
-            first, second = _calculated(left), _calculated(right)
-            if first is None or second is None or operator not in ("*", "/"):
-                return None
-            if operator == "*":
-                return first * second
-            if second == 0:
-                return None
-            whole = re.fullmatch(r"-?\d+", left) and re.fullmatch(r"-?\d+", right)
-            return float(int(first) // int(second)) if whole else first / second
-    return None
 
 
 def _reactive(
@@ -205,10 +168,16 @@ def _initial(
     for order, _place, node in values:
         if node in read:
             parameter = read[node][1]
-            initial = read[node][0] if read[node][0] != "?" else initial
+            initial = _number_text(read[node][0]) if read[node][0] != "?" else initial
         elif order > 0 or len(values) == 1:
             initial = _constructed(texts.get(node, initial), name)
     return initial, parameter
+
+
+def _number_text(text: str) -> str:
+    """Numbers that are left to be calculated as the number that they make."""
+    value = calculated(text) if text.startswith("(") else None
+    return text if value is None else repr(value)
 
 
 def _constructed(text: str | None, name: str) -> str | None:

@@ -10,6 +10,7 @@ from typing import Any
 from rosarch.models import formula
 from rosarch.models.behavior import Behavior, StateVariable, build_behavior
 from rosarch.models.formula import Formula
+from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
@@ -57,7 +58,7 @@ class ComponentModel:
     sources: tuple[str, ...]
     ports: tuple[Port, ...]
     params: tuple[Parameter, ...]
-    behavior: Behavior = Behavior()
+    behavior: Behavior
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
@@ -89,20 +90,23 @@ def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[tuple[Por
         if site not in places:
             continue
         found.append(
-            (port, Port(
-                "",
-                kind,
-                name,
-                parameters.get(port),
-                types.get(port),
-                int(queues[port]) if port in queues else None,
-                port in latched,
-                callbacks.get(port),
-                via.get(port, "plain"),
-                places[site],
-                False,
-                unknown.get(port),
-            ))
+            (
+                port,
+                Port(
+                    "",
+                    kind,
+                    name,
+                    parameters.get(port),
+                    types.get(port),
+                    int(queues[port]) if port in queues else None,
+                    port in latched,
+                    callbacks.get(port),
+                    via.get(port, "plain"),
+                    places[site],
+                    False,
+                    unknown.get(port),
+                ),
+            )
         )
     for (site, kind, name), type_ in relations["implicit_port"]:
         if site in places:
@@ -204,6 +208,8 @@ def _literal(text: str | None, type_: str | None) -> str | float | int | bool | 
         return text
     if text in ("true", "false"):
         return text == "true"
+    if text.startswith("(") and (value := calculated(text)) is not None:
+        return value
     number = _NUMBER.fullmatch(text)
     if number is None:
         return text
