@@ -145,7 +145,7 @@ def _variable_name(scope: str, owner: str, name: str) -> str:
 
 
 def _variables(relation: str, relations: Relations, places: Mapping[str, Place], names: Mapping[str, str]) -> tuple[StateVariable, ...]:
-    texts = dict(relations["node_text"])
+    texts: dict[str, str] = dict(relations["node_text"])
     types = {row[0]: row[4] for row in relations["variable_display"]}
     read = {node: (text, parameter) for node, text, parameter in sorted(relations["node_value"], reverse=True)}
     values: dict[str, list[tuple[int, Place, str]]] = defaultdict(list)
@@ -202,7 +202,7 @@ def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[An
 def _transitions(
     relations: Relations, places: Mapping[str, Place], names: Mapping[str, str], guards: Guards, triggers: Mapping[str, tuple[str, ...]]
 ) -> tuple[Transition, ...]:
-    texts = dict(relations["node_text"])
+    texts: dict[str, str] = dict(relations["node_text"])
     parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
     found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
     for assignment, variable, root in relations["transition"]:

@@ -191,7 +191,7 @@ def tree(formula: Formula) -> dict[str, object] | None:
     """The formula as nested objects: `all` and `any` of conditions with their text, place and whether they hold."""
     if formula == TRUE:
         return None
-    alternatives = [{"all": [_leaf(item) for item in conjunction]} for conjunction in formula.alternatives]
+    alternatives: list[dict[str, object]] = [{"all": [_leaf(item) for item in conjunction]} for conjunction in formula.alternatives]
     return alternatives[0] if len(alternatives) == 1 else {"any": alternatives}
 
 

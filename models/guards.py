@@ -18,7 +18,7 @@ class Guards:
 
     def __init__(self, relations: Relations, places: Mapping[str, Place]) -> None:
         self._places = places
-        self._texts = dict(relations["node_text"])
+        self._texts: dict[str, str] = dict(relations["node_text"])
         self._blocks: dict[str, list[str]] = defaultdict(list)
         for node, block in sorted(relations["node_block"]):
             self._blocks[node].append(block)
