@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,13 +43,26 @@ class Reactive:
 
 
 @dataclass(frozen=True)
+class Deferred:
+    """What arrives at `input` is kept in `variable`, from which a timed loop or timer later makes what it sends through `output`."""
+
+    input: str
+    output: str
+    variable: str
+
+
+@dataclass(frozen=True)
 class StateVariable:
-    """A variable that decides what the component does; `initial` is C++ text, or the default of `from_param`."""
+    """A variable that decides what the component does; `initial` is C++ text, or the default of `from_param`.
+
+    `domain` has the values that it can have, in C++; it is None when they cannot be listed.
+    """
 
     name: str
     type: str
     initial: str | None
     from_param: str | None
+    domain: tuple[str, ...] | None
     at: Place
 
 
@@ -74,6 +87,7 @@ class Behavior:
     state_variables: tuple[StateVariable, ...]
     configuration: tuple[StateVariable, ...]
     transitions: tuple[Transition, ...]
+    deferred: tuple[Deferred, ...]
 
 
 def build_behavior(relations: Relations, places: Mapping[str, Place], ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> Behavior:
@@ -86,6 +100,7 @@ def build_behavior(relations: Relations, places: Mapping[str, Place], ports: Por
         _variables("state_variable", relations, places, names),
         _variables("configuration_variable", relations, places, names),
         _transitions(relations, places, names, guards, _triggers(relations, ports, callbacks)),
+        _deferred(relations, ports, names),
     )
 
 
@@ -134,6 +149,15 @@ def _reactive(
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
 
 
+def _deferred(relations: Relations, ports: PortIds, names: Mapping[str, str]) -> tuple[Deferred, ...]:
+    found = {
+        Deferred(ports[source], ports[sink], names[variable])
+        for source, sink, variable in relations["reacts_deferred"]
+        if source in ports and sink in ports and variable in names
+    }
+    return tuple(sorted(found, key=lambda d: (_number(d.input), _number(d.output), d.variable)))
+
+
 def _number(port: str) -> int:
     return int(port[1:])
 
@@ -152,12 +176,35 @@ def _variables(relation: str, relations: Relations, places: Mapping[str, Place],
     for variable, order, node in relations["initial_value"]:
         if node in places:
             values[variable].append((order, places[node], node))
+    constants = {node for (node,) in relations["constant_node"]}
+    given = _given(relations, values)
     found = []
     for (variable,) in relations[relation]:
         if variable in places and variable in names:
             initial, parameter = _initial(sorted(values[variable]), texts, read, names[variable].rpartition("::")[2])
-            found.append(StateVariable(names[variable], types[variable], initial, parameter, places[variable]))
+            domain = _domain(types[variable], given[variable], texts, constants) if parameter is None else None
+            found.append(StateVariable(names[variable], types[variable], initial, parameter, domain, places[variable]))
     return tuple(sorted(found, key=lambda v: (v.at, v.name)))
+
+
+def _given(relations: Relations, values: Mapping[str, list[tuple[int, Place, str]]]) -> dict[str, set[str]]:
+    """All that each variable is given, at the start and later; an assignment that is no plain one stands for itself."""
+    given: dict[str, set[str]] = defaultdict(set)
+    for variable, items in values.items():
+        given[variable].update(node for _, _, node in items)
+    parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
+    for assignment, variable, _root in relations["transition"]:
+        how, _target, value = parts.get(assignment, ("call", "", ""))
+        given[variable].add(value if how == "=" else assignment)
+    return given
+
+
+def _domain(type_: str, given: Iterable[str], texts: Mapping[str, str], constants: Collection[str]) -> tuple[str, ...] | None:
+    """Both truth values, or the constants that a variable is given when it is given nothing else."""
+    if type_.rpartition(" ")[2] == "bool":
+        return ("false", "true")
+    nodes = sorted(given)
+    return tuple(sorted({texts[node] for node in nodes})) if nodes and all(node in constants and node in texts for node in nodes) else None
 
 
 def _initial(

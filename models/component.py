@@ -175,6 +175,7 @@ def _behavior_json(behavior: Behavior) -> dict[str, Any]:
              "at": str(t.at)}
             for t in behavior.transitions
         ],
+        "reactive_deferred": [vars(deferred) for deferred in behavior.deferred],
     }  # fmt: skip
 
 
@@ -183,7 +184,8 @@ def _guard_json(key: str, guard: Formula) -> dict[str, Any]:
 
 
 def _variable_json(variable: StateVariable) -> dict[str, Any]:
-    data = {"name": variable.name, "type": variable.type, "initial": variable.initial, "at": str(variable.at)}
+    domain = None if variable.domain is None else list(variable.domain)
+    data = {"name": variable.name, "type": variable.type, "initial": variable.initial, "domain": domain, "at": str(variable.at)}
     return data if variable.from_param is None else {**data, "from_param": variable.from_param}
 
 
