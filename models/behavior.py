@@ -143,7 +143,10 @@ def _reactive(
     found = []
     for (source, sink), sites in calls.items():
         if source in ports and sink in ports:
-            guard = formula.either(guards.guard(function, site) for function in sorted(functions[source]) for site in sorted(sites))
+            found_guards = [guards.reached(function, site) for function in sorted(functions[source]) for site in sorted(sites)]
+            guard = formula.either(found_guards)
+            if not guard.alternatives:
+                guard = formula.TRUE
             at = tuple(sorted(places[site] for site in sites))
             found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
@@ -228,7 +231,9 @@ def _number_text(text: str) -> str:
 
 
 def _constructed(text: str | None, name: str) -> str | None:
-    """The argument in `name(argument)`, a declaration's or an initialiser list's way to give a value."""
+    """The argument in `name(argument)`, a declaration's or an initialiser list's way to give a value; of a mere `name` nothing is known."""
+    if text == name:
+        return None
     match = re.fullmatch(rf"{re.escape(name)}\s*(?:\((.*)\)|\{{(.*)\}})", text or "", re.DOTALL)
     return (match.group(1) or match.group(2) or None) if match else text
 

@@ -39,8 +39,12 @@ class Guards:
 
     def guard(self, root: str, node: str) -> Formula:
         """When the activity of `root` evaluates `node`; true when nothing is known."""
-        found = either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
+        found = self.reached(root, node)
         return found if found.alternatives else TRUE
+
+    def reached(self, root: str, node: str) -> Formula:
+        """As `guard`, but false when the conditions contradict each other: they do unless something changes between them."""
+        return either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
 
     def _runs(self, root: str, block: str) -> bool:
         return block in self._parts[root] or _function(block) in self._entered[root]

@@ -70,7 +70,7 @@ def test_the_whole_document() -> None:
             {"id": "p2", "kind": "subscriber", "name": "in", "from_param": None, "type": "std_msgs/Empty", "queue": None, "latched": False, "callback": "N::on_in", "via": "plain", "at": "pkg/n.cpp:8", "conditional": None},
         ],
         "params": [{"name": "~topic", "op": "read", "type": "string", "default": "out", "at": "pkg/n.cpp:9"}],
-        "periodic": [], "reactive": [], "state_variables": [], "configuration": [], "transitions": [],
+        "periodic": [], "reactive": [], "state_variables": [], "configuration": [], "transitions": [], "reactive_deferred": [],
     }  # fmt: skip
 
 
