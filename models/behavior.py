@@ -146,7 +146,7 @@ def _reactive(
             found_guards = [guards.reached(function, site) for function in sorted(functions[source]) for site in sorted(sites)]
             guard = formula.either(found_guards)
             if not guard.alternatives:
-                guard = formula.TRUE
+                continue  # the conditions on the way contradict each other
             at = tuple(sorted(places[site] for site in sites))
             found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
@@ -258,7 +258,9 @@ def _transitions(
     parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
     found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
     for assignment, variable, root in relations["transition"]:
-        found[assignment, variable, guards.guard(root, assignment)].update(triggers.get(root, ()))
+        guard = guards.reached(root, assignment)
+        if guard.alternatives:  # else the conditions on the way contradict each other
+            found[assignment, variable, guard].update(triggers.get(root, ()))
     result = []
     for (assignment, variable, guard), causes in found.items():
         how, target, value = parts.get(assignment, ("call", "", ""))

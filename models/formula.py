@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from rosarch.models.places import Place
 
@@ -12,11 +12,15 @@ MOST_ALTERNATIVES = 24
 
 @dataclass(frozen=True)
 class Condition:
-    """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text are equal."""
+    """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text are equal.
+
+    A `stable` condition has one value as long as an activity runs: it cannot hold here and not there.
+    """
 
     text: str
     holds: bool
-    place: Place | None = None
+    place: Place | None = field(default=None, compare=False)
+    stable: bool = field(default=False, compare=False)
 
     @property
     def key(self) -> tuple[str, bool]:
@@ -40,9 +44,9 @@ TRUE = Formula(((),))
 FALSE = Formula(())
 
 
-def condition(text: str, holds: bool, place: Place | None = None) -> Formula:
+def condition(text: str, holds: bool, place: Place | None = None, *, stable: bool = False) -> Formula:
     """The formula of one condition."""
-    return Formula(((Condition(text, holds, place),),))
+    return Formula(((Condition(text, holds, place, stable),),))
 
 
 def both(first: Formula, second: Formula) -> Formula:
@@ -56,9 +60,10 @@ def either(formulas: Iterable[Formula]) -> Formula:
 
 
 def _joined(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tuple[Condition, ...] | None:
-    """Both conjunctions in one; None when they contradict each other."""
+    """Both conjunctions in one; None when they contradict each other, with nothing that may change between."""
     known = {item.key for item in first}
-    if any(item.opposite in known for item in second):
+    stable = {item.key for item in first if item.stable}
+    if any(item.stable and item.opposite in stable for item in second):
         return None
     return first + tuple(item for item in second if item.key not in known)
 

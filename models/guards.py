@@ -26,6 +26,7 @@ class Guards:
         for row in sorted(relations["guard_step"]):
             self._steps[row[0]].append(row[1:])
         self._silent = {row[0] for row in relations["silent_condition"]}
+        self._stable = {row[0] for row in relations["stable_condition"]}
         self._cases: dict[str, list[str]] = defaultdict(list)
         for chooser, value in sorted(relations["switch_case"]):
             self._cases[chooser].append(value)
@@ -43,7 +44,7 @@ class Guards:
         return found if found.alternatives else TRUE
 
     def reached(self, root: str, node: str) -> Formula:
-        """As `guard`, but false when the conditions contradict each other: they do unless something changes between them."""
+        """As `guard`, but false when no way leads there."""
         return either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
 
     def _runs(self, root: str, block: str) -> bool:
@@ -85,7 +86,7 @@ class Guards:
             for label in self._cases[chooser]:
                 formula = both(formula, condition(f"{text} == {self._texts.get(label, '?')}", False, place))
             return formula
-        return condition(text, sense == "true", place)
+        return condition(text, sense == "true", place, stable=chooser in self._stable)
 
 
 def _function(block: str) -> str:
