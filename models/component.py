@@ -171,8 +171,8 @@ def _behavior_json(behavior: Behavior) -> dict[str, Any]:
         "state_variables": [_variable_json(variable) for variable in behavior.state_variables],
         "configuration": [_variable_json(variable) for variable in behavior.configuration],
         "transitions": [
-            {"variable": t.variable, "field": t.field, "trigger": list(t.trigger), **_guard_json("guard", t.guard), "value": t.value,
-             "at": str(t.at)}
+            {"variable": t.variable, **({} if t.field is None else {"field": t.field}), "trigger": list(t.trigger),
+             **_guard_json("guard", t.guard), "value": t.value, "at": str(t.at)}
             for t in behavior.transitions
         ],
         "reactive_deferred": [vars(deferred) for deferred in behavior.deferred],

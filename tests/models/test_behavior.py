@@ -45,7 +45,7 @@ def lines(document: dict[str, Any]) -> list[str]:
         + [f"state {v['name']} = {v['initial']}" for v in document["state_variables"]]
         + [f"config {v['name']} = {v['initial']} {v.get('from_param')}" for v in document["configuration"]]
         + [
-            f"transition {t['variable']} . {t['field']} on {known(t['trigger'])} [{t['guard'] or ''}] := {t['value']}"
+            f"transition {t['variable']} . {t.get('field')} on {known(t['trigger'])} [{t['guard'] or ''}] := {t['value']}"
             for t in document["transitions"]
         ]
     )
