@@ -90,6 +90,9 @@ class Behavior:
     deferred: tuple[Deferred, ...]
 
 
+NOTHING = Behavior((), (), (), (), (), ())
+
+
 def build_behavior(relations: Relations, places: Mapping[str, Place], ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> Behavior:
     """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
     guards = Guards(relations, places)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rosarch.models import formula
-from rosarch.models.behavior import Behavior, StateVariable, build_behavior
+from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior
 from rosarch.models.formula import Formula
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
@@ -58,7 +58,7 @@ class ComponentModel:
     sources: tuple[str, ...]
     ports: tuple[Port, ...]
     params: tuple[Parameter, ...]
-    behavior: Behavior
+    behavior: Behavior = NOTHING
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
