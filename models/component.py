@@ -4,23 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
+
+from rosarch.models import formula
+from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior
+from rosarch.models.formula import Formula
+from rosarch.models.numbers import calculated
+from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
-
-
-@dataclass(frozen=True)
-class Place:
-    """Where in the source something is written; `path` is relative to the workspace."""
-
-    path: str
-    line: int
-    column: int
-
-    def __str__(self) -> str:
-        return f"{self.path}:{self.line}"
 
 
 @dataclass(frozen=True)
@@ -64,14 +58,17 @@ class ComponentModel:
     sources: tuple[str, ...]
     ports: tuple[Port, ...]
     params: tuple[Parameter, ...]
+    behavior: Behavior = NOTHING
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
     """Assemble the model from the rows of the rules' output relations."""
     places = {row[0]: Place(*row[1:]) for row in relations["node_location"]}
     names = sorted(name for (name,) in relations["node_name"])
+    ports, ids = _ports(relations, places)
+    behavior = build_behavior(relations, places, ids, tuple(relations["port_callback"]))
     return ComponentModel(
-        system, component, package, kind, names[0] if names else None, sources, _ports(relations, places), _parameters(relations, places)
+        system, component, package, kind, names[0] if names else None, sources, ports, _parameters(relations, places), behavior
     )
 
 
@@ -80,40 +77,45 @@ def _first(rows: Iterable[Row]) -> dict[Any, Any]:
     return {row[0]: row[1] for row in sorted(rows, key=lambda row: (repr(row[0]), str(row[1])), reverse=True)}
 
 
-def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[Port, ...]:
+def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[tuple[Port, ...], dict[Row, str]]:
+    """The ports, and the ids of those that are not implicit by their record."""
     types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
-    found = []
+    found: list[tuple[Row | None, Port]] = []
     for (port,) in relations["port"]:
         site, kind, name = port
         if site not in places:
             continue
         found.append(
-            Port(
-                "",
-                kind,
-                name,
-                parameters.get(port),
-                types.get(port),
-                int(queues[port]) if port in queues else None,
-                port in latched,
-                callbacks.get(port),
-                via.get(port, "plain"),
-                places[site],
-                False,
-                unknown.get(port),
+            (
+                port,
+                Port(
+                    "",
+                    kind,
+                    name,
+                    parameters.get(port),
+                    types.get(port),
+                    int(queues[port]) if port in queues else None,
+                    port in latched,
+                    callbacks.get(port),
+                    via.get(port, "plain"),
+                    places[site],
+                    False,
+                    unknown.get(port),
+                ),
             )
         )
     for port, type_ in relations["implicit_port"]:
         site, kind, name = port
         if site in places:
-            found.append(Port("", kind, name, None, type_, None, False, inner.get(port), "plain", places[site], True))
-    found.sort(key=lambda port: (port.implicit, port.at.path, port.at.line, port.at.column, port.kind, port.name, port.type or ""))
-    return tuple(Port(f"p{number}", *list(vars(port).values())[1:]) for number, port in enumerate(found, 1))
+            found.append((None, Port("", kind, name, None, type_, None, False, inner.get(port), "plain", places[site], True)))
+    found.sort(key=lambda item: (item[1].implicit, item[1].at, item[1].kind, item[1].name, item[1].type or ""))
+    ports = tuple(replace(port, id=f"p{number}") for number, (_, port) in enumerate(found, 1))
+    return ports, {record: port.id for (record, _), port in zip(found, ports, strict=True) if record is not None}
 
 
 def _short_name(owner: str, name: str) -> str:
@@ -158,12 +160,40 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "params": [
             {"name": p.name, "op": p.op, "type": p.type, "default": _literal(p.default, p.type), "at": str(p.at)} for p in model.params
         ],
-        "periodic": [],
-        "reactive": [],
-        "state_variables": [],
-        "configuration": [],
-        "transitions": [],
+        **_behavior_json(model.behavior),
     }
+
+
+def _behavior_json(behavior: Behavior) -> dict[str, Any]:
+    return {
+        "periodic": [
+            {"mechanism": p.mechanism, "hz": p.hz, "hz_from_param": p.hz_from_param, "publishes": list(p.publishes), "at": str(p.at),
+             **_guard_json("conditional", p.guard)}
+            for p in behavior.periodic
+        ],
+        "reactive": [
+            {"input": r.input, "output": r.output, "at": [str(place) for place in r.at], "must": r.must, **_guard_json("when", r.guard)}
+            for r in behavior.reactive
+        ],
+        "state_variables": [_variable_json(variable) for variable in behavior.state_variables],
+        "configuration": [_variable_json(variable) for variable in behavior.configuration],
+        "transitions": [
+            {"variable": t.variable, **({} if t.field is None else {"field": t.field}), "trigger": list(t.trigger),
+             **_guard_json("guard", t.guard), "value": t.value, "at": str(t.at)}
+            for t in behavior.transitions
+        ],
+        "reactive_deferred": [vars(deferred) for deferred in behavior.deferred],
+    }  # fmt: skip
+
+
+def _guard_json(key: str, guard: Formula) -> dict[str, Any]:
+    return {key: formula.text(guard), f"{key}_tree": formula.tree(guard)}
+
+
+def _variable_json(variable: StateVariable) -> dict[str, Any]:
+    domain = None if variable.domain is None else list(variable.domain)
+    data = {"name": variable.name, "type": variable.type, "initial": variable.initial, "domain": domain, "at": str(variable.at)}
+    return data if variable.from_param is None else {**data, "from_param": variable.from_param}
 
 
 def _port_json(port: Port) -> dict[str, Any]:
@@ -187,6 +217,8 @@ def _literal(text: str | None, type_: str | None) -> str | float | int | bool | 
         return text
     if text in ("true", "false"):
         return text == "true"
+    if text.startswith("(") and (value := calculated(text)) is not None:
+        return value
     number = _NUMBER.fullmatch(text)
     if number is None:
         return text

@@ -12,7 +12,7 @@ from rosarch.extractor.pipeline import ComponentFacts, Progress, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import Diagnostic
 from rosarch.models.analysis import COMPONENT_TIMEOUT, component_program
-from rosarch.models.component import Place
+from rosarch.models.places import Place
 
 SLOW = 2.0  # seconds for one source: beyond, a reader will want to know
 

@@ -102,6 +102,9 @@ def _lower_operator(body: Body, tree: Tree, target: Cursor, name: str, operator:
         if "@" in function or operator == "()":  # the workspace's own operators, and called function objects
             body.unit.add("call", expr, name)
             body.unit.add("call_function", expr, function)
+            if operator == "()":
+                called = body.unit.span(parts[0].cursor)
+                body.unit.call_sites[id(called.file)].add(called.end)
             member = libclang.template_kind(target) if target.kind == kinds.FUNCTION_TEMPLATE else target.kind
             _operator_arguments(body, expr, member=member == kinds.METHOD)
             body.flow.evaluate(expr)

@@ -35,7 +35,9 @@ def operator_expression(body: Body, tree: Tree, form: str, name: str, operands: 
     body.unit.add("operator", expr, name)
     assigns = name in _ASSIGNMENTS
     for index, operand in enumerate(operands):
-        body.unit.add("operand", expr, index, lower_expression(body, operand, text=assigns and index == 1))
+        body.unit.add("operand", expr, index, lower_expression(body, operand, text=assigns))
+    if name in ("++", "--"):
+        body.unit.add("expr_text", expr, body.unit.text(body.unit.span(tree.cursor)))
     if name in _ARITHMETIC:
         _record_constant(body, tree, expr)
     if assigns or name in ("++", "--", "<<", ">>", "delete"):  # of streams, the last ones write
@@ -132,7 +134,7 @@ def _lower_binary(body: Body, tree: Tree) -> str:
 
 def _lower_logical(body: Body, tree: Tree, name: str, operands: list[Tree]) -> str:
     """The right operand of `&&` and `||` is a branch of its own when it evaluates anything."""
-    left = lower_expression(body, operands[0])
+    left = lower_expression(body, operands[0], text=True)
     right = _maybe(body, left, operands[1], taken=name == "&&")
     expr, _ = body.node(tree, "op")
     body.unit.add("operator", expr, name)

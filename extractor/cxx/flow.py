@@ -21,6 +21,15 @@ class Block:
     loop: str | None = None
 
 
+@dataclass(eq=False)
+class Loop:
+    """A loop: the block that chooses between a further round and the end, and the blocks of its test and of its body."""
+
+    head: Block | None = None
+    test: list[Block] = field(default_factory=list)
+    body: list[Block] = field(default_factory=list)
+
+
 @dataclass
 class Switch:
     """A switch in work: the block that chooses, and whether it has a default."""
@@ -41,6 +50,9 @@ class Flow:
         self._handlers: list[tuple[list[Block], bool]] = []
         self._switches: list[Switch] = []
         self._labels: dict[str, Block] = {}
+        self._loops: list[Loop] = []
+        self._open: list[list[Block]] = []
+        self._marks: list[tuple[int, Block, int]] = []
 
     def evaluate(self, expr: str) -> None:
         """Record that `expr`, which may have an effect, is evaluated now."""
@@ -52,10 +64,16 @@ class Flow:
         """Record that the variable named by `expr` is read (or named as a target) now."""
         self.current.exprs.append(expr)
 
+    def mark(self, offset: int) -> None:
+        """What stands after `offset`, and clang drops, would be evaluated now."""
+        self._marks.append((offset, self.current, len(self.current.exprs)))
+
     def block(self) -> Block:
         """Make a block; inside a try block it may pass to each handler, out to the first that catches everything."""
         block = Block()
         self._blocks.append(block)
+        for part in self._open:
+            part.append(block)
         for handlers, everything in reversed(self._handlers):
             block.edges += [(handler, "exception") for handler in handlers]
             if everything:
@@ -123,6 +141,18 @@ class Flow:
         yield
         self._handlers.pop()
 
+    def loop(self) -> Loop:
+        """A loop to be grown."""
+        self._loops.append(Loop())
+        return self._loops[-1]
+
+    @contextmanager
+    def within(self, part: list[Block]) -> Iterator[None]:
+        """Within, every block that is made belongs to `part` of a loop."""
+        self._open.append(part)
+        yield
+        self._open.pop()
+
     @contextmanager
     def switching(self, after: Block) -> Iterator[Switch]:
         """Within, `case` and `default` are entered from the current block, `break` leads to `after`."""
@@ -160,3 +190,9 @@ class Flow:
                 unit.add("block_condition", name, block.condition)
             if block.loop is not None:
                 unit.add("loop_head", name, block.loop)
+        unit.marks[function] = sorted((offset, names[id(block)], index) for offset, block, index in self._marks if id(block) in names)
+        for loop in self._loops:
+            for part, blocks in (("test", loop.test), ("body", loop.body)):
+                for block in blocks:
+                    if id(block) in names and id(loop.head) in names:
+                        unit.add("loop_block", names[id(loop.head)], names[id(block)], part)

@@ -8,14 +8,14 @@ made here is marked: `call_unresolved(call, "recovered")`.
 from __future__ import annotations
 
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from rosarch.extractor.cxx.declarations import declare_unknown_type
 from rosarch.extractor.cxx.literals import decode_string
-from rosarch.extractor.cxx.unit import FunctionSpan, SourceFile, Span, UnitFacts
+from rosarch.extractor.cxx.unit import TEXT_LIMIT, FunctionSpan, SourceFile, Span, UnitFacts
 
 _HIDDEN = re.compile(
     rb"""//[^\n]*|/\*.*?\*/|R"(?P<mark>[^()\s\\]{0,16})\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'"""
@@ -139,7 +139,17 @@ class _Reader:
     def node(self, begin: int, end: int, form: str) -> str:
         expr = self.unit.node(Span(self.holder.file, begin, end), form)
         self.unit.add("expr_function", expr, self.holder.function)
+        if form in ("call", "op"):
+            self._place(expr, begin)
         return expr
+
+    def _place(self, expr: str, offset: int) -> None:
+        """Put an expression into the control-flow graph, behind the statement before it."""
+        marks = self.unit.marks.get(self.holder.function, [])
+        index = bisect_right(marks, (offset, "\uffff", 0)) - 1
+        if index >= 0:
+            _, block, position = marks[index]
+            self.unit.add("block_expr", block, position, expr)
 
     def source(self, begin: int, end: int) -> str:
         return self.holder.file.data[begin:end].decode("utf-8", "replace")
@@ -160,7 +170,7 @@ class _Reader:
         for read in (self._literal, self._sum, self._name, self._call):
             expr = read(text, begin, end)
             if expr is not None:
-                self.unit.add("expr_text", expr, " ".join(text.split())[:500])
+                self.unit.add("expr_text", expr, " ".join(text.split())[:TEXT_LIMIT])
                 return expr
         expr = self.node(begin, end, "unknown")
         self.unit.add("expr_unknown", expr, "recovered")

@@ -15,7 +15,7 @@ from rosarch.extractor.cxx.libclang import Tree
 def lower_statement(body: Body, tree: Tree) -> None:
     """Record the statement at `tree`."""
     if kinds.is_expression(tree.kind):
-        lower_expression(body, tree)
+        lower_expression(body, tree, text=True)
         return
     lower = _STATEMENTS.get(tree.kind)
     if lower is not None:
@@ -70,6 +70,20 @@ def _lower_each(body: Body, tree: Tree) -> None:
         lower_statement(body, child)
 
 
+def _lower_arm(body: Body, tree: Tree) -> None:
+    """A statement that begins a block."""
+    body.flow.mark(body.unit.span(tree.cursor).begin)
+    lower_statement(body, tree)
+
+
+def _lower_compound(body: Body, tree: Tree) -> None:
+    """Statements in a row; clang drops those that it does not understand, so where each ends is marked."""
+    body.flow.mark(body.unit.span(tree.cursor).begin)
+    for child in tree.children:
+        lower_statement(body, child)
+        body.flow.mark(body.unit.span(child.cursor).end)
+
+
 def _lower_declaration(body: Body, tree: Tree) -> None:
     from rosarch.extractor.cxx.walk import walk_class  # a class in a function has functions of its own
 
@@ -106,11 +120,11 @@ def _lower_if(body: Body, tree: Tree) -> None:
     yes, no = flow.branch(condition)
     after = flow.block()
     flow.start(yes)
-    lower_statement(body, arms[0])
+    _lower_arm(body, arms[0])
     flow.to(after)
     flow.start(no)
     if len(arms) > 1:
-        lower_statement(body, arms[1])
+        _lower_arm(body, arms[1])
     flow.to(after)
     flow.start(after)
 
@@ -118,26 +132,30 @@ def _lower_if(body: Body, tree: Tree) -> None:
 def _loop(body: Body, kind: str, condition: Callable[[], str | None], again: Callable[[], None] | None, inner: Tree) -> None:
     """A loop that tests `condition` first; `again` reads the increment of a for loop."""
     flow = body.flow
-    head = flow.block()
-    flow.to(head)
-    flow.start(head)
-    test = condition()
+    loop = flow.loop()
+    with flow.within(loop.test):
+        head = flow.block()
+        flow.to(head)
+        flow.start(head)
+        test = condition()
+    loop.head = flow.current
     flow.current.loop = kind
     after = flow.block()
-    start = flow.block()
-    flow.current.condition = test
-    flow.to(start, "true" if test else "next")
-    if test:
-        flow.to(after, "false")
-    step = flow.block() if again is not None else head
-    flow.start(start)
-    with flow.breaking(after, step):
-        lower_statement(body, inner)
-    flow.to(step)
-    if again is not None:
-        flow.start(step)
-        again()
-        flow.to(head)
+    with flow.within(loop.body):
+        start = flow.block()
+        flow.current.condition = test
+        flow.to(start, "true" if test else "next")
+        if test:
+            flow.to(after, "false")
+        step = flow.block() if again is not None else head
+        flow.start(start)
+        with flow.breaking(after, step):
+            _lower_arm(body, inner)
+        flow.to(step)
+        if again is not None:
+            flow.start(step)
+            again()
+            flow.to(head)
     flow.start(after)
 
 
@@ -148,14 +166,20 @@ def _lower_while(body: Body, tree: Tree) -> None:
 
 def _lower_do(body: Body, tree: Tree) -> None:
     flow = body.flow
-    start, test, after = flow.block(), flow.block(), flow.block()
-    flow.to(start)
-    flow.start(start)
-    with flow.breaking(after, test):
-        lower_statement(body, tree.children[0])
-    flow.to(test)
-    flow.start(test)
-    condition = _condition(body, tree.children[1:])
+    loop = flow.loop()
+    after = flow.block()
+    with flow.within(loop.body):
+        start = flow.block()
+        with flow.within(loop.test):
+            test = flow.block()
+        flow.to(start)
+        flow.start(start)
+        with flow.breaking(after, test):
+            _lower_arm(body, tree.children[0])
+        flow.to(test)
+        flow.start(test)
+        condition = _condition(body, tree.children[1:])
+    loop.head = flow.current
     flow.current.loop = "do"
     flow.current.condition = condition
     flow.to(start, "true")
@@ -239,6 +263,7 @@ def _lower_case(body: Body, tree: Tree) -> None:
     if tree.kind == kinds.CASE:
         rest = tree.children[-1:] if len(tree.children) > 1 else []
     flow.start(block)
+    flow.mark(body.unit.span(tree.cursor).begin)
     for child in rest:
         lower_statement(body, child)
 
@@ -289,7 +314,7 @@ def _lower_label(body: Body, tree: Tree) -> None:
 
 
 _STATEMENTS: dict[int, Callable[[Body, Tree], None]] = {
-    kinds.COMPOUND: _lower_each,
+    kinds.COMPOUND: _lower_compound,
     kinds.DECLARATION_STATEMENT: _lower_declaration,
     kinds.IF: _lower_if,
     kinds.WHILE: _lower_while,

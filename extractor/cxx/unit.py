@@ -16,7 +16,7 @@ from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range
 from rosarch.extractor.files import path_text, read_file
 
-TEXT_LIMIT = 500
+TEXT_LIMIT = 2000
 
 
 @lru_cache(maxsize=4096)
@@ -72,7 +72,8 @@ class UnitFacts:
     """Rows and identifiers of one translation unit.
 
     `call_sites` holds, per file, the offsets at which the names of the calls met so far end; `remnants`
-    are names of methods whose calls clang dropped, with the offset at which the name ends; `skipped`, per path, the
+    are names of methods whose calls clang dropped, with the offset at which the name ends; `marks`, per function, tell which
+    block and index in it what stands after an offset belongs to; `skipped`, per path, the
     ranges that conditional compilation leaves out.
     """
 
@@ -86,6 +87,7 @@ class UnitFacts:
     call_sites: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
     recovered: dict[tuple[int, int], str] = field(default_factory=dict)
     remnants: list[tuple[str, SourceFile, int]] = field(default_factory=list)
+    marks: dict[str, list[tuple[int, str, int]]] = field(default_factory=dict)
     skipped: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
     _ids: dict[str, int] = field(default_factory=dict)
     _files: dict[str, SourceFile] = field(default_factory=dict)

@@ -15,6 +15,9 @@ NAMES = (
     "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_via", "implicit_port",
     "implicit_port_callback", "node_location",
     "function_display", "parameter_access", "parameter_access_default", "parameter_access_type", "node_name",
+    "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
+    "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step", "silent_condition", "switch_case",
+    "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
 )  # fmt: skip
 FIELDS = [
     "system",
@@ -30,6 +33,7 @@ FIELDS = [
     "state_variables",
     "configuration",
     "transitions",
+    "reactive_deferred",
 ]
 PORT_FIELDS = ["id", "kind", "name", "from_param", "type", "queue", "latched", "callback", "via", "at", "conditional"]
 
@@ -68,7 +72,7 @@ def test_the_whole_document() -> None:
             {"id": "p2", "kind": "subscriber", "name": "in", "from_param": None, "type": "std_msgs/Empty", "queue": None, "latched": False, "callback": "N::on_in", "via": "plain", "at": "pkg/n.cpp:8", "conditional": None},
         ],
         "params": [{"name": "~topic", "op": "read", "type": "string", "default": "out", "at": "pkg/n.cpp:9"}],
-        "periodic": [], "reactive": [], "state_variables": [], "configuration": [], "transitions": [],
+        "periodic": [], "reactive": [], "state_variables": [], "configuration": [], "transitions": [], "reactive_deferred": [],
     }  # fmt: skip
 
 

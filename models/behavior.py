@@ -1,0 +1,291 @@
+"""What a component does: periodic and reactive sending, state variables and their transitions, from the relations that the rules derive."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from rosarch.models import formula
+from rosarch.models.formula import Formula
+from rosarch.models.guards import Guards
+from rosarch.models.numbers import calculated, frequency
+from rosarch.models.places import Place
+
+Row = tuple[Any, ...]
+Relations = Mapping[str, Iterable[Row]]
+PortIds = Mapping[Any, str]
+
+
+@dataclass(frozen=True)
+class Periodic:
+    """What a timed loop or timer sends under one guard; `hz` is None when the frequency is not known."""
+
+    mechanism: str
+    hz: float | None
+    hz_from_param: str | None
+    publishes: tuple[str, ...]
+    at: Place
+    guard: Formula
+
+
+@dataclass(frozen=True)
+class Reactive:
+    """The component sends through `output` when something arrives at `input`; `must`: always."""
+
+    input: str
+    output: str
+    at: tuple[Place, ...]
+    must: bool
+    guard: Formula
+
+
+@dataclass(frozen=True)
+class Deferred:
+    """What arrives at `input` is kept in `variable`, from which a timed loop or timer later makes what it sends through `output`."""
+
+    input: str
+    output: str
+    variable: str
+
+
+@dataclass(frozen=True)
+class StateVariable:
+    """A variable that decides what the component does; `initial` is C++ text, or the default of `from_param`.
+
+    `domain` has the values that it can have, in C++; it is None when they cannot be listed.
+    """
+
+    name: str
+    type: str
+    initial: str | None
+    from_param: str | None
+    domain: tuple[str, ...] | None
+    at: Place
+
+
+@dataclass(frozen=True)
+class Transition:
+    """An assignment to a state variable; `field` is the part that is assigned, `trigger` has port ids and kinds of activities."""
+
+    variable: str
+    field: str | None
+    trigger: tuple[str, ...]
+    guard: Formula
+    value: str | None
+    at: Place
+
+
+@dataclass(frozen=True)
+class Behavior:
+    """All of it."""
+
+    periodic: tuple[Periodic, ...]
+    reactive: tuple[Reactive, ...]
+    state_variables: tuple[StateVariable, ...]
+    configuration: tuple[StateVariable, ...]
+    transitions: tuple[Transition, ...]
+    deferred: tuple[Deferred, ...]
+
+
+NOTHING = Behavior((), (), (), (), (), ())
+
+
+def build_behavior(relations: Relations, places: Mapping[str, Place], ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> Behavior:
+    """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
+    guards = Guards(relations, places)
+    names = {row[0]: _variable_name(row[1], row[2], row[3]) for row in sorted(relations["variable_display"])}
+    return Behavior(
+        _periodic(relations, places, ports, guards),
+        _reactive(relations, places, ports, guards, callbacks),
+        _variables("state_variable", relations, places, names),
+        _variables("configuration_variable", relations, places, names),
+        _transitions(relations, places, names, guards, _triggers(relations, ports, callbacks)),
+        _deferred(relations, ports, names),
+    )
+
+
+def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards) -> tuple[Periodic, ...]:
+    rates: dict[str, list[tuple[float | None, str | None]]] = defaultdict(list)
+    for site, amount, per_second, parameter in sorted(relations["period"]):
+        rates[site].append((frequency(amount, per_second), parameter or None))
+    sent: dict[tuple[str, str], dict[Formula, set[str]]] = defaultdict(lambda: defaultdict(set))
+    roots = sorted(relations["periodic"])
+    for site, port, call in sorted(relations["sends_periodically"], key=repr):
+        if port in ports:
+            for other, root, _mechanism in roots:
+                if other == site:
+                    sent[site, root][guards.guard(root, call)].add(ports[port])
+    found = []
+    for site, root, mechanism in roots:
+        hz, parameter = _best_rate(rates[site])
+        for guard, published in (sent[site, root] or {formula.TRUE: set()}).items():
+            found.append(Periodic(mechanism, hz, parameter, tuple(sorted(published, key=_number)), places[site], guard))
+    return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
+
+
+def _best_rate(rates: list[tuple[float | None, str | None]]) -> tuple[float | None, str | None]:
+    """A known frequency if there is one, with the parameter it may be read from."""
+    known = [rate for rate in rates if rate[0] is not None]
+    parameters = sorted({parameter for _, parameter in rates if parameter})
+    return (known[0][0] if known else None), (parameters[0] if parameters else None)
+
+
+def _reactive(
+    relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards, callbacks: Iterable[tuple[Any, str]]
+) -> tuple[Reactive, ...]:
+    functions: dict[Any, list[str]] = defaultdict(list)
+    for port, function in callbacks:
+        functions[port].append(function)
+    calls: dict[tuple[Any, Any], list[str]] = defaultdict(list)
+    for source, sink, call in relations["reacts"]:
+        calls[source, sink].append(call)
+    always = set(relations["always_reacts"])
+    found = []
+    for (source, sink), sites in calls.items():
+        if source in ports and sink in ports:
+            found_guards = [guards.reached(function, site) for function in sorted(functions[source]) for site in sorted(sites)]
+            guard = formula.either(found_guards)
+            if not guard.alternatives:
+                continue  # the conditions on the way contradict each other
+            at = tuple(sorted(places[site] for site in sites))
+            found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
+    return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
+
+
+def _deferred(relations: Relations, ports: PortIds, names: Mapping[str, str]) -> tuple[Deferred, ...]:
+    found = {
+        Deferred(ports[source], ports[sink], names[variable])
+        for source, sink, variable in relations["reacts_deferred"]
+        if source in ports and sink in ports and variable in names
+    }
+    return tuple(sorted(found, key=lambda d: (_number(d.input), _number(d.output), d.variable)))
+
+
+def _number(port: str) -> int:
+    return int(port[1:])
+
+
+def _variable_name(scope: str, owner: str, name: str) -> str:
+    """`Class::member`, `Class::method::static`, `function::static`, `::global`, without namespaces."""
+    parts = owner.split("::")
+    return f"{'::'.join(parts[-2:] if scope else parts[-1:])}::{name}"
+
+
+def _variables(relation: str, relations: Relations, places: Mapping[str, Place], names: Mapping[str, str]) -> tuple[StateVariable, ...]:
+    texts: dict[str, str] = dict(relations["node_text"])
+    types = {row[0]: row[4] for row in relations["variable_display"]}
+    read = {node: (text, parameter) for node, text, parameter in sorted(relations["node_value"], reverse=True)}
+    values: dict[str, list[tuple[int, Place, str]]] = defaultdict(list)
+    for variable, order, node in relations["initial_value"]:
+        if node in places:
+            values[variable].append((order, places[node], node))
+    constants = {node for (node,) in relations["constant_node"]}
+    given = _given(relations, values)
+    found = []
+    for (variable,) in relations[relation]:
+        if variable in places and variable in names:
+            initial, parameter = _initial(sorted(values[variable]), texts, read, names[variable].rpartition("::")[2])
+            domain = _domain(types[variable], given[variable], texts, constants) if parameter is None else None
+            found.append(StateVariable(names[variable], types[variable], initial, parameter, domain, places[variable]))
+    return tuple(sorted(found, key=lambda v: (v.at, v.name)))
+
+
+def _given(relations: Relations, values: Mapping[str, list[tuple[int, Place, str]]]) -> dict[str, set[str]]:
+    """All that each variable is given, at the start and later; an assignment that is no plain one stands for itself."""
+    given: dict[str, set[str]] = defaultdict(set)
+    for variable, items in values.items():
+        given[variable].update(node for _, _, node in items)
+    parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
+    for assignment, variable, _root in relations["transition"]:
+        how, _target, value = parts.get(assignment, ("call", "", ""))
+        given[variable].add(value if how == "=" else assignment)
+    return given
+
+
+def _domain(type_: str, given: Iterable[str], texts: Mapping[str, str], constants: Collection[str]) -> tuple[str, ...] | None:
+    """Both truth values, or the constants that a variable is given when it is given nothing else."""
+    if type_.rpartition(" ")[2] == "bool":
+        return ("false", "true")
+    nodes = sorted(given)
+    return tuple(sorted({texts[node] for node in nodes})) if nodes and all(node in constants and node in texts for node in nodes) else None
+
+
+def _initial(
+    values: list[tuple[int, Place, str]], texts: Mapping[str, str], read: Mapping[str, tuple[str, str]], name: str
+) -> tuple[str | None, str | None]:
+    """The value that is given last, and the parameter that it is read from; of several parts of a variable none is its value."""
+    initial, parameter = None, None
+    for order, _place, node in values:
+        if node in read:
+            parameter = read[node][1]
+            initial = _number_text(read[node][0]) if read[node][0] != "?" else initial
+        elif order > 0 or len(values) == 1:
+            initial = _constructed(texts.get(node, initial), name)
+    return initial, parameter
+
+
+def _number_text(text: str) -> str:
+    """Numbers that are left to be calculated as the number that they make."""
+    value = calculated(text) if text.startswith("(") else None
+    return text if value is None else repr(value)
+
+
+def _constructed(text: str | None, name: str) -> str | None:
+    """The argument in `name(argument)`, a declaration's or an initialiser list's way to give a value; of a mere `name` nothing is known."""
+    if text == name:
+        return None
+    match = re.fullmatch(rf"{re.escape(name)}\s*(?:\((.*)\)|\{{(.*)\}})", text or "", re.DOTALL)
+    return (match.group(1) or match.group(2) or None) if match else text
+
+
+def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> dict[str, tuple[str, ...]]:
+    """What starts each activity: port ids for callbacks, else a word."""
+    found: dict[str, set[str]] = defaultdict(set)
+    words = {"timer": "periodic", "loop": "periodic", "thread": "thread", "signal": "signal", "end": "main", "main": "main"}
+    for root, kind in relations["activity"]:
+        if kind in words:
+            found[root].add(words[kind])
+    for port, function in callbacks:
+        if port in ports:
+            found[function].add(ports[port])
+    return {root: tuple(sorted(triggers)) for root, triggers in found.items()}
+
+
+def _transitions(
+    relations: Relations, places: Mapping[str, Place], names: Mapping[str, str], guards: Guards, triggers: Mapping[str, tuple[str, ...]]
+) -> tuple[Transition, ...]:
+    texts: dict[str, str] = dict(relations["node_text"])
+    parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
+    found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
+    for assignment, variable, root in relations["transition"]:
+        guard = guards.reached(root, assignment)
+        if guard.alternatives:  # else the conditions on the way contradict each other
+            found[assignment, variable, guard].update(triggers.get(root, ()))
+    result = []
+    for (assignment, variable, guard), causes in found.items():
+        how, target, value = parts.get(assignment, ("call", "", ""))
+        if assignment in places and variable in names:
+            field = _field(texts.get(target, ""), names[variable])
+            text = _value(how, texts.get(assignment), texts.get(target), texts.get(value))
+            result.append(Transition(names[variable], field, tuple(sorted(causes)), guard, text, places[assignment]))
+    return tuple(sorted(result, key=lambda t: (t.at, t.variable, formula.text(t.guard) or "", t.trigger)))
+
+
+def _field(target: str, name: str) -> str | None:
+    """The part of the variable that is assigned: of `cmd->linear.x` it is `linear.x`."""
+    match = re.search(rf"\b{re.escape(name.rpartition('::')[2])}\b(?:\.|->)(.+)$", target)
+    return match.group(1) if match else None
+
+
+def _value(how: str, whole: str | None, target: str | None, value: str | None) -> str | None:
+    """The new value as C++ text."""
+    if how == "=":
+        return value
+    if how.endswith("=") and target is not None and value is not None:
+        operator = how[:-1]
+        looser = formula.loosest(value) and not (operator in "+-" and re.fullmatch(r"[^+-]*", value)) and not value.startswith("(")
+        return f"{target} {operator} ({value})" if looser else f"{target} {operator} {value}"
+    return whole

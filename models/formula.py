@@ -1,0 +1,204 @@
+"""Conditions as boolean formulas: built from the conditions that the source spells, simplified, and written as C++ text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from rosarch.models.places import Place
+
+MOST_ALTERNATIVES = 24
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text are equal.
+
+    A `stable` condition has one value as long as an activity runs: it cannot hold here and not there.
+    """
+
+    text: str
+    holds: bool
+    place: Place | None = field(default=None, compare=False)
+    stable: bool = field(default=False, compare=False)
+
+    @property
+    def key(self) -> tuple[str, bool]:
+        """What makes two conditions the same."""
+        return self.text, self.holds
+
+    @property
+    def opposite(self) -> tuple[str, bool]:
+        """The key of the negated condition."""
+        return self.text, not self.holds
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A disjunction of conjunctions in the order of evaluation: none is false, one that is empty is true."""
+
+    alternatives: tuple[tuple[Condition, ...], ...]
+
+
+TRUE = Formula(((),))
+FALSE = Formula(())
+
+
+def condition(text: str, holds: bool, place: Place | None = None, *, stable: bool = False) -> Formula:
+    """The formula of one condition."""
+    return Formula(((Condition(text, holds, place, stable),),))
+
+
+def both(first: Formula, second: Formula) -> Formula:
+    """The conjunction; the conditions of `first` come first."""
+    return _simplify(_joined(one, other) for one in first.alternatives for other in second.alternatives)
+
+
+def either(formulas: Iterable[Formula]) -> Formula:
+    """The disjunction."""
+    return _simplify(conjunction for formula in formulas for conjunction in formula.alternatives)
+
+
+def _joined(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tuple[Condition, ...] | None:
+    """Both conjunctions in one; None when they contradict each other, with nothing that may change between."""
+    known = {item.key for item in first}
+    stable = {item.key for item in first if item.stable}
+    if any(item.stable and item.opposite in stable for item in second):
+        return None
+    return first + tuple(item for item in second if item.key not in known)
+
+
+def _simplify(conjunctions: Iterable[tuple[Condition, ...] | None]) -> Formula:
+    """Merge alternatives that differ in one condition, leave out those that others imply, and bound their number."""
+    kept = list(dict.fromkeys(c for c in conjunctions if c is not None))
+    changed = True
+    while changed and len(kept) > 1:
+        changed = False
+        for index, first in enumerate(kept):
+            for other, second in enumerate(kept):
+                if index == other:
+                    continue
+                shorter = _without_opposite(first, second)
+                if shorter is not None:
+                    kept[other] = shorter
+                    changed = True
+        kept = _minimal(kept)
+    if len(kept) > MOST_ALTERNATIVES:  # weaker, but still true: what all alternatives share
+        return Formula((_common(kept),))
+    return Formula(tuple(kept))
+
+
+def _without_opposite(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tuple[Condition, ...] | None:
+    """`second` without the condition that `first` makes superfluous: in `(a && b) || (a && !b && c)` the `!b`."""
+    keys = {item.key for item in second}
+    different = [item for item in first if item.key not in keys]
+    if len(different) == 1 and different[0].opposite in keys:
+        return tuple(item for item in second if item.key != different[0].opposite)
+    return None
+
+
+def _minimal(conjunctions: list[tuple[Condition, ...]]) -> list[tuple[Condition, ...]]:
+    """Leave out every conjunction that says more than another one."""
+    sets = [{item.key for item in conjunction} for conjunction in conjunctions]
+    return [
+        conjunction
+        for index, conjunction in enumerate(conjunctions)
+        if not any(sets[other] < sets[index] or (sets[other] == sets[index] and other < index) for other in range(len(sets)))
+    ]
+
+
+def _common(conjunctions: list[tuple[Condition, ...]]) -> tuple[Condition, ...]:
+    shared = set.intersection(*({item.key for item in conjunction} for conjunction in conjunctions))
+    return tuple(item for item in conjunctions[0] if item.key in shared)
+
+
+def text(formula: Formula) -> str | None:
+    """The formula in C++; None when it is true, `false` when it never holds. What all alternatives share comes first."""
+    if formula == TRUE:
+        return None
+    if not formula.alternatives:
+        return "false"
+    common = _common(list(formula.alternatives))
+    shared = {item.key for item in common}
+    rest = [tuple(item for item in conjunction if item.key not in shared) for conjunction in formula.alternatives]
+    parts = [_item(item, alone=len(common) == 1 and not rest[0]) for item in common]
+    if rest[0] and all(len(conjunction) == 1 and _negative(conjunction[0]) for conjunction in rest):
+        parts.append(f"!({' && '.join(_opposite(conjunction[0]) for conjunction in rest)})")
+    elif rest[0]:
+        choice = " || ".join(_conjunction(conjunction, alone=False) for conjunction in rest)
+        parts.append(f"({choice})" if parts else choice)
+    return " && ".join(parts)
+
+
+def _negative(item: Condition) -> bool:
+    return not item.holds or (item.text.startswith("!") and loosest(item.text[1:]) == "")
+
+
+def _opposite(item: Condition) -> str:
+    """The negation of a negative condition, without a double one."""
+    return item.text[1:] if item.holds else _item(Condition(item.text, True), alone=False)
+
+
+def _conjunction(items: tuple[Condition, ...], *, alone: bool) -> str:
+    joined = " && ".join(_item(item, alone=len(items) == 1) for item in items)
+    return f"({joined})" if len(items) > 1 and not alone else joined
+
+
+def _item(item: Condition, *, alone: bool) -> str:
+    if not item.holds:
+        return negation(item.text)
+    return f"({item.text})" if not alone and loosest(item.text) in ("||", "?", ",", "=") else item.text
+
+
+def negation(source: str) -> str:
+    """The negated condition in C++."""
+    return f"!{source}" if loosest(source) == "" else f"!({source})"
+
+
+_ORDER = (",", "=", "?", "||", "&&", "op")
+
+
+def loosest(source: str) -> str:
+    """The operator outside of all brackets that binds least: `,`, `=`, `?`, `||`, `&&`, `op` for any other, or none."""
+    depth, found, index = 0, set(), 0
+    quote = ""
+    while index < len(source):
+        char, pair = source[index], source[index : index + 2]
+        if quote:
+            index += 1 if char == "\\" else 0
+            quote = "" if char == quote else quote
+        elif char in "\"'":
+            quote = char
+        elif char in "([{":
+            depth += 1
+        elif char in ")]}":
+            depth -= 1
+        elif depth == 0:
+            if pair in ("||", "&&"):
+                found.add(pair)
+                index += 1
+            elif pair == "->" or pair == "::":
+                index += 1
+            elif pair in ("==", "!=", "<=", ">="):
+                found.add("op")
+                index += 1
+            elif char in ",?":
+                found.add(char)
+            elif char == "=":
+                found.add("=")
+            elif not (char.isalnum() or char in "_. :"):
+                found.add("op")
+        index += 1
+    return next((operator for operator in _ORDER if operator in found), "")
+
+
+def tree(formula: Formula) -> dict[str, object] | None:
+    """The formula as nested objects: `all` and `any` of conditions with their text, place and whether they hold."""
+    if formula == TRUE:
+        return None
+    alternatives: list[dict[str, object]] = [{"all": [_leaf(item) for item in conjunction]} for conjunction in formula.alternatives]
+    return alternatives[0] if len(alternatives) == 1 else {"any": alternatives}
+
+
+def _leaf(item: Condition) -> dict[str, object]:
+    return {"condition": item.text, "holds": item.holds, "at": str(item.place) if item.place else None}

@@ -1,0 +1,95 @@
+"""Guards: the formula under which an activity reaches a point of the program, from the steps that the rules derive."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from rosarch.models.formula import FALSE, TRUE, Formula, both, condition, either
+from rosarch.models.places import Place
+
+Row = tuple[Any, ...]
+Relations = Mapping[str, Iterable[Row]]
+
+
+class Guards:
+    """Reads the relations once; `guard` answers for one activity and one expression."""
+
+    def __init__(self, relations: Relations, places: Mapping[str, Place]) -> None:
+        self._places = places
+        self._texts: dict[str, str] = dict(relations["node_text"])
+        self._blocks: dict[str, list[str]] = defaultdict(list)
+        for node, block in sorted(relations["node_block"]):
+            self._blocks[node].append(block)
+        self._steps: dict[str, list[Row]] = defaultdict(list)
+        for row in sorted(relations["guard_step"]):
+            self._steps[row[0]].append(row[1:])
+        self._silent = {row[0] for row in relations["silent_condition"]}
+        self._stable = {row[0] for row in relations["stable_condition"]}
+        self._cases: dict[str, list[str]] = defaultdict(list)
+        for chooser, value in sorted(relations["switch_case"]):
+            self._cases[chooser].append(value)
+        self._parts: dict[str, set[str]] = defaultdict(set)
+        for root, block in relations["activity_part"]:
+            self._parts[root].add(block)
+        self._entered: dict[str, set[str]] = defaultdict(set)
+        for root, function in relations["activity_enters"]:
+            self._entered[root].add(function)
+        self._known: dict[tuple[str, str], Formula] = {}
+
+    def guard(self, root: str, node: str) -> Formula:
+        """When the activity of `root` evaluates `node`; true when nothing is known."""
+        found = self.reached(root, node)
+        return found if found.alternatives else TRUE
+
+    def reached(self, root: str, node: str) -> Formula:
+        """As `guard`, but false when no way leads there."""
+        return either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
+
+    def _runs(self, root: str, block: str) -> bool:
+        return block in self._parts[root] or _function(block) in self._entered[root]
+
+    def _of(self, root: str, node: str, path: tuple[str, ...]) -> Formula:
+        """The guard of a block or function; a way that comes back to where it was adds nothing."""
+        if node == root or node == _function(root):
+            return TRUE
+        if node in path:
+            return FALSE
+        known = self._known.get((root, node))
+        if known is not None:
+            return known
+        steps = self._steps.get(node, ())
+        found = either(self._step(root, row, (*path, node)) for row in steps) if steps else TRUE
+        if not path:
+            self._known[root, node] = found
+        return found
+
+    def _step(self, root: str, row: Row, path: tuple[str, ...]) -> Formula:
+        before, chooser, sense, value = row
+        if before == root:
+            return TRUE
+        if sense == "always" and before != _function(path[-1]) and not self._runs(root, before):
+            return FALSE  # a call that this activity does not make
+        beyond = self._of(root, before, path)
+        return both(beyond, self._condition(chooser, sense, value)) if beyond.alternatives else FALSE
+
+    def _condition(self, chooser: str, sense: str, value: str) -> Formula:
+        text = self._texts.get(chooser)
+        if chooser in self._silent or text is None or sense not in ("true", "false", "case", "default"):
+            return TRUE
+        place = self._places.get(chooser)
+        if sense == "case":
+            return condition(f"{text} == {self._texts.get(value, '?')}", True, place)
+        if sense == "default":
+            formula = TRUE
+            for label in self._cases[chooser]:
+                formula = both(formula, condition(f"{text} == {self._texts.get(label, '?')}", False, place))
+            return formula
+        return condition(text, sense == "true", place, stable=chooser in self._stable)
+
+
+def _function(block: str) -> str:
+    """The function that a block belongs to: its identifier is the function's and a number."""
+    function, separator, number = block.rpartition(" B")
+    return function if separator and number.isdigit() else block

@@ -1,0 +1,62 @@
+"""Behaviour of small nodes: each `behavior/*.cpp` says in `// expect:` comments all that is to be derived, and nothing else may be."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosarch.models.analysis import analyze
+from rosarch.models.component import to_json
+
+HERE = Path(__file__).parent / "behavior"
+NODES = sorted(HERE.glob("*.cpp"))
+
+CMAKE = """cmake_minimum_required(VERSION 2.8.3)
+project(node)
+find_package(catkin REQUIRED COMPONENTS roscpp std_msgs)
+catkin_package()
+add_executable(node node.cpp)
+"""
+PACKAGE = """<package><name>node</name><version>0.0.0</version><description>d</description>
+<maintainer email="a@b.c">m</maintainer><license>l</license><buildtool_depend>catkin</buildtool_depend></package>
+"""
+
+
+def lines(document: dict[str, Any]) -> list[str]:
+    """The behaviour of a document, one line each."""
+    ports = {port["id"]: port["name"] for port in document["ports"]}
+
+    def known(ids: list[str]) -> str:
+        return ",".join(ports.get(one, one) for one in ids)
+
+    return sorted(
+        [
+            f"periodic {p['mechanism']} {p['hz']} {p['hz_from_param']} {known(p['publishes'])} [{p['conditional'] or ''}]"
+            for p in document["periodic"]
+        ]
+        + [
+            f"reactive {ports[r['input']]} -> {ports[r['output']]} {'must' if r['must'] else 'may'} [{r['when'] or ''}]"
+            for r in document["reactive"]
+        ]
+        + [f"deferred {ports[d['input']]} -> {ports[d['output']]} by {d['variable']}" for d in document["reactive_deferred"]]
+        + [f"state {v['name']} = {v['initial']}" for v in document["state_variables"]]
+        + [f"config {v['name']} = {v['initial']} {v.get('from_param')}" for v in document["configuration"]]
+        + [
+            f"transition {t['variable']} . {t.get('field')} on {known(t['trigger'])} [{t['guard'] or ''}] := {t['value']}"
+            for t in document["transitions"]
+        ]
+    )
+
+
+@pytest.mark.parametrize("node", NODES, ids=lambda node: node.stem)
+def test_behavior_is_as_expected(node: Path, tmp_path: Path) -> None:
+    source = node.read_text(encoding="utf-8")
+    for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (model,) = analyze(tmp_path, jobs=1).models
+    expected = sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
+    assert expected
+    assert lines(to_json(model)) == expected
