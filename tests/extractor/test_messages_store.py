@@ -112,7 +112,7 @@ def test_common_definitions_are_closed() -> None:
 
 def test_store_is_cached_and_a_broken_cache_is_replaced(cache: Path) -> None:
     fresh = stored_messages()
-    (file,) = cache.iterdir()
+    (file,) = (path for path in cache.rglob("*") if path.is_file())
     assert stored_messages() == fresh
     file.write_text("{broken")
     assert stored_messages() == fresh
