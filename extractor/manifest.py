@@ -8,12 +8,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rosarch.rules
 from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import file_name
-from rosarch.extractor.workspace.model import Diagnostic
+
+if TYPE_CHECKING:
+    from rosarch.extractor.workspace.model import Diagnostic
 
 NAME = "manifest.json"
 FORMAT = 1
@@ -142,6 +144,8 @@ def read_manifest(folder: Path) -> Manifest:
     changed since, or when a source that is still there has changed.
     """
     path = folder / NAME
+    from rosarch.extractor.workspace.model import Diagnostic
+
     try:
         data: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
         entries = tuple(_entry(entry) for entry in data["components"])

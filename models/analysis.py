@@ -7,16 +7,18 @@ import time
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.datalog import Program, load_program, read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest, rules_folder
-from rosarch.extractor.pipeline import ComponentFacts, Progress, extract
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
-from rosarch.extractor.workspace import Diagnostic
 from rosarch.models.component import ComponentModel, Relations, build_model
+
+if TYPE_CHECKING:
+    from rosarch.extractor.pipeline import ComponentFacts, Progress
+    from rosarch.extractor.workspace import Diagnostic
 
 COMPONENT_TIMEOUT = 300.0
 
@@ -62,19 +64,19 @@ def analyze(
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root`. See `extract` for the options."""
     start = time.perf_counter()
-    with (
-        meanwhile(component_program) as rules_compiled,
-        extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction,
-    ):
-        extracted = time.perf_counter()
-        rules_compiled()
-        models, failures = _evaluate(root.resolve().name, extraction.components, root, engine, jobs, progress)
-        statistics = {
-            "components": len(models),
-            "extraction_seconds": extracted - start,
-            "evaluation_seconds": time.perf_counter() - extracted,
-        }
-        return Analysis(models, (*extraction.diagnostics, *failures), statistics)
+    with meanwhile(component_program) as rules_compiled:
+        from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
+
+        with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
+            extracted = time.perf_counter()
+            rules_compiled()
+            models, failures = _evaluate(root.resolve().name, extraction.components, root, engine, jobs, progress)
+            statistics = {
+                "components": len(models),
+                "extraction_seconds": extracted - start,
+                "evaluation_seconds": time.perf_counter() - extracted,
+            }
+            return Analysis(models, (*extraction.diagnostics, *failures), statistics)
 
 
 def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None) -> Analysis:
@@ -100,6 +102,8 @@ def _evaluate(
     jobs: int | None,
     progress: Progress | None,
 ) -> tuple[tuple[ComponentModel, ...], list[Diagnostic]]:
+    from rosarch.extractor.workspace import Diagnostic
+
     program = component_program()
 
     def work(component: ComponentFacts | _StoredFacts) -> Relations:
