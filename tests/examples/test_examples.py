@@ -5,19 +5,18 @@ from __future__ import annotations
 import json
 import re
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from rosarch.models.analysis import component_program
+from tests.examples.source_lines import making_line
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 NAMES = sorted(path.parent.name for path in EXAMPLES.glob("*/expected"))
 
 BEHAVIOR = ("periodic", "reactive", "state_variables", "configuration", "transitions")
-DERIVED = "transition" in component_program().relations  # whether there are rules of behaviour
 
 
 def documents(folder: Path) -> dict[str, str]:
@@ -36,7 +35,7 @@ def test_models_are_as_written_by_hand(name: str, rosarch: Callable, tmp_path: P
         for key in wanted:
             if key not in BEHAVIOR:
                 assert model[key] == wanted[key], (path, key)
-            elif DERIVED:
+            else:
                 assert rows(model[key], wanted[key]) == wanted[key], (path, key)
 
 
@@ -62,14 +61,23 @@ def test_every_example_has_expected_models() -> None:
     assert sorted(path.name for path in EXAMPLES.iterdir() if path.is_dir()) == NAMES
 
 
-CALL = re.compile(r"advertise|subscribe|serviceClient|Subscriber|Server|Client|Broadcaster|Listener|broadcaster|listener|server|client")
+def places(name: str) -> Iterator[tuple[dict[str, Any], list[str], int, re.Pattern[str]]]:
+    """Each port, the lines of the file where it is made, the number of the line, and what that line should match."""
+    headers = sorted((EXAMPLES / name / "src").rglob("*.h"))
+    for path in (EXAMPLES / name / "expected").glob("*/*.json"):
+        for port in json.loads(path.read_text())["ports"]:
+            file, _, line = port["at"].rpartition(":")
+            yield port, (EXAMPLES / name / file).read_text().splitlines(), int(line), making_line(port, EXAMPLES / name / file, headers)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_places_name_the_call(name: str) -> None:
-    for path in (EXAMPLES / name / "expected").glob("*/*.json"):
-        for port in json.loads(path.read_text())["ports"]:
-            file, line = port["at"].rsplit(":", 1)
-            text = (EXAMPLES / name / file).read_text().splitlines()[int(line) - 1]
-            last = port["name"].rpartition("/")[2].lstrip("~")
-            assert CALL.search(text) or (last and last in text), (port, text)
+def test_places_name_what_makes_the_port(name: str) -> None:
+    for port, lines, number, making in places(name):
+        assert making.search(lines[number - 1]), (port, lines[number - 1])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_other_lines_do_not(name: str) -> None:
+    for port, lines, _, making in places(name):
+        others = [text for text in lines if re.search(r"ros::init\(|ros::spin|spinOnce|ROS_|\breturn;|^ *}?$", text)]
+        assert not [text for text in others if making.search(text)], port

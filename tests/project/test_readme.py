@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.models.analysis import component_program
 from rosarch.models.machine import build_machine
 from rosarch.reports.behavior_text import behaviors_text
 from rosarch.reports.machines import machines_text
@@ -18,7 +17,6 @@ from rosarch.reports.machines import machines_text
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 CONSOLE = re.findall(r"```console\n\$ (rosarch [^\n]*)\n(.*?)```", README, re.DOTALL)
-DERIVED = "transition" in component_program().relations  # whether there are rules of behaviour
 SCRIPTS = re.findall(r"```sh\n(.*?)```", README, re.DOTALL)
 
 
@@ -34,8 +32,6 @@ def timeless(text: str) -> str:
 
 @pytest.mark.parametrize(("command", "output"), CONSOLE, ids=[command for command, _ in CONSOLE])
 def test_shown_output(command: str, output: str, rosarch: Callable) -> None:
-    if re.search("show (machine|behavior)", command) and not DERIVED:
-        pytest.skip("there are no rules of behaviour")
     outcome = rosarch(*shlex.split(command)[1:])
     assert (outcome.code, timeless(outcome.out), outcome.err) == (0, timeless(output), "")
 
