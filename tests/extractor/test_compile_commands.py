@@ -44,7 +44,8 @@ def test_a_built_workspace_has_the_same_models(name: str, rosarch: Callable, tmp
         write(root / "build" / package.name / "compile_commands.json", json.dumps(entries))
     outcome = rosarch("analyze", root, "-o", tmp_path / "models")
     assert (outcome.code, outcome.err) == (0, "")
-    assert documents(tmp_path / "models") == documents(root / "expected")
+    assert rosarch("analyze", EXAMPLES / name, "-o", tmp_path / "plain").code == 0
+    assert documents(tmp_path / "models") == documents(tmp_path / "plain") != {}
 
 
 NODE = """#include <ros/ros.h>
