@@ -30,8 +30,6 @@ RuleFiles = Annotated[
     ),
 ]
 
-COMPONENT_SECONDS = 300.0
-"""The limit for the rules of one component."""
 Profiled = Annotated[bool, typer.Option("--profile", help="Tell on stderr which rules take the time.")]
 
 
@@ -122,7 +120,9 @@ def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, 
     """All relations of a component, and its facts; with a profile on stderr if asked for."""
     facts = facts_of(component, program)
     if not profiled:
-        return program.evaluate(facts, engine=engine.value, keep="all", time_limit=COMPONENT_SECONDS), facts
+        from rosarch.models.analysis import COMPONENT_TIMEOUT
+
+        return program.evaluate(facts, engine=engine.value, keep="all", time_limit=COMPONENT_TIMEOUT), facts
     from rosarch.datalog import profile, profile_text
 
     found = profile(program, facts)

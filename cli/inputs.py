@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -110,6 +109,7 @@ def load_analysis(
 def _load_facts(
     folder: Path, packages: Collection[str] | None, engine: Engine, jobs: int | None, report: Callable[[str, int, int], None] | None
 ) -> Analysis:
+    from rosarch.extractor.hints import hint
     from rosarch.extractor.manifest import ManifestError
     from rosarch.models.analysis import analyze_facts
 
@@ -130,9 +130,3 @@ def check_engine(engine: Engine) -> None:
 
         if shutil.which("souffle") is None:
             raise InputError("--engine souffle: there is no `souffle` on PATH; the embedded engine needs no installation")
-
-
-def hint(name: str, known: Iterable[str]) -> str:
-    """`, did you mean ...?` when a known name is close."""
-    close = get_close_matches(name, sorted(known), n=1)
-    return f", did you mean `{close[0]}`?" if close else ""

@@ -10,7 +10,7 @@ import typer
 
 from rosarch.cli.derivations import Component, Profiled, check_profile, datalog_errors, evaluate, heading, load_rules, selected, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_folder, hint, unwritable
+from rosarch.cli.inputs import check_folder, unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
 from rosarch.cli.terminal import emit
 
@@ -85,6 +85,8 @@ def run(
 def _wanted(program: Program, files: list[Path], relations: list[str]) -> list[str]:
     for name in relations:
         if name not in program.relations:
+            from rosarch.extractor.hints import hint
+
             raise InputError(f"--relation {name}: no such relation{hint(name, program.relations)}")
     own = {str(path) for path in files}
     found = relations or [r.name for r in program.relations.values() if r.is_output and r.location.path in own]

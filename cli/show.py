@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import hint, load_analysis
+from rosarch.cli.inputs import load_analysis
 from rosarch.cli.options import (
     Cached,
     Defines,
@@ -49,9 +50,7 @@ def ports(
 ) -> None:
     """List the topics, services, actions and transforms of each node and nodelet below DIR."""
     start = time.perf_counter()
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
-    models = analysis.models if node is None else _named(analysis.models, node)
-    show_diagnostics(analysis.diagnostics, verbose)
+    models = _models(folder, node, packages, engine, jobs, defines, timeout, cached, verbose)
     if output_format is Format.json:
         from rosarch.reports.json_models import ports_text
 
@@ -82,9 +81,7 @@ def behavior(
     verbose: Verbose = False,
 ) -> None:
     """List what each node and nodelet below DIR does: its reactions, timed loops, state variables and their transitions."""
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
-    models = analysis.models if node is None else _named(analysis.models, node)
-    show_diagnostics(analysis.diagnostics, verbose)
+    models = _models(folder, node, packages, engine, jobs, defines, timeout, cached, verbose)
     if output_format is Format.json:
         from rosarch.reports.json_models import behaviors_text
 
@@ -124,9 +121,7 @@ def machine(
     verbose: Verbose = False,
 ) -> None:
     """Show the state machines of each node and nodelet below DIR: states are the values of its state variables."""
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
-    models = analysis.models if node is None else _named(analysis.models, node)
-    show_diagnostics(analysis.diagnostics, verbose)
+    models = _models(folder, node, packages, engine, jobs, defines, timeout, cached, verbose)
     if len(models) != 1 and output_format not in (MachineFormat.text, MachineFormat.json):
         names = ", ".join(f"{model.package}/{model.component}" for model in models)
         raise InputError(f"{folder}: {len(models)} components; choose one for {output_format.value}: {names}")
@@ -138,10 +133,30 @@ def machine(
     emit(machines_text(machines, output_format.value))
 
 
+def _models(
+    folder: Path,
+    node: str | None,
+    packages: list[str] | None,
+    engine: Engine,
+    jobs: int | None,
+    defines: list[str] | None,
+    timeout: float,
+    cached: bool,
+    verbose: bool,
+) -> tuple[ComponentModel, ...]:
+    """The components to show; what was not understood goes to stderr."""
+    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
+    models = analysis.models if node is None else _named(analysis.models, node)
+    show_diagnostics(analysis.diagnostics, verbose)
+    return models
+
+
 def _named(models: Sequence[ComponentModel], node: str) -> tuple[ComponentModel, ...]:
     """The components a user may mean by `node`."""
     found = tuple(model for model in models if node in (model.component, f"{model.package}/{model.component}", model.node_name))
     if not found:
+        from rosarch.extractor.hints import hint
+
         known = {name for model in models for name in (model.component, f"{model.package}/{model.component}")}
         raise InputError(f"no node or nodelet {node}{hint(node, known)}")
     return found

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from rosarch.datalog import read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
+from rosarch.extractor.hints import hint
 from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
 from rosarch.extractor.pipeline import Progress, extract
 from rosarch.extractor.workspace import Diagnostic
@@ -77,7 +77,7 @@ def select(
         entries = entries_below(manifest, top, folder)
         stored = [SelectedComponent(e.component, e.package, root, _reader(top / e.folder)) for e in entries]
         for package in sorted(set(packages or ()) - {c.package for c in stored}):
-            raise SelectionError(f"no package {package} among these facts{_hint(package, {c.package for c in stored})}")
+            raise SelectionError(f"no package {package} among these facts{hint(package, {c.package for c in stored})}")
         yield Selection(_named([c for c in stored if not packages or c.package in packages], component))
     else:
         with extract(folder, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
@@ -92,10 +92,5 @@ def _reader(folder: Path) -> Callable[[], Facts]:
 def _named(components: Collection[SelectedComponent], name: str | None) -> tuple[SelectedComponent, ...]:
     found = tuple(c for c in components if name is None or name in (c.name, c.title))
     if name is not None and components and not found:
-        raise SelectionError(f"no component {name}{_hint(name, {n for c in components for n in (c.name, c.title)})}")
+        raise SelectionError(f"no component {name}{hint(name, {n for c in components for n in (c.name, c.title)})}")
     return tuple(sorted(found, key=lambda c: (c.package, c.name)))
-
-
-def _hint(name: str, known: Collection[str]) -> str:
-    close = get_close_matches(name, sorted(known), n=1)
-    return f", did you mean `{close[0]}`?" if close else ""

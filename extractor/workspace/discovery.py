@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from rosarch.extractor.files import file_name, read_file
+from rosarch.extractor.hints import hint
 
 from . import commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values
 from .cmake_limits import OutOfTime, time_limit
@@ -63,7 +64,7 @@ class _Discovery:
         if set(names or ()) - set(self.paths):
             self._locate_ignored(set(names or ()))
         for name in sorted(set(names or ()) - set(self.paths)):
-            self._report("workspace", self.root, f"no package {name} below this folder{_hint(name, self.paths)}")
+            self._report("workspace", self.root, f"no package {name} below this folder{hint(name, self.paths)}")
         wanted = sorted(self.paths) if names is None else sorted(set(names) & set(self.paths))
         queue, seen = list(wanted), set(wanted)
         while queue:
@@ -167,10 +168,3 @@ class _Discovery:
                 self.diagnostics.extend(problems)
         unique = sorted(set(self.diagnostics), key=lambda d: (str(d.path), d.line, d.column, d.kind, d.message))
         return Workspace(self.root, tuple(packages), tuple(unique), selected)
-
-
-def _hint(name: str, known: Collection[str]) -> str:
-    from difflib import get_close_matches
-
-    close = get_close_matches(name, known, n=1)
-    return f", did you mean `{close[0]}`?" if close else ""

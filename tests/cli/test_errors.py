@@ -323,7 +323,7 @@ def test_facts_do_not_go_among_sources(rosarch: Callable, workspace: Path, out: 
 
 
 def test_rules_that_never_end(rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosarch.cli.derivations.COMPONENT_SECONDS", 1.0)
+    monkeypatch.setattr("rosarch.models.analysis.COMPONENT_TIMEOUT", 1.0)
     (tmp_path / "own.dl").write_text(".decl n(x: number)\n.output n\nn(0).\nn(X + 1) :- n(X).\n")
     outcome = rosarch("rules", "run", "ws", "own.dl")
     assert outcome.code == 2

@@ -1,0 +1,13 @@
+"""Hints for names that are nearly right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+def hint(name: str, known: Iterable[str]) -> str:
+    """`, did you mean ...?` when a known name is close, to follow a message about an unknown one."""
+    from difflib import get_close_matches
+
+    close = get_close_matches(name, sorted(known), n=1)
+    return f", did you mean `{close[0]}`?" if close else ""
