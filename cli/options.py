@@ -72,6 +72,16 @@ Defines = Annotated[
 Timeout = Annotated[float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="The time limit of one source file.")]
 Cached = Annotated[bool, typer.Option("--cache/--no-cache", help="Keep what is read from the sources, and read only what has changed.")]
 EngineChoice = Annotated[Engine, typer.Option("--engine", help="What evaluates the rules; souffle must be on PATH.")]
+Libraries = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--library",
+        parser=path_argument,
+        metavar="DIR",
+        help="A folder of library files that come before rosarch's own; may be repeated.",
+        show_default=False,
+    ),
+]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Show every diagnostic.")]
 
 

@@ -49,6 +49,7 @@ class ComponentFacts:
     sources: tuple[str, ...]
     units: tuple[Path, ...]
     own: Rows
+    plugin_name: str | None = None
 
     def rows(self) -> Rows:
         """All facts of the component; message classes and configurations that its sources never name are left out."""
@@ -89,7 +90,9 @@ class Extraction:
         for component in self.components:
             rows = component.rows()
             sources += [str(path) for _, path in rows["source_file"]]
-            entries.append(write_component(out, component.package, component.name, component.kind, component.sources, rows))
+            entries.append(
+                write_component(out, component.package, component.name, component.kind, component.sources, rows, component.plugin_name)
+            )
         write_manifest(out, self.root, entries, sources, self.diagnostics)
 
 
@@ -353,4 +356,5 @@ def _component_facts(
         tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root)),
         tuple(file for unit in units if isinstance(file := files[unit], Path)),
         own,
+        component.plugin_name,
     )

@@ -41,6 +41,7 @@ class _StoredFacts:
     kind: str
     sources: tuple[str, ...]
     folder: Path
+    plugin_name: str | None = None
 
     def rows(self) -> Mapping[str, Iterable[tuple[Any, ...]]]:
         return read_facts(self.folder, schema())
@@ -87,7 +88,9 @@ def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = 
     start = time.perf_counter()
     top = facts_folder(folder) or folder
     manifest = read_manifest(top)
-    stored = [_StoredFacts(e.component, e.package, e.kind, e.sources, top / e.folder) for e in entries_below(manifest, top, folder)]
+    stored = [
+        _StoredFacts(e.component, e.package, e.kind, e.sources, top / e.folder, e.plugin_name) for e in entries_below(manifest, top, folder)
+    ]
     models, failures = _evaluate(Path(manifest.root).name, stored, folder, engine, jobs, progress)
     return Analysis(
         models, (*manifest.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}
@@ -118,7 +121,8 @@ def _evaluate(
             detail = f"{component.package}/{component.name} not analysed: {outcome.reason} ({outcome.detail})"
             failures.append(Diagnostic("component", where, 1, 1, detail))
         else:
-            models.append(build_model(system, component.name, component.package, component.kind, component.sources, outcome))
+            name, package, kind, sources = component.name, component.package, component.kind, component.sources
+            models.append(build_model(system, name, package, kind, sources, outcome, component.plugin_name))
         if progress:
             progress("components", done + 1, len(components))
     models.sort(key=lambda model: (model.package, model.component))

@@ -48,7 +48,10 @@ class Parameter:
 
 @dataclass(frozen=True)
 class ComponentModel:
-    """One component."""
+    """One component; a nodelet or plug-in is loaded by its `plugin_name`.
+
+    `reconfigurable` are the parameters that servers of dynamic_reconfigure keep.
+    """
 
     system: str
     component: str
@@ -59,16 +62,36 @@ class ComponentModel:
     ports: tuple[Port, ...]
     params: tuple[Parameter, ...]
     behavior: Behavior = NOTHING
+    plugin_name: str | None = None
+    reconfigurable: tuple[Parameter, ...] = ()
 
 
-def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
+def build_model(
+    system: str,
+    component: str,
+    package: str,
+    kind: str,
+    sources: tuple[str, ...],
+    relations: Relations,
+    plugin_name: str | None = None,
+) -> ComponentModel:
     """Assemble the model from the rows of the rules' output relations."""
     places = {row[0]: Place(*row[1:]) for row in relations["node_location"]}
     names = sorted(name for (name,) in relations["node_name"])
     ports, ids = _ports(relations, places)
     behavior = build_behavior(relations, places, ids, tuple(relations["port_callback"]))
     return ComponentModel(
-        system, component, package, kind, names[0] if names else None, sources, ports, _parameters(relations, places), behavior
+        system,
+        component,
+        package,
+        kind,
+        names[0] if names else None,
+        sources,
+        ports,
+        _parameters(relations, places),
+        behavior,
+        plugin_name,
+        _reconfigurable(relations, places),
     )
 
 
@@ -147,6 +170,11 @@ def _parameters(relations: Relations, places: Mapping[str, Place]) -> tuple[Para
     return tuple(sorted(found.values(), key=lambda parameter: (parameter.at.path, parameter.at.line, parameter.at.column, parameter.name)))
 
 
+def _reconfigurable(relations: Relations, places: Mapping[str, Place]) -> tuple[Parameter, ...]:
+    rows = sorted((name, kind, default, site) for (site, *_), name, kind, default in relations["reconfigure_parameter"] if site in places)
+    return tuple(Parameter(name, "read", kind, None if default == "?" else default, places[site]) for name, kind, default, site in rows)
+
+
 def to_json(model: ComponentModel) -> dict[str, Any]:
     """The document of `FORMAT.md`; its keys are always all there."""
     return {
@@ -157,9 +185,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "node_name": model.node_name,
         "sources": list(model.sources),
         "ports": [_port_json(port) for port in model.ports],
-        "params": [
-            {"name": p.name, "op": p.op, "type": p.type, "default": _literal(p.default, p.type), "at": str(p.at)} for p in model.params
-        ],
+        "params": [{"name": p.name, "op": p.op, "type": p.type, "default": default_value(p), "at": str(p.at)} for p in model.params],
         **_behavior_json(model.behavior),
     }
 
@@ -211,8 +237,13 @@ def _port_json(port: Port) -> dict[str, Any]:
 _NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?", re.ASCII)
 
 
+def default_value(parameter: Parameter) -> str | float | int | bool | None:
+    """A parameter's default as the value that it is."""
+    return _literal(parameter.default, parameter.type)
+
+
 def _literal(text: str | None, type_: str | None) -> str | float | int | bool | None:
-    """A parameter's default as the value that it is; a string stays the text it is."""
+    """A text as the value that it is; a string stays the text it is."""
     if text is None or type_ == "string":
         return text
     if text in ("true", "false"):

@@ -14,7 +14,7 @@ from rosarch.models.component import ComponentModel, build_model, to_json
 NAMES = (
     "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_via", "implicit_port",
     "implicit_port_callback", "node_location",
-    "function_display", "parameter_access", "parameter_access_default", "parameter_access_type", "node_name",
+    "function_display", "parameter_access", "parameter_access_default", "parameter_access_type", "reconfigure_parameter", "node_name",
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
     "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step", "silent_condition", "switch_case",
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",

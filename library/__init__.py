@@ -1,0 +1,63 @@
+"""Interfaces of common nodes, nodelets and plug-ins whose source is not at hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rosarch.library.layers import merged
+from rosarch.library.model import LibraryComponent, LibraryParameter, LibraryPort
+from rosarch.library.reading import read_folder
+
+if TYPE_CHECKING:
+    from rosarch.extractor.workspace import Diagnostic
+
+__all__ = ["Library", "LibraryComponent", "LibraryParameter", "LibraryPort", "components", "find", "load"]
+
+_SHIPPED = Path(__file__).parent
+
+
+@dataclass(frozen=True)
+class Library:
+    """All components, by package and name, and what is wrong with files that were left out."""
+
+    components: tuple[LibraryComponent, ...]
+    problems: tuple[Diagnostic, ...]
+
+    @cached_property
+    def _by_name(self) -> dict[tuple[str | None, str], LibraryComponent]:
+        whatever: dict[tuple[str | None, str], LibraryComponent] = {(None, c.component): c for c in reversed(self.components)}
+        return whatever | {(c.package, c.component): c for c in self.components}
+
+    def find(self, package: str | None, component: str) -> LibraryComponent | None:
+        """The component called `component` in `package`; without a package, the first of that name.
+
+        Nodelets and plug-ins go by their lookup name (`image_proc/debayer`), plug-ins of gazebo by the name of their library; neither
+        needs a package.
+        """
+        return self._by_name.get((package, component))
+
+
+@lru_cache(maxsize=8)
+def _load(folders: tuple[Path, ...]) -> Library:
+    read = [read_folder(folder) for folder in (*folders, _SHIPPED)]
+    files = [file for found, _ in read for file in found]
+    return Library(tuple(merged(files)), tuple(problem for _, problems in read for problem in problems))
+
+
+def load(folders: Sequence[Path] = ()) -> Library:
+    """The library that comes with rosarch, with the users' own `folders` before it; read once in a process."""
+    return _load(tuple(folders))
+
+
+def find(package: str | None, component: str, folders: Sequence[Path] = ()) -> LibraryComponent | None:
+    """The component called `component` in `package`, see `Library.find`."""
+    return load(folders).find(package, component)
+
+
+def components(folders: Sequence[Path] = ()) -> Iterable[LibraryComponent]:
+    """All components, by package and name."""
+    return load(folders).components

@@ -1,0 +1,122 @@
+"""Library files from component models: what a composed system needs of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from rosarch.extractor.cache import write_whole
+from rosarch.extractor.files import path_below
+from rosarch.library.model import GENERATED
+from rosarch.library.reading import COMPONENT_KINDS
+from rosarch.models.component import ComponentModel, Parameter, Port, default_value
+
+UNKNOWN = "?"
+
+
+def library_documents(models: Iterable[ComponentModel], origin: str, revision: str) -> dict[str, dict[str, Any]]:
+    """A document per package that has components."""
+    packages: dict[str, list[dict[str, Any]]] = {}
+    for model in sorted(models, key=lambda model: (model.package, model.plugin_name or model.component)):
+        document = component_document(model)
+        says_something = model.kind != "plugin" or "ports" in document or "params" in document
+        if model.kind in COMPONENT_KINDS and says_something:
+            packages.setdefault(model.package, []).append(document)
+    return {
+        package: {"package": package, "origin": origin, "revision": revision, "made": GENERATED, "components": found}
+        for package, found in packages.items()
+    }
+
+
+def component_document(model: ComponentModel) -> dict[str, Any]:
+    """One component: without source lines and callbacks, and without what is not known, of which `open` tells."""
+    ports = [port for port in model.ports if UNKNOWN not in port.name or _parameter(port)]
+    accesses = [*model.params, *model.reconfigurable]
+    params = [parameter for parameter in accesses if UNKNOWN not in parameter.name]
+    lost_ports = len(ports) < len(model.ports) or not any(not port.implicit for port in ports)
+    lost_params = len(params) < len(accesses)
+    return _known(
+        component=model.plugin_name or model.component,
+        kind=model.kind,
+        node_name=model.node_name,
+        open=(lost_params or "ports") if lost_ports else ("params" if lost_params else None),
+        ports=_distinct(_port(port) for port in ports) or None,
+        params=_parameters(params) or None,
+    )
+
+
+def _known(**fields: Any) -> dict[str, Any]:
+    return {key: value for key, value in fields.items() if value is not None and value is not False}
+
+
+def _distinct(documents: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = []
+    for document in documents:
+        if document not in found:
+            found.append(document)
+    return found
+
+
+def _port(port: Port) -> dict[str, Any]:
+    return _known(
+        kind=port.kind,
+        name=None if UNKNOWN in port.name else port.name,
+        type=None if port.type in (UNKNOWN, "*") else port.type,
+        from_param=_parameter(port),
+        queue=port.queue,
+        latched=port.latched,
+        via=None if port.via in ("plain", "bind", "lambda", "options") else port.via,
+        implicit=port.implicit,
+    )
+
+
+def _parameter(port: Port) -> str | None:
+    """The parameter that holds the port's whole name."""
+    whole = port.name == UNKNOWN or UNKNOWN not in port.name
+    return port.from_param if whole and port.from_param and UNKNOWN not in port.from_param else None
+
+
+def _parameters(accesses: Iterable[Parameter]) -> list[dict[str, Any]]:
+    """Each parameter and operation once, with the first type and default that is known."""
+    found: dict[tuple[str, str], dict[str, Any]] = {}
+    for access in accesses:
+        known = found.setdefault((access.name, access.op), {"name": access.name, "op": access.op})
+        for key, value in _known(type=access.type).items():
+            known.setdefault(key, value)
+        if access.default not in (None, UNKNOWN):
+            known.setdefault("default", default_value(access))
+    return [found[key] for key in sorted(found)]
+
+
+def document_text(document: dict[str, Any]) -> str:
+    """A file's text: a line for each port and parameter."""
+    components = ",\n".join(_component_text(component) for component in document["components"])
+    head = ",\n".join(f" {json.dumps(key)}: {_line(value)}" for key, value in document.items() if key != "components")
+    return f'{{\n{head},\n "components": [\n{components}\n ]\n}}\n'
+
+
+def _component_text(component: dict[str, Any]) -> str:
+    parts = []
+    for key, value in component.items():
+        if key in ("ports", "params"):
+            rows = ",\n".join(f"    {_line(row)}" for row in value)
+            parts.append(f"   {json.dumps(key)}: [\n{rows}]")
+        else:
+            parts.append(f"   {json.dumps(key)}: {_line(value)}")
+    return "  {\n" + ",\n".join(parts) + "\n  }"
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False)
+
+
+def write_library(documents: dict[str, dict[str, Any]], out: Path) -> tuple[Path, ...]:
+    """Write each package's document to `out`/<package>.json; the files written."""
+    paths = []
+    for package, document in documents.items():
+        path = path_below(out, f"{package}.json")
+        write_whole(path, document_text(document).encode("utf-8", "backslashreplace"))
+        paths.append(path)
+    return tuple(paths)

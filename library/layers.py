@@ -1,0 +1,80 @@
+"""Several sources of one component laid over each other.
+
+What was generated from sources is the base, the first that there is; what was written by hand is laid over it, so that a base can be
+generated anew without loss.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from rosarch.library.model import BY_HAND, GENERATED, LibraryComponent, LibraryParameter, LibraryPort
+from rosarch.library.reading import Document, LibraryFile
+
+COMPLETED = f"{GENERATED}, completed {BY_HAND}"
+
+
+def merged(files: Sequence[LibraryFile]) -> Iterator[LibraryComponent]:
+    """Each component of `files` once, by package and name; earlier files come before later ones."""
+    found: dict[tuple[str, str], list[tuple[LibraryFile, Document]]] = {}
+    for file in files:
+        for component in file.components:
+            found.setdefault((file.package, component["component"]), []).append((file, component))
+    for key in sorted(found):
+        yield _component(found[key])
+
+
+def _component(sources: Sequence[tuple[LibraryFile, Document]]) -> LibraryComponent:
+    bases = [source for source in sources if source[0].made == GENERATED]
+    overlays = [source for source in reversed(sources) if source[0].made == BY_HAND]
+    file, document = bases[0] if bases else overlays.pop(0)
+    made = file.made
+    for upper, overlay in overlays:
+        made = upper.made if overlay.get("replace") or made == BY_HAND else COMPLETED
+        document, file = _laid_over(document, overlay), upper
+    return _build(file, document, made)
+
+
+def _laid_over(base: Document, overlay: Document) -> Document:
+    """Fields of the overlay count; its ports and parameters replace those of the same name and are otherwise added."""
+    if overlay.get("replace"):
+        return overlay
+    return {
+        **base,
+        **overlay,
+        "elements": {**base.get("elements", {}), **overlay.get("elements", {})},
+        "ports": _joined(base.get("ports", ()), overlay.get("ports", ()), ("kind", "name")),
+        "params": _joined(base.get("params", ()), overlay.get("params", ()), ("name", "pattern")),
+    }
+
+
+def _joined(base: Iterable[Document], overlay: Iterable[Document], key: tuple[str, ...]) -> list[Document]:
+    new = {tuple(item.get(name) for name in key) for item in overlay}
+    return [*(item for item in base if tuple(item.get(name) for name in key) not in new), *overlay]
+
+
+def _build(file: LibraryFile, document: Document, made: str) -> LibraryComponent:
+    fields: dict[str, Any] = {key: document[key] for key in ("node_name", "elements", "namespace_element") if key in document}
+    is_open = document.get("open", False)
+    return LibraryComponent(
+        package=file.package,
+        component=document["component"],
+        kind=document["kind"],
+        ports=tuple(_port(port) for port in document.get("ports", ())),
+        params=tuple(LibraryParameter(**parameter) for parameter in document.get("params", ())),
+        open_ports=is_open in (True, "ports"),
+        open_params=is_open in (True, "params"),
+        options=tuple(document["options"]) if "options" in document else None,
+        origin=file.origin,
+        revision=file.revision,
+        made=made,
+        path=Path(file.path),
+        **fields,
+    )
+
+
+def _port(port: Document) -> LibraryPort:
+    arguments = {int(number): pattern for number, pattern in port.get("if_arg", {}).items()}
+    return LibraryPort(**{**port, "if_arg": arguments})

@@ -1,0 +1,86 @@
+"""What the library knows about a component.
+
+That is the part of a component model that matters to a composed system, and how names are made from what only a launch file or a robot's
+description tells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+GENERATED, BY_HAND = "generated", "by hand"
+
+
+@dataclass(frozen=True)
+class LibraryPort:
+    """A port; see `docs/library.md`. `name` is None where only an argument or a parameter tells it."""
+
+    kind: str
+    name: str | None = None
+    type: str | None = None
+    from_param: str | None = None
+    queue: int | None = None
+    latched: bool = False
+    via: str = "plain"
+    implicit: bool = False
+    conditional: str | None = None
+    from_arg: int | None = None
+    rest: bool = False
+    if_arg: Mapping[int, str] = field(default_factory=dict)
+    param_pattern: str | None = None
+    suffix: str | None = None
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        """What tells this port from the others of its component."""
+        return self.kind, self.name, self.type, self.from_arg, tuple(sorted(self.if_arg.items())), self.param_pattern, self.suffix
+
+
+@dataclass(frozen=True)
+class LibraryParameter:
+    """A parameter that is accessed: the one called `name`, or each whose whole name matches `pattern`."""
+
+    name: str | None = None
+    op: str = "read"
+    type: str | None = None
+    default: Any = None
+    pattern: str | None = None
+
+    @property
+    def key(self) -> tuple[str | None, str, str | None]:
+        """What tells this access from the others of its component."""
+        return self.name, self.op, self.pattern
+
+
+@dataclass(frozen=True)
+class LibraryComponent:
+    """A node, nodelet, plug-in or plug-in of gazebo. `made` is `generated` or `by hand`; `path` is the file that it was read from."""
+
+    package: str
+    component: str
+    kind: str
+    ports: tuple[LibraryPort, ...] = ()
+    params: tuple[LibraryParameter, ...] = ()
+    node_name: str | None = None
+    open_ports: bool = False
+    open_params: bool = False
+    options: tuple[str, ...] | None = None
+    elements: Mapping[str, str | None] = field(default_factory=dict)
+    namespace_element: str | None = None
+    origin: str = ""
+    revision: str = ""
+    made: str = BY_HAND
+    path: Path = Path()
+
+    @property
+    def open(self) -> bool:
+        """Whether there may be more than is listed."""
+        return self.open_ports or self.open_params
+
+    @property
+    def title(self) -> str:
+        """`package/component`, or the lookup name where that begins with the package."""
+        return self.component if self.component.startswith(f"{self.package}/") else f"{self.package}/{self.component}"

@@ -1,0 +1,111 @@
+"""Library files made from sources, and the commands."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from jsonschema import Draft202012Validator
+
+from rosarch.library import find
+from rosarch.reports.library import library_schema
+
+ORIGIN = ("--origin", "https://example.com/scan_filters.git", "--revision", "1.2")
+
+
+@pytest.fixture
+def built(rosarch: Callable, examples: Path, tmp_path: Path) -> Path:
+    outcome = rosarch("library", "build", examples / "nodelet_filter", *ORIGIN, "-o", tmp_path / "own")
+    assert (outcome.code, outcome.out, outcome.err) == (0, f"{tmp_path}/own/scan_filters.json\n", "")
+    return tmp_path / "own"
+
+
+def test_a_workspace_becomes_a_library(built: Path, examples: Path) -> None:
+    data = json.loads((built / "scan_filters.json").read_text())
+    Draft202012Validator(library_schema()).validate(data)
+    assert [component["component"] for component in data["components"]] == [
+        "range_clip_node",
+        "scan_filters/range_clip",
+        "scan_filters/throttle",
+    ]
+    found = find(None, "scan_filters/range_clip", [built])
+    assert found and (found.kind, found.origin, found.revision, found.made) == ("nodelet", ORIGIN[1], "1.2", "generated")
+    expected = json.loads((examples / "nodelet_filter/expected/scan_filters/RangeClip.json").read_text())
+    fields = ("kind", "name", "type", "queue", "latched", "from_param")
+    assert [tuple(getattr(port, key) for key in fields) for port in found.ports] == [
+        tuple(port[key] for key in fields) for port in expected["ports"]
+    ]
+    assert {parameter.name for parameter in found.params} == {parameter["name"] for parameter in expected["params"]}
+
+
+def test_reconfigurable_parameters_are_parameters(rosarch: Callable, examples: Path, tmp_path: Path) -> None:
+    assert rosarch("library", "build", examples / "services_and_actions", *ORIGIN, "-o", tmp_path).code == 0
+    found = find("arm_control", "arm_server", [tmp_path])
+    assert found
+    assert {"kind": "dynamic_reconfigure_server", "name": "~", "type": "arm_control/ArmControlConfig"}.items() <= {
+        key: value for port in found.ports if port.kind == "dynamic_reconfigure_server" for key, value in vars(port).items()
+    }.items()
+    config = (examples / "services_and_actions").rglob("*.cfg")
+    assert any(parameter.name.lstrip("~") in next(config).read_text() for parameter in found.params if parameter.name)
+
+
+def test_unknown_names_leave_a_component_open(rosarch: Callable, examples: Path, tmp_path: Path) -> None:
+    assert rosarch("library", "build", examples / "recording", *ORIGIN, "-o", tmp_path).code == 0
+    found = find("recording", "record", [tmp_path])
+    assert found and found.open_ports
+    assert not [port for port in found.ports if "?" in (port.name or "")]
+
+
+def test_facts_are_as_good_as_sources(built: Path, rosarch: Callable, examples: Path, tmp_path: Path) -> None:
+    assert rosarch("extract", examples / "nodelet_filter", "-o", tmp_path / "facts").code == 0
+    assert rosarch("library", "build", tmp_path / "facts", *ORIGIN, "-o", tmp_path / "again").code == 0
+    assert (tmp_path / "again" / "scan_filters.json").read_text() == (built / "scan_filters.json").read_text()
+
+
+def test_list(built: Path, rosarch: Callable) -> None:
+    outcome = rosarch("library", "list", "--library", built, "-p", "scan_filters")
+    assert outcome.out == (
+        "scan_filters/range_clip_node  node     4 ports  generated  https://example.com/scan_filters.git 1.2\n"
+        "scan_filters/range_clip       nodelet  3 ports  generated  https://example.com/scan_filters.git 1.2\n"
+        "scan_filters/throttle         nodelet  3 ports  generated  https://example.com/scan_filters.git 1.2\n"
+        "\n3 components of 1 package\n"
+    )
+    documents = json.loads(rosarch("library", "list", "--library", built, "-p", "scan_filters", "--format", "json").out)
+    assert [document["component"] for document in documents] == ["range_clip_node", "scan_filters/range_clip", "scan_filters/throttle"]
+
+
+def test_show(rosarch: Callable) -> None:
+    text = rosarch("library", "show", "topic_tools/throttle").out.splitlines()
+    assert text[0] == "topic_tools/throttle  node"
+    assert text[1].startswith("by hand: https://github.com/ros/ros_comm ")
+    assert text[2].split() == ["subscriber", "(argument", "2)", "?"]
+    assert text[3].split() == ["publisher", "{2}_throttle", "(argument", "4)", "?", "if", "argument", "1", "is", "messages"]
+    assert rosarch("library", "show", "image_proc/debayer").out.startswith("image_proc/debayer  nodelet\n")
+    assert json.loads(rosarch("library", "show", "topic_tools/throttle", "--format", "json").out)["ports"][0] == {
+        "kind": "subscriber",
+        "queue": 10,
+        "from_arg": 2,
+    }
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("show", "topic_tools/rely"), "the library has no component topic_tools/rely, did you mean `topic_tools/relay`?"),
+        (("list", "-p", "nothing"), "the library has no package nothing"),
+        (("list", "--library", "/nowhere"), "/nowhere: no such folder"),
+        (("build", ".", "--origin", " ", "--revision", "1", "-o", "x"), "--origin: is empty"),
+    ],
+)
+def test_wrong_usage(rosarch: Callable, arguments: tuple[str, ...], message: str) -> None:
+    outcome = rosarch("library", *arguments)
+    assert (outcome.code, outcome.err) == (2, f"rosarch: error: {message}\n")
+
+
+def test_a_broken_file_is_told(rosarch: Callable, tmp_path: Path) -> None:
+    (tmp_path / "bad.json").write_text("{}")
+    outcome = rosarch("library", "list", "--library", tmp_path, "-p", "joy")
+    assert outcome.code == 0
+    assert outcome.err == f"library: 1\n  {tmp_path}/bad.json:1:1: file: `package` is missing\n1 diagnostic\n"

@@ -1,0 +1,91 @@
+"""Generated components, what is laid over them by hand, and the order of folders."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from rosarch.library import LibraryComponent, find, load
+
+
+def write(folder: Path, made: str, *components: dict[str, Any], name: str = "demo.json", **fields: str) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    head = {"package": "demo", "origin": f"https://{folder.name}", "revision": "1", "made": made, **fields}
+    (folder / name).write_text(json.dumps({**head, "components": components}))
+    return folder
+
+
+def node(**fields: Any) -> dict[str, Any]:
+    return {"component": "n", "kind": "node", **fields}
+
+
+def publisher(name: str, **fields: Any) -> dict[str, Any]:
+    return {"kind": "publisher", "name": name, **fields}
+
+
+def ports(component: LibraryComponent | None) -> list[tuple[str | None, str | None]]:
+    assert component
+    return [(port.name, port.type) for port in component.ports]
+
+
+def test_by_hand_is_laid_over_generated(tmp_path: Path) -> None:
+    base = node(
+        node_name="base", open=True, ports=[publisher("a", type="x/A"), publisher("b", type="x/B")], params=[{"name": "~p", "default": 1}]
+    )
+    overlay = node(
+        open=False, ports=[publisher("b", type="x/C"), publisher("c")], params=[{"name": "~p", "default": 2}, {"pattern": "~q.*"}]
+    )
+    folder = write(tmp_path / "own", "generated", base)
+    write(folder, "by hand", overlay, name="more.json")
+    found = find("demo", "n", [folder])
+    assert ports(found) == [("a", "x/A"), ("b", "x/C"), ("c", None)]
+    assert found and (found.node_name, found.open, found.made) == ("base", False, "generated, completed by hand")
+    assert [(p.name, p.pattern, p.default) for p in found.params] == [("~p", None, 2), (None, "~q.*", None)]
+
+
+def test_replace_leaves_nothing_of_the_base(tmp_path: Path) -> None:
+    folder = write(tmp_path / "own", "generated", node(node_name="base", ports=[publisher("a")]))
+    write(folder, "by hand", node(replace=True, ports=[publisher("b")]), name="more.json")
+    found = find("demo", "n", [folder])
+    assert ports(found) == [("b", None)]
+    assert found and (found.node_name, found.made) == (None, "by hand")
+
+
+def test_earlier_folders_come_first(tmp_path: Path) -> None:
+    first = write(tmp_path / "first", "generated", node(ports=[publisher("a", type="x/First")]))
+    second = write(tmp_path / "second", "generated", node(ports=[publisher("a", type="x/Second"), publisher("b")]))
+    assert ports(find("demo", "n", [first, second])) == [("a", "x/First")]
+    write(first, "by hand", node(ports=[publisher("c", type="x/First")]), name="more.json")
+    write(second, "by hand", node(ports=[publisher("c", type="x/Second")]), name="more.json")
+    assert ports(find("demo", "n", [second, first])) == [("a", "x/Second"), ("b", None), ("c", "x/Second")]
+
+
+def test_users_come_before_what_is_shipped(tmp_path: Path) -> None:
+    own = {"component": "joy_node", "kind": "node", "ports": [publisher("sticks", type="x/Sticks")]}
+    folder = write(tmp_path / "own", "generated", own, name="joy.json", package="joy")
+    assert ports(find("joy", "joy_node", [folder])) == [("sticks", "x/Sticks")]
+    assert ("joy", "sensor_msgs/Joy") in ports(find("joy", "joy_node"))
+
+
+def test_one_bad_file_costs_that_file(tmp_path: Path) -> None:
+    folder = write(tmp_path / "own", "by hand", node(ports=[publisher("a")]))
+    (folder / "bad.json").write_text("{")
+    library = load([folder])
+    assert [str(problem) for problem in library.problems] == [
+        f"{folder / 'bad.json'}:1:2: broken JSON: expecting property name enclosed in double quotes"
+    ]
+    assert ports(library.find("demo", "n")) == [("a", None)]
+    assert library.find("joy", "joy_node")
+
+
+def test_what_may_be_more(tmp_path: Path) -> None:
+    opened = {"a": True, "b": False, "c": "ports", "d": "params"}
+    folder = write(tmp_path / "own", "by hand", *({"component": name, "kind": "node", "open": value} for name, value in opened.items()))
+    found = {name: find("demo", name, [folder]) for name in opened}
+    assert {name: (c.open, c.open_ports, c.open_params) for name, c in found.items() if c} == {
+        "a": (True, True, True),
+        "b": (False, False, False),
+        "c": (True, True, False),
+        "d": (True, False, True),
+    }
