@@ -43,6 +43,19 @@ class Reactive:
 
 
 @dataclass(frozen=True)
+class OneShot:
+    """The component sends through `output` when a timer that runs once has run out, after `after` seconds; `must`: always."""
+
+    after: float | None
+    after_from_param: str | None
+    output: str
+    sent_at: tuple[Place, ...]
+    must: bool
+    at: Place
+    guard: Formula
+
+
+@dataclass(frozen=True)
 class Deferred:
     """What arrives at `input` is kept in `variable`, from which a timed loop or timer later makes what it sends through `output`."""
 
@@ -68,7 +81,10 @@ class StateVariable:
 
 @dataclass(frozen=True)
 class Transition:
-    """An assignment to a state variable; `field` is the part that is assigned, `trigger` has port ids and kinds of activities."""
+    """An assignment to a state variable; `field` is the part that is assigned, `trigger` has port ids and kinds of activities.
+
+    `timed_by` are the places of the timed loops and timers among the triggers, as those of `Periodic` and `OneShot`.
+    """
 
     variable: str
     field: str | None
@@ -76,6 +92,7 @@ class Transition:
     guard: Formula
     value: str | None
     at: Place
+    timed_by: tuple[Place, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -88,6 +105,7 @@ class Behavior:
     configuration: tuple[StateVariable, ...]
     transitions: tuple[Transition, ...]
     deferred: tuple[Deferred, ...]
+    one_shot: tuple[OneShot, ...] = ()
 
 
 NOTHING = Behavior((), (), (), (), (), ())
@@ -104,13 +122,12 @@ def build_behavior(relations: Relations, places: Mapping[str, Place], ports: Por
         _variables("configuration_variable", relations, places, names),
         _transitions(relations, places, names, guards, _triggers(relations, ports, callbacks)),
         _deferred(relations, ports, names),
+        _one_shot(relations, places, ports, guards),
     )
 
 
 def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards) -> tuple[Periodic, ...]:
-    rates: dict[str, list[tuple[float | None, str | None]]] = defaultdict(list)
-    for site, amount, per_second, parameter in sorted(relations["period"]):
-        rates[site].append((frequency(amount, per_second), parameter or None))
+    rates = _rates(relations)
     sent: dict[tuple[str, str], dict[Formula, set[str]]] = defaultdict(lambda: defaultdict(set))
     roots = sorted(relations["periodic"])
     for site, port, call in sorted(relations["sends_periodically"], key=repr):
@@ -124,6 +141,13 @@ def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds,
         for guard, published in (sent[site, root] or {formula.TRUE: set()}).items():
             found.append(Periodic(mechanism, hz, parameter, tuple(sorted(published, key=_number)), places[site], guard))
     return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
+
+
+def _rates(relations: Relations) -> dict[str, list[tuple[float | None, str | None]]]:
+    rates: dict[str, list[tuple[float | None, str | None]]] = defaultdict(list)
+    for site, amount, per_second, parameter in sorted(relations["period"]):
+        rates[site].append((frequency(amount, per_second), parameter or None))
+    return rates
 
 
 def _best_rate(rates: list[tuple[float | None, str | None]]) -> tuple[float | None, str | None]:
@@ -153,6 +177,26 @@ def _reactive(
             at = tuple(sorted(places[site] for site in sites))
             found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
+
+
+def _one_shot(relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards) -> tuple[OneShot, ...]:
+    rates = _rates(relations)
+    functions: dict[str, list[str]] = defaultdict(list)
+    for timer, function in sorted(relations["timer_callback"]):
+        functions[timer].append(function)
+    calls: dict[tuple[str, Any], list[str]] = defaultdict(list)
+    for timer, sink, call in relations["sends_once"]:
+        calls[timer, sink].append(call)
+    always = set(relations["always_sends_once"])
+    found = []
+    for (timer, sink), sites in calls.items():
+        guard = formula.either(guards.reached(function, site) for function in functions[timer] for site in sorted(sites))
+        if sink in ports and guard.alternatives:
+            hz, parameter = _best_rate(rates[timer])
+            at = tuple(sorted(places[site] for site in sites))
+            after = None if not hz else round(1 / hz, 6)
+            found.append(OneShot(after, parameter, ports[sink], at, (timer, sink) in always, places[timer], guard))
+    return tuple(sorted(found, key=lambda o: (o.at, _number(o.output))))
 
 
 def _deferred(relations: Relations, ports: PortIds, names: Mapping[str, str]) -> tuple[Deferred, ...]:
@@ -244,7 +288,8 @@ def _constructed(text: str | None, name: str) -> str | None:
 def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> dict[str, tuple[str, ...]]:
     """What starts each activity: port ids for callbacks, else a word."""
     found: dict[str, set[str]] = defaultdict(set)
-    words = {"timer": "periodic", "loop": "periodic", "thread": "thread", "signal": "signal", "end": "main", "main": "main"}
+    same = ("thread", "signal", "main")
+    words = {"timer": "periodic", "loop": "periodic", "once": "timer", "end": "main"} | {kind: kind for kind in same}
     for root, kind in relations["activity"]:
         if kind in words:
             found[root].add(words[kind])
@@ -259,19 +304,32 @@ def _transitions(
 ) -> tuple[Transition, ...]:
     texts: dict[str, str] = dict(relations["node_text"])
     parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
+    timers = _timers(relations, places)
     found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
+    timed: dict[tuple[str, str, Formula], set[Place]] = defaultdict(set)
     for assignment, variable, root in relations["transition"]:
         guard = guards.reached(root, assignment)
         if guard.alternatives:  # else the conditions on the way contradict each other
             found[assignment, variable, guard].update(triggers.get(root, ()))
+            timed[assignment, variable, guard].update(timers.get(root, ()))
     result = []
     for (assignment, variable, guard), causes in found.items():
         how, target, value = parts.get(assignment, ("call", "", ""))
         if assignment in places and variable in names:
             field = _field(texts.get(target, ""), names[variable])
             text = _value(how, texts.get(assignment), texts.get(target), texts.get(value))
-            result.append(Transition(names[variable], field, tuple(sorted(causes)), guard, text, places[assignment]))
+            loops = tuple(sorted(timed[assignment, variable, guard]))
+            result.append(Transition(names[variable], field, tuple(sorted(causes)), guard, text, places[assignment], loops))
     return tuple(sorted(result, key=lambda t: (t.at, t.variable, formula.text(t.guard) or "", t.trigger)))
+
+
+def _timers(relations: Relations, places: Mapping[str, Place]) -> dict[str, set[Place]]:
+    """The places of what times each activity."""
+    found: dict[str, set[Place]] = defaultdict(set)
+    for site, root in [row[:2] for row in relations["periodic"]] + list(relations["timer_callback"]):
+        if site in places:
+            found[root].add(places[site])
+    return found
 
 
 def _field(target: str, name: str) -> str | None:

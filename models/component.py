@@ -205,10 +205,16 @@ def _behavior_json(behavior: Behavior) -> dict[str, Any]:
         "configuration": [_variable_json(variable) for variable in behavior.configuration],
         "transitions": [
             {"variable": t.variable, **({} if t.field is None else {"field": t.field}), "trigger": list(t.trigger),
+             **({"timed_by": [str(place) for place in t.timed_by]} if t.timed_by else {}),
              **_guard_json("guard", t.guard), "value": t.value, "at": str(t.at)}
             for t in behavior.transitions
         ],
         "reactive_deferred": [vars(deferred) for deferred in behavior.deferred],
+        "one_shot": [
+            {"after": o.after, "after_from_param": o.after_from_param, "output": o.output, "sent_at": [str(place) for place in o.sent_at],
+             "must": o.must, "at": str(o.at), **_guard_json("when", o.guard)}
+            for o in behavior.one_shot
+        ],
     }  # fmt: skip
 
 

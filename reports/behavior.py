@@ -9,7 +9,7 @@ from typing import Any
 from rosarch.models.machine.conditions import spaced
 
 Document = Mapping[str, Any]
-FIELDS = ("periodic", "reactive", "state_variables", "configuration", "transitions")
+FIELDS = ("periodic", "reactive", "state_variables", "configuration", "transitions", "one_shot")
 
 
 @dataclass(frozen=True)
@@ -51,6 +51,15 @@ def _reactions(document: Document, names: Mapping[str, str]) -> tuple[tuple[str,
             _text(row.get("when")),
         )
         for row in document.get("reactive") or ()
+    ) + tuple(
+        (
+            _timer(row),
+            _names([row.get("output")], names),
+            "always" if row.get("must") else "may",
+            _places(row.get("sent_at")),
+            _text(row.get("when")),
+        )
+        for row in document.get("one_shot") or ()
     )
 
 
@@ -65,6 +74,12 @@ def _loops(document: Document, names: Mapping[str, str]) -> tuple[tuple[str, ...
         )
         for row in document.get("periodic") or ()
     )
+
+
+def _timer(row: Mapping[str, Any]) -> str:
+    after, parameter = row.get("after"), row.get("after_from_param")
+    text = f"timer, once after {after:g} s" if isinstance(after, int | float) else "timer, once"
+    return f"{text} from {parameter}" if parameter else text
 
 
 def _rate(row: Mapping[str, Any]) -> str:

@@ -16,6 +16,7 @@ from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import spaced
 from rosarch.models.machine.logic import TRUE, Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects
 from rosarch.models.machine.reactions import (
+    PERIODIC,
     Course,
     Output,
     Row,
@@ -23,6 +24,8 @@ from rosarch.models.machine.reactions import (
     TooManyCases,
     component_steps,
     courses,
+    loop_trigger,
+    loops_told_apart,
 )
 
 MAX_STATES = 16
@@ -145,7 +148,9 @@ def build_machine(document: Document, *, max_states: int = MAX_STATES, joint: bo
 
 
 def _loops_message(document: Document, steps: Mapping[str, Sequence[Step]]) -> list[str]:
-    """The model does not tell which of several timed loops makes an assignment."""
+    """Where the model does not tell which of several timed loops makes an assignment."""
+    if loops_told_apart(document):
+        return []
     loops = {row.get("at") for row in document.get("periodic") or () if row.get("publishes")}
     if len(loops) < 2 or not any(step.assignments for step in steps.get("periodic", ())):
         return []
@@ -379,7 +384,12 @@ def _port_labels(document: Document) -> dict[str, str]:
 def _trigger_label(id_: str, document: Document, ports: Mapping[str, str]) -> str:
     if id_ in ports:
         return "reconfigure" if ports[id_] == "~" else ports[id_]
-    rates = {row.get("hz") for row in document.get("periodic") or ()}
-    if id_ == "periodic" and len(rates) == 1 and (hz := next(iter(rates))):
+    loops = {str(row.get("at")): row.get("hz") for row in document.get("periodic") or ()}
+    rates = set(loops.values())
+    if id_ == PERIODIC and len(rates) == 1 and (hz := next(iter(rates))):
         return f"{hz:g} Hz"
+    for at, hz in loops.items():
+        if id_ == loop_trigger(at):
+            rate = f"{hz:g} Hz" if hz else PERIODIC
+            return rate if hz and list(loops.values()).count(hz) == 1 else f"{rate} {at.rpartition('/')[2]}"
     return spaced(id_)

@@ -323,7 +323,7 @@ def _conditions(document: Document) -> Iterator[tuple[str, str]]:
     for row in document.get("transitions") or ():
         if row.get("guard"):
             yield _owner(str(row.get("variable") or "")), row["guard"]
-    for row in document.get("reactive") or ():
+    for row in (*(document.get("reactive") or ()), *(document.get("one_shot") or ())):
         if row.get("when"):
             yield "", row["when"]
     for row in document.get("periodic") or ():

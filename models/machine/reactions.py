@@ -24,6 +24,8 @@ from rosarch.models.machine.logic import (
 )
 from rosarch.models.machine.meaning import Assignment, Meaning
 
+PERIODIC = "periodic"
+
 
 class TooManyCases(Exception):
     """A reaction has more courses than anyone wants to see."""
@@ -79,6 +81,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     meaning = Meaning(domains)
     names = {row["name"] for row in document.get("state_variables") or ()}
     found: dict[str, list[Step]] = {}
+    loops = loops_told_apart(document)
     for index, row in enumerate(document.get("transitions") or ()):
         if not row.get("variable"):
             continue
@@ -86,7 +89,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
         owner = variable.rpartition("::")[0].rsplit("::", 1)[-1]
         assignments = meaning.assignments(variable, suffix, row.get("value"), owner)
         step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(row.get("guard"), owner), tuple(assignments))
-        for trigger in _list(row.get("trigger")):
+        for trigger in _triggers(row, loops):
             found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("reactive") or ()):
         guard = meaning.conjuncts(row.get("when"), "")
@@ -98,8 +101,31 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
         guard = meaning.conjuncts(row.get("conditional"), "")
         if row.get("publishes"):
             step = Step(Row("periodic", index, _place(row)), guard, (), tuple(row["publishes"]))
-            found.setdefault("periodic", []).append(step)
+            found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
+    for index, row in enumerate(document.get("one_shot") or ()):
+        step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(row.get("when"), ""), (), (str(row["output"]),))
+        found.setdefault("timer", []).append(step)
     return {trigger: sorted(steps, key=_order) for trigger, steps in found.items()}
+
+
+def loops_told_apart(document: Document) -> frozenset[str]:
+    """The places of the timed loops, if there are several and every assignment that one of them makes tells which."""
+    rows = [row for row in document.get("transitions") or () if PERIODIC in _list(row.get("trigger"))]
+    loops = frozenset(str(row.get("at")) for row in document.get("periodic") or ())
+    return loops if len(loops) > 1 and all(loops.intersection(_list(row.get("timed_by"))) for row in rows) else frozenset()
+
+
+def loop_trigger(place: object) -> str:
+    """The trigger of the timed loop that waits at `place`."""
+    return f"{PERIODIC} {place}"
+
+
+def _triggers(row: Mapping[str, object], loops: frozenset[str]) -> list[str]:
+    triggers = _list(row.get("trigger"))
+    if not loops or PERIODIC not in triggers:
+        return triggers
+    timed = [loop_trigger(place) for place in _list(row.get("timed_by")) if place in loops]
+    return [trigger for trigger in triggers if trigger != PERIODIC] + timed
 
 
 def _list(value: object) -> list[str]:

@@ -41,6 +41,10 @@ def lines(document: dict[str, Any]) -> list[str]:
             f"reactive {ports[r['input']]} -> {ports[r['output']]} {'must' if r['must'] else 'may'} [{r['when'] or ''}]"
             for r in document["reactive"]
         ]
+        + [
+            f"once after {o['after']} {o['after_from_param']} -> {ports[o['output']]} {'must' if o['must'] else 'may'} [{o['when'] or ''}]"
+            for o in document["one_shot"]
+        ]
         + [f"deferred {ports[d['input']]} -> {ports[d['output']]} by {d['variable']}" for d in document["reactive_deferred"]]
         + [f"state {v['name']} = {v['initial']}" for v in document["state_variables"]]
         + [f"config {v['name']} = {v['initial']} {v.get('from_param')}" for v in document["configuration"]]

@@ -18,6 +18,7 @@ NAMES = (
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
     "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step", "silent_condition", "switch_case",
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
+    "timer_callback", "sends_once", "always_sends_once",
 )  # fmt: skip
 FIELDS = [
     "system",
@@ -34,6 +35,7 @@ FIELDS = [
     "configuration",
     "transitions",
     "reactive_deferred",
+    "one_shot",
 ]
 PORT_FIELDS = ["id", "kind", "name", "from_param", "type", "queue", "latched", "callback", "via", "at", "conditional"]
 
@@ -72,7 +74,7 @@ def test_the_whole_document() -> None:
             {"id": "p2", "kind": "subscriber", "name": "in", "from_param": None, "type": "std_msgs/Empty", "queue": None, "latched": False, "callback": "N::on_in", "via": "plain", "at": "pkg/n.cpp:8", "conditional": None},
         ],
         "params": [{"name": "~topic", "op": "read", "type": "string", "default": "out", "at": "pkg/n.cpp:9"}],
-        "periodic": [], "reactive": [], "state_variables": [], "configuration": [], "transitions": [], "reactive_deferred": [],
+        "periodic": [], "reactive": [], "state_variables": [], "configuration": [], "transitions": [], "reactive_deferred": [], "one_shot": [],
     }  # fmt: skip
 
 

@@ -47,12 +47,16 @@ def test_reactions_and_odd_rows() -> None:
     node["reactive"][1]["at"] = ["d/n.cpp:51", "d/n.cpp:60", "other.cpp:3"]
     node["periodic"][1]["hz_from_param"] = "~rate"
     node["transitions"][0]["field"] = "y"
+    node["one_shot"] = [
+        {"after": 3.5, "after_from_param": "~delay", "output": "b", "sent_at": ["n.cpp:5"], "must": True, "at": "n.cpp:9", "when": None}
+    ]
     assert behavior_text.behaviors_text([node, document()]) == (
         "p/n  node n\n"
         "  reactions\n"
-        "    on  sends          source                    when\n"
-        "    a   b      always  n.cpp:50\n"
-        "    a   b      may     n.cpp:51 :60 other.cpp:3  x_ > 3\n"
+        "    on                                   sends          source                    when\n"
+        "    a                                    b      always  n.cpp:50\n"
+        "    a                                    b      may     n.cpp:51 :60 other.cpp:3  x_ > 3\n"
+        "    timer, once after 3.5 s from ~delay  b      always  n.cpp:5\n"
         "\n"
         "  timed loops\n"
         "    rate               by    sends    source\n"

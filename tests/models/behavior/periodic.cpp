@@ -61,3 +61,4 @@ int main(int argc, char** argv)
 // expect: periodic sleep 50.0 None b []
 // expect: periodic sleep 4.0 None c [!msg.data]
 // expect: periodic timer 40.0 ~rate d []
+// expect: once after 5.0 None -> e must []

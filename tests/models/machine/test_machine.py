@@ -250,6 +250,31 @@ def test_several_loops_are_one_trigger_and_that_is_told() -> None:
     assert arrows(machine) == {"false periodic/a,b true", "true periodic/a false"}
 
 
+def test_loops_are_told_apart_where_assignments_tell_what_times_them() -> None:
+    node = document(
+        variables=[("N::on_", "bool", "false")],
+        transitions=[("N::on_", "periodic", None, "!on_"), ("N::on_", ["reset", "periodic"], None, "false")],
+        periodic=[(1.0, ["a"], None), (5.0, ["b"], "on_"), (5.0, ["c"], "on_")],
+    )
+    node["transitions"][0]["timed_by"] = ["n.cpp:80"]
+    node["transitions"][1]["timed_by"] = ["n.cpp:81", "once.cpp:3"]
+    machine = build_machine(node)
+    assert machine.messages == ()
+    assert [(t.id, t.label) for t in machine.triggers] == [
+        ("periodic n.cpp:80", "1 Hz"), ("reset", "reset"), ("periodic n.cpp:81", "5 Hz n.cpp:81"), ("periodic n.cpp:82", "5 Hz n.cpp:82"),
+    ]  # fmt: skip
+
+
+def test_a_timer_that_runs_once_is_a_trigger() -> None:
+    node = document(variables=[("N::late_", "bool", "false")], transitions=[("N::late_", "timer", None, "true")])
+    node["one_shot"] = [
+        {"after": 3.0, "after_from_param": None, "output": "alarm", "sent_at": ["n.cpp:5"], "must": True, "at": "n.cpp:9", "when": "!late_"}
+    ]
+    machine = build_machine(node)
+    assert arrows(machine) == {"false timer/alarm true"}
+    assert [row.kind for row in machine.regions[0].transitions[0].rows] == ["one_shot", "transitions"]
+
+
 def test_rows_and_places_are_kept() -> None:
     (transition,) = (t for t in build_machine(DOOR).regions[0].transitions if t.trigger == "open" and t.visible)
     assert [(row.kind, row.index, row.at) for row in transition.rows] == [("reactive", 1, "n.cpp:51"), ("transitions", 0, "n.cpp:10")]
