@@ -1,0 +1,79 @@
+"""The model of a composed system, as plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rosarch.models.places import Place
+
+CONNECTOR_KINDS = ("topic", "service", "action")
+
+
+@dataclass(frozen=True)
+class SystemPort:
+    """A port of a node that is started.
+
+    `name` is that of the ROS graph, after namespaces, parameters and remappings; "?" stands for a part that is not known. `written` is the
+    name in the component's model. `id` is unique in the node, `at` is None for ports of the library of interfaces.
+    """
+
+    id: str
+    kind: str
+    name: str
+    written: str
+    type: str | None
+    at: Place | None
+    implicit: bool = False
+    conditional: str | None = None
+
+
+@dataclass(frozen=True)
+class SystemNode:
+    """A node that is started.
+
+    `id` tells apart nodes of the same name. `component` is `package/name` of its model; `origin` tells where that is from: `source`,
+    `library`, or `unknown` when there is none. `lines` lead from the launch file given to the `<node>`, `conditions` are those that
+    launch files leave open. `open` nodes may have more ports than are known.
+    """
+
+    id: str
+    name: str
+    package: str
+    type: str
+    origin: str
+    component: str | None
+    lines: tuple[Place, ...]
+    ports: tuple[SystemPort, ...]
+    conditions: tuple[str, ...] = ()
+    open: bool = False
+
+
+@dataclass(frozen=True)
+class Connector:
+    """A topic, service or action that ports meet at; `sources` send or call, `sinks` receive or serve: pairs of node id and port id."""
+
+    kind: str
+    name: str
+    types: tuple[str, ...]
+    sources: tuple[tuple[str, str], ...]
+    sinks: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Inclusion:
+    """A launch file that another one includes, at `at`; `file` is None when it is not there."""
+
+    at: Place
+    text: str
+    file: str | None
+
+
+@dataclass(frozen=True)
+class SystemModel:
+    """One composed system. `name` tells it from others of the workspace, `launch` are the launch files (relative) with their arguments."""
+
+    name: str
+    launch: tuple[str, ...]
+    nodes: tuple[SystemNode, ...]
+    connectors: tuple[Connector, ...]
+    inclusions: tuple[Inclusion, ...] = ()
