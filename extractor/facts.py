@@ -36,9 +36,7 @@ def validate(rows: Rows) -> None:
                 raise SchemaError(f"{relation}: {row!r} does not fit ({', '.join(f'{a.name}: {a.type}' for a in declaration.attributes)})")
 
 
-def write_component(
-    out: Path, package: str, component: str, kind: str, sources: tuple[str, ...], rows: Rows, plugin_name: str | None = None
-) -> FactsEntry:
+def write_component(out: Path, package: str, component: str, kind: str, sources: tuple[str, ...], rows: Rows) -> FactsEntry:
     """Write the facts of one component to `out`/`package`/`component`; every relation of the schema gets a file."""
     validate(rows)
     folder = path_below(out, package, component)
@@ -46,4 +44,4 @@ def write_component(
     complete = {relation: sorted(rows.get(relation, ())) for relation in schema()}
     write_facts(folder, complete, schema())
     counts = {relation: len(found) for relation, found in complete.items()}
-    return FactsEntry(package, component, kind, f"{package}/{component}", sources, counts, folder_digest(folder), plugin_name)
+    return FactsEntry(package, component, kind, f"{package}/{component}", sources, counts, folder_digest(folder))

@@ -36,7 +36,6 @@ class FactsEntry:
     sources: tuple[str, ...]
     rows: Mapping[str, int]
     digest: str
-    plugin_name: str | None = None
 
 
 @dataclass(frozen=True)

@@ -49,7 +49,6 @@ class ComponentFacts:
     sources: tuple[str, ...]
     units: tuple[Path, ...]
     own: Rows
-    plugin_name: str | None = None
 
     def rows(self) -> Rows:
         """All facts of the component; message classes and configurations that its sources never name are left out."""
@@ -90,9 +89,7 @@ class Extraction:
         for component in self.components:
             rows = component.rows()
             sources += [str(path) for _, path in rows["source_file"]]
-            entries.append(
-                write_component(out, component.package, component.name, component.kind, component.sources, rows, component.plugin_name)
-            )
+            entries.append(write_component(out, component.package, component.name, component.kind, component.sources, rows))
         write_manifest(out, self.root, entries, sources, self.diagnostics)
 
 
@@ -105,8 +102,9 @@ def extract(
     defines: Mapping[str, str] | None = None,
     cache: Cache | None = None,
     progress: Progress | None = None,
+    only: Callable[[Component], bool] | None = None,
 ) -> Extraction:
-    """Extract the facts of the components of `packages` (all by default) below `root`.
+    """Extract the facts of the components of `packages` (all by default) below `root`, or of those that `only` tells.
 
     `timeout` is the limit in seconds for one source. `defines` are CMake cache variables. With a `cache`, only what has
     changed since an earlier extraction is read again. Sources that fail and whatever else was not understood is in
@@ -116,7 +114,7 @@ def extract(
     store = load_messages(workspace.packages)
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
-    found = components(workspace, extraction.diagnostics)
+    found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
     commands = read_compile_commands(workspace.root)
     extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
     units_of = {component: compile_units(workspace, component, commands) for component in found}
@@ -341,6 +339,8 @@ def _component_facts(
     }
     if component.entry_class:
         own["component_class"] = {(component.entry_class,)}
+    if component.plugin_name or component.base_class:
+        own["component_plugin"] = {(component.plugin_name or component.entry_class or component.name, component.base_class or "")}
     for unit in units:
         if unit.source.is_relative_to(root):
             relative = path_text(unit.source.relative_to(root))
@@ -356,5 +356,4 @@ def _component_facts(
         tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root)),
         tuple(file for unit in units if isinstance(file := files[unit], Path)),
         own,
-        component.plugin_name,
     )

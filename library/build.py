@@ -19,7 +19,7 @@ UNKNOWN = "?"
 def library_documents(models: Iterable[ComponentModel], origin: str, revision: str) -> dict[str, dict[str, Any]]:
     """A document per package that has components."""
     packages: dict[str, list[dict[str, Any]]] = {}
-    for model in sorted(models, key=lambda model: (model.package, model.plugin_name or model.component)):
+    for model in sorted(models, key=lambda model: (model.package, _name(model))):
         document = component_document(model)
         says_something = model.kind != "plugin" or "ports" in document or "params" in document
         if model.kind in COMPONENT_KINDS and says_something:
@@ -38,13 +38,18 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
     lost_ports = len(ports) < len(model.ports) or not any(not port.implicit for port in ports)
     lost_params = len(params) < len(accesses)
     return _known(
-        component=model.plugin_name or model.component,
+        component=_name(model),
         kind=model.kind,
         node_name=model.node_name,
         open=(lost_params or "ports") if lost_ports else ("params" if lost_params else None),
         ports=_distinct(_port(port) for port in ports) or None,
         params=_parameters(params) or None,
     )
+
+
+def _name(model: ComponentModel) -> str:
+    """The name that launch files know a component by."""
+    return model.plugin.name if model.plugin else model.component
 
 
 def _known(**fields: Any) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import time
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ from rosarch.models.component import ComponentModel, Relations, build_model
 
 if TYPE_CHECKING:
     from rosarch.extractor.pipeline import ComponentFacts, Progress
-    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.extractor.workspace import Component, Diagnostic
 
 COMPONENT_TIMEOUT = 300.0
 
@@ -41,7 +41,6 @@ class _StoredFacts:
     kind: str
     sources: tuple[str, ...]
     folder: Path
-    plugin_name: str | None = None
 
     def rows(self) -> Mapping[str, Iterable[tuple[Any, ...]]]:
         return read_facts(self.folder, schema())
@@ -62,13 +61,14 @@ def analyze(
     defines: Mapping[str, str] | None = None,
     cache: Cache | None = None,
     progress: Progress | None = None,
+    only: Callable[[Component], bool] | None = None,
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root`. See `extract` for the options."""
     start = time.perf_counter()
     with meanwhile(component_program) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
 
-        with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
+        with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress, only=only) as extraction:
             extracted = time.perf_counter()
             rules_compiled()
             models, failures = _evaluate(root.resolve().name, extraction.components, root, engine, jobs, progress)
@@ -88,9 +88,7 @@ def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = 
     start = time.perf_counter()
     top = facts_folder(folder) or folder
     manifest = read_manifest(top)
-    stored = [
-        _StoredFacts(e.component, e.package, e.kind, e.sources, top / e.folder, e.plugin_name) for e in entries_below(manifest, top, folder)
-    ]
+    stored = [_StoredFacts(e.component, e.package, e.kind, e.sources, top / e.folder) for e in entries_below(manifest, top, folder)]
     models, failures = _evaluate(Path(manifest.root).name, stored, folder, engine, jobs, progress)
     return Analysis(
         models, (*manifest.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}
@@ -122,7 +120,7 @@ def _evaluate(
             failures.append(Diagnostic("component", where, 1, 1, detail))
         else:
             name, package, kind, sources = component.name, component.package, component.kind, component.sources
-            models.append(build_model(system, name, package, kind, sources, outcome, component.plugin_name))
+            models.append(build_model(system, name, package, kind, sources, outcome))
         if progress:
             progress("components", done + 1, len(components))
     models.sort(key=lambda model: (model.package, model.component))

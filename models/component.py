@@ -47,11 +47,16 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class ComponentModel:
-    """One component; a nodelet or plug-in is loaded by its `plugin_name`.
+class Plugin:
+    """How programs load a component that is a class: by `name`, where they want an object of class `base`."""
 
-    `reconfigurable` are the parameters that servers of dynamic_reconfigure keep.
-    """
+    name: str
+    base: str | None
+
+
+@dataclass(frozen=True)
+class ComponentModel:
+    """One component; `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the plug-ins that it loads."""
 
     system: str
     component: str
@@ -62,24 +67,18 @@ class ComponentModel:
     ports: tuple[Port, ...]
     params: tuple[Parameter, ...]
     behavior: Behavior = NOTHING
-    plugin_name: str | None = None
+    plugin: Plugin | None = None
     reconfigurable: tuple[Parameter, ...] = ()
+    loads: tuple[str, ...] = ()
 
 
-def build_model(
-    system: str,
-    component: str,
-    package: str,
-    kind: str,
-    sources: tuple[str, ...],
-    relations: Relations,
-    plugin_name: str | None = None,
-) -> ComponentModel:
+def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
     """Assemble the model from the rows of the rules' output relations."""
     places = {row[0]: Place(*row[1:]) for row in relations["node_location"]}
     names = sorted(name for (name,) in relations["node_name"])
     ports, ids = _ports(relations, places)
     behavior = build_behavior(relations, places, ids, tuple(relations["port_callback"]))
+    plugins = [Plugin(name, base or None) for name, base in sorted(relations["component_plugin"])]
     return ComponentModel(
         system,
         component,
@@ -90,8 +89,9 @@ def build_model(
         ports,
         _parameters(relations, places),
         behavior,
-        plugin_name,
+        plugins[0] if plugins else None,
         _reconfigurable(relations, places),
+        tuple(sorted({name for _, name in relations["plugin_load"]})),
     )
 
 
@@ -187,6 +187,8 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "ports": [_port_json(port) for port in model.ports],
         "params": [{"name": p.name, "op": p.op, "type": p.type, "default": default_value(p), "at": str(p.at)} for p in model.params],
         **_behavior_json(model.behavior),
+        **({"plugin": vars(model.plugin)} if model.plugin else {}),
+        **({"loads": list(model.loads)} if model.loads else {}),
     }
 
 

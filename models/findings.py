@@ -15,8 +15,8 @@ LEVELS = ("high", "medium", "low")
 class Check:
     """A check, as the block of fields at the head of its file `rules/checks/<id>.dl` describes it.
 
-    `message` has the columns of the relation `relation` in braces; `at` is the column that tells where the fault lies, `evidence` are those
-    that tell how it comes about, in order.
+    `message` has the columns of the relation `relation` in braces. `evidence` are columns that have a place, each with a text of the same
+    form ("" for the usual one): first that of the fault, then those that tell how it comes about. `columns` are names and types.
     """
 
     id: str
@@ -28,10 +28,9 @@ class Check:
     scenario: str
     recommendation: str
     message: str
-    at: str
-    evidence: tuple[str, ...]
+    evidence: tuple[tuple[str, str], ...]
     relation: str
-    columns: tuple[str, ...]
+    columns: tuple[tuple[str, str], ...]
     path: str
 
     @property

@@ -14,7 +14,7 @@ from typing import Any
 
 from . import elements, nodes
 from .files import Files
-from .model import Composition, Condition, Include, LaunchError, NodeStart, ParamSetting, Place, Remap
+from .model import ArgumentDeclared, Composition, Condition, Include, LaunchError, NodeStart, ParamSetting, Place, Remap
 from .names import global_namespace
 from .scope import Scope
 from .state import Exhausted, Handler, State
@@ -178,6 +178,7 @@ class _Composer:
         inner = nodes.namespace_of(state, element, scope, conditions)
         passed = dict(scope.args) if passes_all else {}
         inner.declared, inner.passes_all = set(passed), passes_all
+        state.include = state.here
         for child in element.children:
             state.enter(child, inner)
             try:
@@ -209,7 +210,24 @@ def _finished(state: State) -> Composition:
         cleared=tuple(dict.fromkeys(state.cleared)),
         deleted=tuple(dict.fromkeys(state.deleted)),
         unread=tuple(_rendered_param(setting, state) for setting in state.unread),
+        declared=tuple(_rendered_declaration(argument, state) for argument in state.declared),
+        passed=tuple(replace(argument, name=shown(argument.name), value=_shown(argument.value, state)) for argument in state.passed),
+        remaps=tuple(_rendered_remap(remap, state) for remap in state.remaps),
     )
+
+
+def _shown(text: str | None, state: State) -> str | None:
+    return None if text is None else state.unknowns.render(text)
+
+
+def _rendered_declaration(argument: ArgumentDeclared, state: State) -> ArgumentDeclared:
+    shown = state.unknowns.render
+    value, default = _shown(argument.value, state), _shown(argument.default, state)
+    return replace(argument, path=shown(argument.path), name=shown(argument.name), value=value, default=default)
+
+
+def _rendered_remap(remap: Remap, state: State) -> Remap:
+    return replace(remap, source=state.unknowns.render(remap.source), target=state.unknowns.render(remap.target))
 
 
 def _rendered_param(setting: ParamSetting, state: State) -> ParamSetting:
@@ -231,21 +249,18 @@ def _rendered(value: Any, state: State) -> Any:
 def _rendered_node(node: NodeStart, state: State) -> NodeStart:
     shown = state.unknowns.render
 
-    def optional(text: str | None) -> str | None:
-        return None if text is None else shown(text)
-
     return replace(
         node,
         package=shown(node.package),
         type=shown(node.type),
         namespace=shown(node.namespace),
         args=shown(node.args),
-        remaps=tuple(Remap(shown(remap.source), shown(remap.target), remap.place, remap.conditions) for remap in node.remaps),
+        remaps=tuple(_rendered_remap(remap, state) for remap in node.remaps),
         environment=tuple((shown(name), shown(value)) for name, value in node.environment),
-        name=optional(node.name),
-        machine=optional(node.machine),
-        output=optional(node.output),
-        cwd=optional(node.cwd),
-        launch_prefix=optional(node.launch_prefix),
-        test_name=optional(node.test_name),
+        name=_shown(node.name, state),
+        machine=_shown(node.machine, state),
+        output=_shown(node.output, state),
+        cwd=_shown(node.cwd, state),
+        launch_prefix=_shown(node.launch_prefix, state),
+        test_name=_shown(node.test_name, state),
     )

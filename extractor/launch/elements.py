@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from .commands import output, words_of
-from .model import LaunchError, ParamSetting, Remap
+from .model import ArgumentDeclared, ArgumentPassed, LaunchError, ParamSetting, Place, Remap
 from .names import canonical, ns_join
 from .scope import Scope
 from .state import YAML_COST, State
@@ -32,6 +32,10 @@ def arg(state: State, element: Element, scope: Scope, passed: dict[str, str] | N
     value, default, _doc = (state.text(element, key, scope) for key in ("value", "default", "doc"))
     if value is not None and default is not None:
         raise LaunchError("arg-value", name, f"argument `{name}` has both a value and a default")
+    if passed is None:
+        state.declared.append(ArgumentDeclared(scope.filename, name, value, default, state.here))
+    else:
+        state.passed.append(ArgumentPassed(name, value, state.include, state.here))
     into = scope.args if passed is None else passed
     if conditions or name in scope.maybe_declared:
         # one of two alternatives: what it is set to depends on the condition, unless it was passed
@@ -166,7 +170,7 @@ def _load(state: State, element: Element, text: str, name: str, setting: ParamSe
     """Set what a YAML text says; `name` is empty when parameters go to the scope's namespace."""
     state.spend(YAML_COST * len(text))
     try:
-        data = state.files.yaml(text)
+        data, lines = state.files.yaml(text)
     except YamlError as error:
         line = error.line if setting.source else element.line + error.line - 1
         path = setting.source or state.here.path
@@ -175,20 +179,23 @@ def _load(state: State, element: Element, text: str, name: str, setting: ParamSe
     data = {} if data is None else data
     if not name and not isinstance(data, dict):
         raise LaunchError("rosparam-name", "param", "YAML that is not a map needs an attribute `param`")
-    _unfold(state, setting.name, data, setting)
+    first = Place(setting.source, 1) if setting.source else replace(state.here, line=element.line)
 
+    def unfold(name: str, value: Any, keys: tuple[str, ...]) -> None:
+        """Set a parameter per scalar and list; maps are namespaces."""
+        if isinstance(value, dict):
+            for key, item in value.items():
+                if not isinstance(key, str):
+                    raise LaunchError("yaml-key", str(key), f"the key `{key}` in YAML is not a text, which a parameter's name must be")
+                unfold(ns_join(name, key), item, (*keys, key))
+        elif name == "/":
+            raise LaunchError("rosparam-name", "/", "only a map can be loaded into `/`")
+        else:
+            line = lines.get(keys)
+            written = setting.written if line is None else replace(first, line=first.line + line - 1, column=1)
+            state.set_param(replace(setting, name=name, value=value, written=written))
 
-def _unfold(state: State, name: str, value: Any, setting: ParamSetting) -> None:
-    """Set a parameter per scalar and list; maps are namespaces."""
-    if isinstance(value, dict):
-        for key, item in value.items():
-            if not isinstance(key, str):
-                raise LaunchError("yaml-key", str(key), f"the key `{key}` in YAML is not a text, which a parameter's name must be")
-            _unfold(state, ns_join(name, key), item, setting)
-    elif name == "/":
-        raise LaunchError("rosparam-name", "/", "only a map can be loaded into `/`")
-    else:
-        state.set_param(ParamSetting(name, value, setting.lines, setting.conditions, setting.source))
+    unfold(setting.name, data, ())
 
 
 def remap(state: State, element: Element, scope: Scope, into: Scope) -> None:
@@ -202,7 +209,9 @@ def remap(state: State, element: Element, scope: Scope, into: Scope) -> None:
         return
     state.check_attributes(element, ("from", "to"))
     source, target = state.required(element, "from", scope), state.required(element, "to", scope)
-    into.add_remap(Remap(source, target, state.here, conditions))
+    written = Remap(source, target, state.here, conditions)
+    into.add_remap(written)
+    state.remaps.append(written)
 
 
 def env(state: State, element: Element, scope: Scope) -> None:

@@ -15,7 +15,7 @@ from .model import LaunchError
 from .packages import PackagePath
 from .unknowns import cleaned
 from .xml_reader import Element, read_launch
-from .yaml_values import load_yaml
+from .yaml_values import KeyLines, load_yaml_lines
 
 MAX_BYTES = 32 * 1024 * 1024  # of one file
 
@@ -30,7 +30,7 @@ class Files:
         self._beside: set[str] = set()
         self._contents: dict[str, bytes] = {}
         self._launches: dict[str, Element] = {}
-        self._values: dict[str, Any] = {}
+        self._values: dict[str, tuple[Any, KeyLines]] = {}
 
     def allow_beside(self, launch_file: str) -> None:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
@@ -73,14 +73,14 @@ class Files:
             self._launches[full] = read_launch(self.read(path))
         return self._launches[full]
 
-    def yaml(self, text: str) -> Any:
-        """The value of a YAML text, parsed once: the same file is often loaded for many nodes. It must not be changed.
+    def yaml(self, text: str) -> tuple[Any, KeyLines]:
+        """The value of a YAML text and the lines of its keys, parsed once: the same file is often loaded for many nodes. Not to be changed.
 
         Raises:
             YamlError: it is no YAML for parameters.
         """
         if text not in self._values:
-            self._values[text] = load_yaml(text)
+            self._values[text] = load_yaml_lines(text)
         return self._values[text]
 
     def _read(self, full: str, path: str) -> bytes:

@@ -89,13 +89,43 @@ class NodeStart:
 
 @dataclass(frozen=True)
 class ParamSetting:
-    """A parameter and the value it is set to. `lines` lead to the element that sets it, `source` is the file the value is from."""
+    """A parameter and the value it is set to.
+
+    `lines` lead to the element that sets it, `source` is the file the value is from, `written` its line in a YAML text.
+    """
 
     name: str
     value: Any
     lines: tuple[Place, ...]
     conditions: tuple[Condition, ...] = ()
     source: str | None = None
+    written: Place | None = None
+
+    @property
+    def place(self) -> Place:
+        """Where the value is written."""
+        return self.written or self.lines[-1]
+
+
+@dataclass(frozen=True)
+class ArgumentDeclared:
+    """An `<arg>` that the launch file at `path` declares; with a `value` it cannot be passed, without a `default` it must be."""
+
+    path: str
+    name: str
+    value: str | None
+    default: str | None
+    place: Place
+
+
+@dataclass(frozen=True)
+class ArgumentPassed:
+    """An `<arg>` that an `<include>`, at `include`, passes."""
+
+    name: str
+    value: str | None
+    include: Place
+    place: Place
 
 
 @dataclass(frozen=True)
@@ -144,6 +174,9 @@ class Composition:
     cleared: tuple[str, ...] = ()
     deleted: tuple[str, ...] = ()
     unread: tuple[ParamSetting, ...] = ()
+    declared: tuple[ArgumentDeclared, ...] = ()
+    passed: tuple[ArgumentPassed, ...] = ()
+    remaps: tuple[Remap, ...] = ()
 
     @property
     def refusal(self) -> Problem | None:

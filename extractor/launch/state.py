@@ -6,7 +6,19 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from .files import Files
-from .model import Condition, Include, LaunchError, NodeStart, ParamSetting, Place, Problem, exclusive
+from .model import (
+    ArgumentDeclared,
+    ArgumentPassed,
+    Condition,
+    Include,
+    LaunchError,
+    NodeStart,
+    ParamSetting,
+    Place,
+    Problem,
+    Remap,
+    exclusive,
+)
 from .names import canonical, parents
 from .scope import Scope, settle
 from .substitution import Resolver
@@ -36,6 +48,10 @@ class State:
         self.params: dict[str, list[ParamSetting]] = {}
         self.unread: list[ParamSetting] = []
         self.includes: list[Include] = []
+        self.declared: list[ArgumentDeclared] = []
+        self.passed: list[ArgumentPassed] = []
+        self.remaps: list[Remap] = []
+        self.include = Place("", 1)  # the one whose arguments are read
         self.problems: dict[Problem, None] = {}
         self.read: dict[str, None] = {}
         self.cleared: list[str] = []

@@ -29,14 +29,28 @@ class YamlError(Exception):
         self.message, self.line, self.column = message, line, column
 
 
+KeyLines = Mapping[tuple[str, ...], int]
+
+
 def load_yaml(text: str) -> Any:
-    """The value of a document.
+    """The value of a document. See `load_yaml_lines`."""
+    return load_yaml_lines(text)[0]
+
+
+def load_yaml_lines(text: str) -> tuple[Any, KeyLines]:
+    """The value of a document, and the line that each key of its maps stands on, by the keys that lead there.
 
     Raises:
         YamlError: the text is not YAML, has a tag that makes an object, or unfolds to too much.
     """
     try:
-        value = yaml.load(_ESCAPED_MARK.sub(r"\\uFFFD", text), Loader=_Loader)
+        loader = _Loader(_ESCAPED_MARK.sub(r"\\uFFFD", text))
+        try:
+            node = loader.get_single_node()
+            lines = _key_lines(node)
+            value = None if node is None else loader.construct_document(node)
+        finally:
+            loader.dispose()
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         reason = " ".join(part for part in (error.context, error.problem) if part)
@@ -48,7 +62,24 @@ def load_yaml(text: str) -> Any:
     except (ValueError, LookupError, TypeError, OverflowError) as error:  # e.g. the date 2000-99-99
         raise YamlError(str(error)) from None
     _check_size(value)
-    return value
+    return value, lines
+
+
+def _key_lines(document: yaml.Node | None) -> dict[tuple[str, ...], int]:
+    """The line of each key. What an alias stands for is counted once, where it is first reached."""
+    lines: dict[tuple[str, ...], int] = {}
+    seen: set[int] = set()
+    stack: list[tuple[tuple[str, ...], yaml.Node]] = [((), document)] if document is not None else []
+    while stack:
+        path, node = stack.pop()
+        if not isinstance(node, yaml.MappingNode) or id(node) in seen:
+            continue
+        seen.add(id(node))
+        for key, value in node.value:
+            if isinstance(key, yaml.ScalarNode):
+                lines.setdefault((*path, key.value), key.start_mark.line + 1)
+                stack.append(((*path, key.value), value))
+    return lines
 
 
 class _Loader(yaml.SafeLoader):

@@ -17,15 +17,25 @@ RULES = rules_folder()
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FILES = sorted(RULES.rglob("*.dl"))
 DIRECTIVE = re.compile(r"^\s*\.(input|output|printsize)\s+(\w+)", re.MULTILINE)
-SNAKE = re.compile(r"_?[a-z][a-z0-9]*(_[a-z0-9]+)*")
+SNAKE = re.compile(r"(_?[a-z][a-z0-9]*(_[a-z0-9]+)*\.)?_?[a-z][a-z0-9]*(_[a-z0-9]+)*")
 
 # extracted only from sources that no example has: each with the test that fills it
 ELSEWHERE = {"source_failed": "tests/extractor/test_pipeline.py"}
 
 
+PROGRAMS = ("component.dl", "system.dl")
+CHECKS = sorted((RULES / "checks").glob("*.dl"))
+
+
 @lru_cache
 def declarations() -> dict[str, RelationDecl]:
-    return dict(load_declarations(RULES / "component.dl"))
+    """The relations of the rules of components and of systems, checks included."""
+    return {**load_declarations(RULES / "component.dl"), **load_declarations([RULES / "system.dl", *CHECKS])}
+
+
+@lru_cache
+def system_schema() -> dict[str, RelationDecl]:
+    return dict(load_declarations(RULES / "system_schema.dl"))
 
 
 def file_of(declaration: RelationDecl) -> str:
@@ -40,7 +50,7 @@ PUBLIC = sorted(name for name in declarations() if not name.startswith("_"))
 
 
 def test_every_file_is_part_of_the_program() -> None:
-    included = {path.resolve() for path in _included(RULES / "component.dl")}
+    included = {path.resolve() for program in PROGRAMS for path in _included(RULES / program)} | {path.resolve() for path in CHECKS}
     assert sorted(path.relative_to(RULES).as_posix() for path in FILES if path.resolve() not in included) == []
 
 
@@ -82,7 +92,8 @@ def test_inputs_are_the_schema() -> None:
         if kind == "input"
     }
     assert {folder for folder, _ in found} == {"schema"}
-    assert {name for _, name in found} == set(schema())
+    assert {name for _, name in found} == set(schema()) | set(system_schema())
+    assert set(schema()).isdisjoint(system_schema())
 
 
 def test_outputs_are_in_one_file() -> None:
@@ -92,7 +103,7 @@ def test_outputs_are_in_one_file() -> None:
         for kind, _ in DIRECTIVE.findall(path.read_text(encoding="utf-8"))
         if kind != "input"
     }
-    assert found == {"export.dl"}
+    assert found == {"export.dl", "system/export.dl"}
 
 
 @pytest.mark.parametrize("name", [path.relative_to(RULES).as_posix() for path in FILES])

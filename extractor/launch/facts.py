@@ -1,0 +1,134 @@
+"""A composition as rows of `rules/schema/launch.dl`."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from rosarch.extractor.files import path_text
+
+from .arguments import node_arguments
+from .model import ArgumentDeclared, Composition, NodeStart, ParamSetting, Place
+from .names import canonical, global_namespace, ns_join
+from .record import plain
+from .values import Binary, automatic
+
+Rows = dict[str, set[tuple[Any, ...]]]
+_LONG = 4096  # characters of a value; a robot's description is no name of anything
+
+
+def launch_rows(composition: Composition, root: Path) -> Rows:
+    """The rows of a composition; paths below `root` are relative to it."""
+    return _Writer(root).write(composition)
+
+
+class _Writer:
+    """Collects rows. Places become facts of their own where they are named."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = os.path.abspath(root)
+        self.rows: Rows = {}
+
+    def write(self, composition: Composition) -> Rows:
+        names: Counter[str] = Counter()
+        for node in composition.nodes:
+            self.node(node, names)
+        for setting in composition.params:
+            self.param(setting)
+        for setting in composition.unread:
+            self.add("params_unread", setting.name, self.place(setting.place))
+        for declared in composition.declared:
+            self.declared(declared)
+        for include in composition.includes:
+            place = include.lines[-1]
+            self.add("included", self.place(place), self.path(place.path), self.path(include.file) if include.file else "")
+        for passed in composition.passed:
+            self.add("argument_passed", self.place(passed.include), passed.name, passed.value or "", self.place(passed.place))
+        for remap in composition.remaps:
+            row = (self.place(remap.place), self.path(remap.place.path), canonical(remap.source), canonical(remap.target))
+            self.add("remap_written", *row)
+        for problem in composition.problems:
+            effect = "refused" if problem.fatal else "warned"
+            self.add("launch_problem", self.place(problem.place), problem.kind, problem.subject, problem.message, effect)
+        return self.rows
+
+    def add(self, relation: str, *row: Any) -> None:
+        self.rows.setdefault(relation, set()).add(row)
+
+    def path(self, path: str) -> str:
+        """`path` relative to the root when it is below it."""
+        full = os.path.abspath(path)
+        return path_text(Path(os.path.relpath(full, self.root))) if full.startswith(self.root + os.sep) else path_text(Path(full))
+
+    def place(self, place: Place) -> str:
+        """The key of a place."""
+        path = self.path(place.path)
+        key = f"{path}:{place.line}:{place.column}"
+        self.add("place", key, path, place.line, place.column)
+        return key
+
+    def node(self, node: NodeStart, names: Counter[str]) -> None:
+        """A node, with what its command line says."""
+        arguments = node_arguments(node)
+        namespace = canonical(global_namespace(arguments.namespace)) if arguments.namespace else canonical(node.namespace) or "/"
+        name = ns_join(namespace, node.name or "")
+        names[name] += 1
+        start = name if names[name] == 1 else f"{name}#{names[name]}"
+        self.add("started", start, node.package, node.type)
+        self.add("started_name", start, name, namespace)
+        for depth, place in enumerate(node.lines):
+            self.add("started_at", start, depth, self.place(place))
+        for condition in node.conditions:
+            self.add("started_if", start, str(condition))
+        for remap in node.remaps:
+            self.add("started_remap", start, canonical(remap.source), canonical(remap.target), self.place(remap.place))
+        here = self.place(node.lines[-1])
+        for source, target in arguments.remaps:
+            self.add("started_remap", start, canonical(source), canonical(target), here)
+        for index, word in enumerate(arguments.plain, 1):
+            self.add("started_argument", start, index, word)
+        for param, text in arguments.params:
+            self.add("param_set", ns_join(name, param), *kind_and_text(automatic(text)), here)
+
+    def param(self, setting: ParamSetting) -> None:
+        """A parameter's value."""
+        place = self.place(setting.place)
+        self.add("param_set", setting.name, *kind_and_text(setting.value), place)
+        if setting.source:
+            self.add("param_source", setting.name, place, self.path(setting.source))
+
+    def declared(self, argument: ArgumentDeclared) -> None:
+        """An argument that a launch file declares."""
+        given = "value" if argument.value is not None else "default" if argument.default is not None else ""
+        text = argument.value if argument.value is not None else argument.default or ""
+        self.add("argument_declared", self.path(argument.path), argument.name, given, text, self.place(argument.place))
+
+
+_UNKNOWN = re.compile(r"\$\([^()]*\)?")
+
+
+def kind_and_text(value: Any) -> tuple[str, str]:
+    """The kind of a parameter's value and its text, lists and maps as JSON; long texts are cut."""
+    if isinstance(value, bool):
+        return "bool", "true" if value else "false"
+    if isinstance(value, (int, float)):
+        return ("int" if isinstance(value, int) else "double"), str(value)
+    if value is None:
+        return "none", ""
+    if isinstance(value, Binary):
+        return "binary", ""
+    if isinstance(value, (list, dict)):
+        return ("list" if isinstance(value, list) else "map"), json.dumps(plain(value))[:_LONG]
+    text = str(value)
+    return ("unknown" if _UNKNOWN.search(text) else "string"), text[:_LONG]
+
+
+def started(composition: Composition) -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    """Package, executable and plain arguments of each node: what is to be analysed to know its interface."""
+    for node in composition.nodes:
+        yield node.package, node.type, node_arguments(node).plain

@@ -1,0 +1,95 @@
+"""The checks: files of rules with a block of fields at the head, found on disk."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from rosarch.extractor.hints import hint
+from rosarch.extractor.manifest import rules_folder
+from rosarch.models.findings import LEVELS, Check
+
+FIELDS = ("id", "title", "help", "impact", "confidence", "description", "scenario", "recommendation", "message", "at", "evidence")
+_OPTIONAL = {"evidence"}
+_FIELD = re.compile(r"// ?([a-z]+):(?: (.*))?")
+_COLUMN = re.compile(r"\{(\w+)\}")
+_DECLARATION = re.compile(r"\.decl (\w+)\(([^)]*)\)")
+
+
+class CheckError(ValueError):
+    """A check whose block of fields is not as it should be; the text says where and why."""
+
+
+def check_files(folder: Path | None = None) -> list[Path]:
+    """The files of the checks, by name; those that ship by default."""
+    return sorted((folder or rules_folder() / "checks").glob("*.dl"))
+
+
+def read_check(path: Path) -> Check:
+    """The check in a file.
+
+    Raises:
+        CheckError: a field is missing, unknown or has no possible value, or the relation of the check is not declared.
+    """
+    text = path.read_text(encoding="utf-8")
+    fields = {name: value for name, value in _fields(text, path)}
+    for name in FIELDS:
+        if name not in fields and name not in _OPTIONAL:
+            raise CheckError(f"{path}:1:1: the check has no field `{name}`")
+    if fields["id"] != path.stem:
+        raise CheckError(f"{path}:1:1: the id `{fields['id']}` is not the name of the file")
+    for name in ("impact", "confidence"):
+        if fields[name] not in LEVELS:
+            raise CheckError(f"{path}:1:1: {name} is `{fields[name]}`, not one of {', '.join(LEVELS)}")
+    relation = fields["id"].replace("-", "_")
+    columns = _columns(text, relation, path)
+    names = [name for name, _ in columns]
+    evidence = tuple(_step(line) for line in f"{fields['at']}\n{fields.get('evidence', '')}".splitlines() if line.strip())
+    used = [name for text in (fields["message"], *(text for _, text in evidence)) for name in _COLUMN.findall(text)]
+    for column in (*used, *(column for column, _ in evidence)):
+        if column not in names:
+            raise CheckError(f"{path}:1:1: {relation} has no column `{column}`{hint(column, names)}")
+    texts = {name: fields[name] for name in FIELDS if name not in ("at", "evidence")}
+    return Check(**texts, evidence=evidence, relation=relation, columns=columns, path=str(path))
+
+
+def read_checks(paths: Iterable[Path]) -> tuple[Check, ...]:
+    """The checks in files; see `read_check`."""
+    return tuple(read_check(path) for path in paths)
+
+
+def _fields(text: str, path: Path) -> Iterator[tuple[str, str]]:
+    """The fields at the head of a file; `|` or an indent continues one."""
+    name, lines, seen = "", [""], set()
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.startswith("//") or line.startswith("///"):
+            break
+        match = _FIELD.fullmatch(line)
+        if match is None:
+            lines.append(line.removeprefix("//").removeprefix(" ").lstrip("|").removeprefix(" "))
+            continue
+        if name:
+            yield name, "\n".join(lines).strip()
+        name, lines = match[1], [(match[2] or "").removeprefix("|").strip()]
+        if name not in FIELDS:
+            raise CheckError(f"{path}:{number}:1: a check has no field `{name}`{hint(name, FIELDS)}")
+        if name in seen:
+            raise CheckError(f"{path}:{number}:1: the field `{name}` is there twice")
+        seen.add(name)
+    if name:
+        yield name, "\n".join(lines).strip()
+
+
+def _step(line: str) -> tuple[str, str]:
+    """`column`, or `column: text`."""
+    column, _, text = line.partition(":")
+    return column.strip(), text.strip()
+
+
+def _columns(text: str, relation: str, path: Path) -> tuple[tuple[str, str], ...]:
+    for match in _DECLARATION.finditer(text):
+        if match[1] == relation:
+            pairs = (column.partition(":") for column in match[2].split(","))
+            return tuple((name.strip(), type_.strip()) for name, _, type_ in pairs)
+    raise CheckError(f"{path}:1:1: the relation `{relation}` of the check is not declared")

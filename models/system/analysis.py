@@ -1,0 +1,138 @@
+"""From a workspace and its launch files to systems and findings."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rosarch.extractor.launch.facts import launch_rows, started
+from rosarch.extractor.launch.model import Composition
+from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.models.analysis import COMPONENT_TIMEOUT, analyze
+from rosarch.models.component import ComponentModel, to_json
+from rosarch.models.findings import Finding
+from rosarch.models.places import Place
+from rosarch.models.system.build import Rows, SystemRules, evaluate, merged, system_model, system_rules
+from rosarch.models.system.findings import findings
+from rosarch.models.system.interfaces import interface_rows
+from rosarch.models.system.model import SystemModel
+
+if TYPE_CHECKING:
+    from rosarch.extractor.cache import Cache
+    from rosarch.extractor.pipeline import Progress
+    from rosarch.extractor.workspace import Component, Diagnostic
+
+
+@dataclass(frozen=True)
+class Launch:
+    """What is started together: `name` tells it from the other launches of a workspace, `words` are its launch files and arguments."""
+
+    name: str
+    words: tuple[str, ...]
+    composition: Composition
+
+
+@dataclass(frozen=True)
+class SystemAnalysis:
+    """The systems of a workspace, the findings about them (each once, with the systems that have it), and what was not understood."""
+
+    systems: tuple[SystemModel, ...]
+    findings: tuple[Finding, ...]
+    models: tuple[ComponentModel, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def analyze_systems(
+    root: Path,
+    launches: Sequence[Launch],
+    *,
+    engine: str = "embedded",
+    jobs: int | None = None,
+    timeout: float = 60.0,
+    defines: Mapping[str, str] | None = None,
+    cache: Cache | None = None,
+    progress: Progress | None = None,
+) -> SystemAnalysis:
+    """Compose the nodes that `launches` start from their components, those below `root` and those of the library, and check each system."""
+    from rosarch.extractor.workspace import Diagnostic
+
+    rules = system_rules()
+    needed = _Needed(launches)
+    packages = _packages_below(root, needed.packages)
+    models: tuple[ComponentModel, ...] = ()
+    diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
+    if packages:
+        found = analyze(
+            root,
+            packages,
+            engine=engine,
+            jobs=jobs,
+            timeout=timeout,
+            defines=defines,
+            cache=cache,
+            progress=progress,
+            only=needed.is_needed,
+        )
+        models = found.models
+        diagnostics += found.diagnostics
+    sources = [interface_rows(to_json(model), "source") for model in models]
+
+    def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
+        gc.disable()
+        return _system(rules, launch, root, sources, engine)
+
+    systems: list[SystemModel] = []
+    raised: list[Finding] = []
+    for done, (index, outcome) in enumerate(run_tasks(work, launches, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT)):
+        if isinstance(outcome, Failure):
+            detail = f"{launches[index].name} not composed: {outcome.reason} ({outcome.detail})"
+            diagnostics.append(Diagnostic("launch", root, 1, 1, detail))
+        else:
+            systems.append(outcome[0])
+            raised += outcome[1]
+        if progress:
+            progress("systems", done + 1, len(launches))
+    systems.sort(key=lambda system: system.name)
+    return SystemAnalysis(tuple(systems), _together(raised), models, tuple(dict.fromkeys(diagnostics)))
+
+
+def _system(rules: SystemRules, launch: Launch, root: Path, sources: Sequence[Rows], engine: str) -> tuple[SystemModel, list[Finding]]:
+    rows = merged([launch_rows(launch.composition, root), *sources])
+    result = evaluate(rules, rows, engine)
+    places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
+    return system_model(launch.name, launch.words, rows, result), findings(rules.checks, result, places, launch.name)
+
+
+class _Needed:
+    """Which components the launches start."""
+
+    def __init__(self, launches: Sequence[Launch]) -> None:
+        asked = [item for launch in launches for item in started(launch.composition)]
+        self.executables = {(package, type_) for package, type_, _ in asked}
+        self.words = {word for _, _, words in asked for word in words}
+        self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
+
+    def is_needed(self, component: Component) -> bool:
+        """Whether a node is started from this executable, or with an argument that names this class."""
+        return (component.package, component.name) in self.executables or component.plugin_name in self.words
+
+
+def _packages_below(root: Path, names: Collection[str]) -> list[str]:
+    from rosarch.extractor.launch.packages import PackagePath
+
+    known = PackagePath([os.path.abspath(root)]).packages
+    return sorted(name for name in names if name in known)
+
+
+def _together(found: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Findings that several systems have, once."""
+    first: dict[tuple[str, str, Place], Finding] = {}
+    for finding in found:
+        key = (finding.check.id, finding.message, finding.place)
+        other = first.get(key)
+        first[key] = replace(other, systems=tuple(sorted({*other.systems, *finding.systems}))) if other else finding
+    return tuple(sorted(first.values(), key=lambda finding: (finding.place, finding.check.id, finding.message)))

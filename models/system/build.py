@@ -1,0 +1,137 @@
+"""From launch files and component models to a system: the rules of systems, their rows as a model and as findings."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from rosarch.datalog import Program, Result, load_program
+from rosarch.extractor.manifest import rules_folder
+from rosarch.models.checks import check_files, read_checks
+from rosarch.models.findings import Check
+from rosarch.models.places import Place
+from rosarch.models.system.findings import evidence_of, shown_as
+from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
+
+Rows = Mapping[str, Collection[tuple[Any, ...]]]
+
+
+@dataclass(frozen=True)
+class SystemRules:
+    """The rules of systems and the checks among them."""
+
+    program: Program
+    checks: tuple[Check, ...]
+
+
+@lru_cache(maxsize=4)
+def system_rules(more: tuple[Path, ...] = ()) -> SystemRules:
+    """The rules of systems with all checks that ship, and files of the user's own."""
+    files = check_files()
+    return SystemRules(load_program([rules_folder() / "system.dl", *files, *more]), read_checks(files))
+
+
+def merged(parts: Iterable[Rows]) -> dict[str, set[tuple[Any, ...]]]:
+    """The union of rows, relation by relation."""
+    rows: dict[str, set[tuple[Any, ...]]] = defaultdict(set)
+    for part in parts:
+        for relation, found in part.items():
+            rows[relation].update(found)
+    return rows
+
+
+def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded") -> Result:
+    """All that the rules derive of a system."""
+    types = {type_ for check in rules.checks for _, type_ in check.columns}
+    helpers = {relation for type_ in types for relation in (evidence_of(type_), shown_as(type_)) if relation in rules.program.relations}
+    wanted = [*rules.program.outputs, *(check.relation for check in rules.checks), *sorted(helpers)]
+    return rules.program.evaluate(rows, engine=engine, keep=wanted)
+
+
+def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result) -> SystemModel:
+    """The model of a system, from the facts about it and what the rules derived."""
+    places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
+    ports, ids = _ports(rows, result, places)
+    opened = {node for (node,) in result.rows("node_open")}
+    instances = _grouped(result.rows("instance"))
+    lines = _grouped(rows.get("started_at", ()))
+    conditions = _grouped(rows.get("started_if", ()))
+    names = {row[0]: row[1] for row in rows.get("started_name", ())}
+    origins = {row[0]: row[4] for row in rows.get("interface", ())}
+    nodes = []
+    for start, package, type_ in sorted(rows.get("started", ())):
+        components = [component for (component,) in instances.get(start, [])]
+        nodes.append(
+            SystemNode(
+                id=start,
+                name=names[start],
+                package=package,
+                type=type_,
+                origin=origins[components[0]] if components else "unknown",
+                component=components[0] if components else None,
+                lines=tuple(places[place] for _, place in lines.get(start, [])),
+                ports=tuple(ports.get(start, ())),
+                conditions=tuple(condition for (condition,) in conditions.get(start, [])),
+                open=start in opened,
+            )
+        )
+    inclusions = tuple(sorted((_inclusion(row, places) for row in rows.get("included", ())), key=lambda inclusion: inclusion.at))
+    return SystemModel(name, tuple(launch), tuple(nodes), _connectors(result, ids, rows), inclusions)
+
+
+def _grouped(rows: Iterable[tuple[Any, ...]]) -> dict[Any, list[tuple[Any, ...]]]:
+    found: dict[Any, list[tuple[Any, ...]]] = defaultdict(list)
+    for first, *rest in sorted(rows):
+        found[first].append(tuple(rest))
+    return found
+
+
+def _inclusion(row: tuple[Any, ...], places: Mapping[str, Place]) -> Inclusion:
+    place, _, file = row
+    return Inclusion(places[place], file, file or None)
+
+
+def _ports(rows: Rows, result: Result, places: Mapping[str, Place]) -> tuple[dict[str, list[SystemPort]], dict[Any, tuple[str, str]]]:
+    """The ports by node, and node and port id of each port's record."""
+    models = {row[1]: row for row in rows.get("interface_port", ())}
+    types = {row[0]: row[1] for row in sorted(rows.get("interface_port_type", ()), reverse=True)}
+    at = {row[0]: row[1] for row in rows.get("interface_port_at", ())}
+    conditional = {row[0]: row[1] for row in rows.get("interface_port_conditional", ())}
+    implicit = {row[0] for row in rows.get("interface_port_implicit", ())}
+    names = {tuple(port): name for port, name in result.rows("port_name")}
+    ports: dict[str, list[SystemPort]] = defaultdict(list)
+    ids: dict[Any, tuple[str, str]] = {}
+    for node, model, parameter, written in result.rows("port_written"):
+        record = (node, model, parameter)
+        component, _, kind, _ = models[model]
+        id_ = model.removeprefix(f"{component}#") + (f":{parameter}" if parameter else "")
+        ids[record] = (node, id_)
+        port = SystemPort(
+            id_,
+            kind,
+            names.get(record, written),
+            written,
+            types.get(model),
+            places.get(at.get(model, "")),
+            model in implicit,
+            conditional.get(model),
+        )
+        ports[node].append(port)
+    return ports, ids
+
+
+def _connectors(result: Result, ids: Mapping[Any, tuple[str, str]], rows: Rows) -> tuple[Connector, ...]:
+    types = _grouped(rows.get("interface_port_type", ()))
+    found: dict[tuple[str, str], dict[str, set[tuple[str, str]]]] = {}
+    passed: dict[tuple[str, str], set[str]] = defaultdict(set)
+    for kind, name, side, port in result.rows("joins_connector"):
+        found.setdefault((kind, name), {"source": set(), "sink": set()})[side].add(ids[tuple(port)])
+        passed[kind, name].update(type_ for (type_,) in types.get(port[1], []))
+    return tuple(
+        Connector(kind, name, tuple(sorted(passed[kind, name])), tuple(sorted(sides["source"])), tuple(sorted(sides["sink"])))
+        for (kind, name), sides in sorted(found.items())
+    )

@@ -1,0 +1,60 @@
+"""From the rows of checks to findings."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from rosarch.datalog import Result
+from rosarch.models.findings import Check, Evidence, Finding
+from rosarch.models.places import Place
+
+_WORD = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
+
+
+def evidence_of(type_: str) -> str:
+    """The relation that tells where things of a column's type lie: `evidence_of_node_port` of `NodePort`."""
+    return f"evidence_of_{_snake(type_)}"
+
+
+def shown_as(type_: str) -> str:
+    """The relation that tells how messages call things of a column's type."""
+    return f"shown_as_{_snake(type_)}"
+
+
+def _snake(type_: str) -> str:
+    return _WORD.sub("_", type_).lower()
+
+
+def findings(checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str) -> list[Finding]:
+    """What the checks found in a system; `places` are those of the facts, by key."""
+    known = set(result.names())
+    steps = {type_: _grouped(result.rows(evidence_of(type_))) for type_ in _types(checks) if evidence_of(type_) in known}
+    names = {type_: dict(result.rows(shown_as(type_))) for type_ in _types(checks) if shown_as(type_) in known}
+    found = []
+    for check in checks:
+        for row in result.rows(check.relation):
+            texts = {}
+            evidence = []
+            for (column, type_), value in zip(check.columns, row, strict=True):
+                texts[column] = str(names[type_].get(value, value)) if type_ in names else str(value)
+            entities = dict(zip((name for name, _ in check.columns), row, strict=True))
+            for column, own in check.evidence:
+                for step, text, place in steps[dict(check.columns)[column]].get(entities[column], []):
+                    evidence.append(Evidence(own.format(**texts) if own and step == 0 else text, places[place]))
+            if evidence:
+                found.append(Finding(check, check.severity, check.message.format(**texts), tuple(dict.fromkeys(evidence)), (system,)))
+    return found
+
+
+def _types(checks: Sequence[Check]) -> set[str]:
+    return {type_ for check in checks for _, type_ in check.columns}
+
+
+def _grouped(rows: Iterable[tuple[Any, ...]]) -> dict[Any, list[tuple[Any, ...]]]:
+    found: dict[Any, list[tuple[Any, ...]]] = defaultdict(list)
+    for first, *rest in sorted(rows, key=lambda row: row[1:]):
+        found[first].append(tuple(rest))
+    return found
