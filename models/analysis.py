@@ -119,8 +119,7 @@ def _evaluate(
             detail = f"{component.package}/{component.name} not analysed: {outcome.reason} ({outcome.detail})"
             failures.append(Diagnostic("component", where, 1, 1, detail))
         else:
-            name, package, kind, sources = component.name, component.package, component.kind, component.sources
-            models.append(build_model(system, name, package, kind, sources, outcome))
+            models.append(build_model(system, component.name, component.package, component.kind, component.sources, outcome))
         if progress:
             progress("components", done + 1, len(components))
     models.sort(key=lambda model: (model.package, model.component))

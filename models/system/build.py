@@ -102,7 +102,7 @@ def _ports(rows: Rows, result: Result, places: Mapping[str, Place]) -> tuple[dic
     at = {row[0]: row[1] for row in rows.get("interface_port_at", ())}
     conditional = {row[0]: row[1] for row in rows.get("interface_port_conditional", ())}
     implicit = {row[0] for row in rows.get("interface_port_implicit", ())}
-    names = {tuple(port): name for port, name in result.rows("port_name")}
+    names: dict[tuple[Any, ...], str] = {tuple(port): name for port, name in result.rows("port_name")}
     ports: dict[str, list[SystemPort]] = defaultdict(list)
     ids: dict[Any, tuple[str, str]] = {}
     for node, model, parameter, written in result.rows("port_written"):
@@ -113,7 +113,7 @@ def _ports(rows: Rows, result: Result, places: Mapping[str, Place]) -> tuple[dic
         port = SystemPort(
             id_,
             kind,
-            names.get(record, written),
+            names[record] if record in names else written,
             written,
             types.get(model),
             places.get(at.get(model, "")),

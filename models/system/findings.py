@@ -32,7 +32,7 @@ def findings(checks: Sequence[Check], result: Result, places: Mapping[str, Place
     """What the checks found in a system; `places` are those of the facts, by key."""
     known = set(result.names())
     steps = {type_: _grouped(result.rows(evidence_of(type_))) for type_ in _types(checks) if evidence_of(type_) in known}
-    names = {type_: dict(result.rows(shown_as(type_))) for type_ in _types(checks) if shown_as(type_) in known}
+    names: dict[str, dict[Any, str]] = {type_: dict(result.rows(shown_as(type_))) for type_ in _types(checks) if shown_as(type_) in known}
     found = []
     for check in checks:
         for row in result.rows(check.relation):
