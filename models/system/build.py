@@ -113,7 +113,7 @@ def _ports(rows: Rows, result: Result, places: Mapping[str, Place]) -> tuple[dic
         port = SystemPort(
             id_,
             kind,
-            names[record] if record in names else written,
+            names.get(record) or written,
             written,
             types.get(model),
             places.get(at.get(model, "")),
