@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING
 from rosarch.extractor.launch.facts import launch_rows, started
 from rosarch.extractor.launch.model import Composition
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.library import Library, LibraryComponent, load
 from rosarch.models.analysis import COMPONENT_TIMEOUT, analyze
-from rosarch.models.component import ComponentModel, to_json
+from rosarch.models.component import ComponentModel
 from rosarch.models.findings import Finding
 from rosarch.models.places import Place
 from rosarch.models.system.build import Rows, SystemRules, evaluate, merged, system_model, system_rules
 from rosarch.models.system.findings import findings
-from rosarch.models.system.interfaces import interface_rows
+from rosarch.models.system.interfaces import library_rows, model_rows
 from rosarch.models.system.model import SystemModel
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ def analyze_systems(
     root: Path,
     launches: Sequence[Launch],
     *,
+    library: Sequence[Path] = (),
     engine: str = "embedded",
     jobs: int | None = None,
     timeout: float = 60.0,
@@ -57,7 +59,10 @@ def analyze_systems(
     cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> SystemAnalysis:
-    """Compose the nodes that `launches` start from their components, those below `root` and those of the library, and check each system."""
+    """Compose the nodes that `launches` start from their components, and check each system.
+
+    The components are those below `root`, and of others those of the library, which is looked for in `library` first.
+    """
     from rosarch.extractor.workspace import Diagnostic
 
     rules = system_rules()
@@ -79,11 +84,11 @@ def analyze_systems(
         )
         models = found.models
         diagnostics += found.diagnostics
-    sources = [interface_rows(to_json(model), "source") for model in models]
+    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(load(library)))]
 
     def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
         gc.disable()
-        return _system(rules, launch, root, sources, engine)
+        return _system(rules, launch, root, interfaces, engine)
 
     systems: list[SystemModel] = []
     raised: list[Finding] = []
@@ -100,8 +105,8 @@ def analyze_systems(
     return SystemAnalysis(tuple(systems), _together(raised), models, tuple(dict.fromkeys(diagnostics)))
 
 
-def _system(rules: SystemRules, launch: Launch, root: Path, sources: Sequence[Rows], engine: str) -> tuple[SystemModel, list[Finding]]:
-    rows = merged([launch_rows(launch.composition, root), *sources])
+def _system(rules: SystemRules, launch: Launch, root: Path, interfaces: Sequence[Rows], engine: str) -> tuple[SystemModel, list[Finding]]:
+    rows = merged([launch_rows(launch.composition, root), *interfaces])
     result = evaluate(rules, rows, engine)
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
     return system_model(launch.name, launch.words, rows, result), findings(rules.checks, result, places, launch.name)
@@ -119,6 +124,12 @@ class _Needed:
     def is_needed(self, component: Component) -> bool:
         """Whether a node is started from this executable, or with an argument that names this class."""
         return (component.package, component.name) in self.executables or component.plugin_name in self.words
+
+    def of(self, library: Library) -> list[LibraryComponent]:
+        """The components of the library that are started."""
+        found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
+        found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
+        return [component for component in found if component is not None]
 
 
 def _packages_below(root: Path, names: Collection[str]) -> list[str]:

@@ -1,4 +1,4 @@
-"""Component models as rows of `rules/schema/interfaces.dl`."""
+"""Component models and components of the library as rows of `rules/schema/interfaces.dl`."""
 
 from __future__ import annotations
 
@@ -7,72 +7,107 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from rosarch.library import LibraryComponent
+from rosarch.models.component import ComponentModel, to_json
+
 Rows = dict[str, set[tuple[Any, ...]]]
 _PLACE = re.compile(r"(.*):(\d+)")
 
 
-def interface_rows(document: Mapping[str, Any], origin: str) -> Rows:
-    """The rows of one component's document (`models.component.to_json`, or one of the library of interfaces)."""
-    rows: Rows = {}
+class _Writer:
+    """Collects rows."""
 
-    def add(relation: str, *row: Any) -> None:
-        rows.setdefault(relation, set()).add(row)
+    def __init__(self) -> None:
+        self.rows: Rows = {}
 
-    def place(text: str | None) -> str | None:
+    def add(self, relation: str, *row: Any) -> None:
+        self.rows.setdefault(relation, set()).add(row)
+
+    def place(self, relation: str, key: str, text: str | None) -> None:
+        """Where a thing is, when that is known."""
         match = _PLACE.fullmatch(text or "")
-        if match is None:
-            return None
-        add("place", f"{text}:1", match[1], int(match[2]), 1)
-        return f"{text}:1"
+        if match is not None:
+            self.add("place", f"{text}:1", match[1], int(match[2]), 1)
+            self.add(relation, key, f"{text}:1")
 
-    component = f"{document['package']}/{document['component']}"
-    plugin = document.get("plugin") or {}
-    type_ = plugin.get("name") or document["component"]
-    add("interface", component, document["package"], type_, document["kind"], origin)
-    if plugin.get("base"):
-        add("interface_base", component, plugin["base"])
-    if document.get("open"):
-        add("interface_open", component)
-    for name in document.get("loads", ()):
-        add("interface_loads", component, name)
-    for number, port in enumerate(document.get("ports", ()), 1):
-        _port(component, f"{component}#{port.get('id') or f'p{number}'}", port, add, place)
-    for number, access in enumerate(document.get("params", ()), 1):
-        _access(component, f"{component}#a{number}", access, add, place)
-    for reaction in document.get("reactive", ()):
-        if reaction["input"] and reaction["output"]:
-            add("interface_reacts", f"{component}#{reaction['input']}", f"{component}#{reaction['output']}",
-                "always" if reaction["must"] else "sometimes")  # fmt: skip
-    for loop in document.get("periodic", ()):
+    def attributes(self, prefix: str, key: str, source: Mapping[str, Any], fields: Mapping[str, str]) -> None:
+        """A row for each field that is given; one that is true has no value."""
+        for field, relation in fields.items():
+            value = source.get(field)
+            if value is True:
+                self.add(f"{prefix}_{relation}", key)
+            elif value is not None and value is not False:
+                self.add(f"{prefix}_{relation}", key, value)
+
+
+_PORT = {
+    "type": "type", "queue": "queue", "from_param": "parameter", "conditional": "conditional", "callback": "callback",
+    "latched": "latched", "implicit": "implicit",
+}  # fmt: skip
+_LIBRARY_PORT = {**_PORT, "from_arg": "argument", "param_pattern": "pattern", "suffix": "suffix", "rest": "rest"}
+
+
+def model_rows(model: ComponentModel) -> Rows:
+    """The rows of a component that was analysed."""
+    writer, document = _Writer(), to_json(model)
+    component = f"{model.package}/{model.component}"
+    writer.add("interface", component, model.package, model.plugin.name if model.plugin else model.component, model.kind, "source")
+    if model.plugin and model.plugin.base:
+        writer.add("interface_base", component, model.plugin.base)
+    for name in model.loads:
+        writer.add("interface_loads", component, name)
+    for port in document["ports"]:
+        key = f"{component}#{port['id']}"
+        writer.add("interface_port", component, key, port["kind"], port["name"])
+        writer.attributes("interface_port", key, port, _PORT)
+        writer.place("interface_port_at", key, port["at"])
+    for number, access in enumerate(document["params"], 1):
+        _access(writer, component, f"{component}#a{number}", access)
+    for number, parameter in enumerate(model.reconfigurable, 1):
+        access = {"name": parameter.name, "op": parameter.op, "type": parameter.type, "default": parameter.default, "at": str(parameter.at)}
+        _access(writer, component, f"{component}#d{number}", access)
+    for reaction in document["reactive"]:
+        how = "always" if reaction["must"] else "sometimes"
+        writer.add("interface_reacts", f"{component}#{reaction['input']}", f"{component}#{reaction['output']}", how)
+    for loop in document["periodic"]:
         for port in loop["publishes"]:
-            add("interface_periodic", f"{component}#{port}", float(loop["hz"] or 0), loop["hz_from_param"] or "")
-    return rows
+            hz = loop["hz"] if isinstance(loop["hz"], (int, float)) else 0
+            writer.add("interface_periodic", f"{component}#{port}", float(hz), loop["hz_from_param"] or "")
+    return writer.rows
 
 
-def _port(component: str, key: str, port: Mapping[str, Any], add: Any, place: Any) -> None:
-    add("interface_port", component, key, port["kind"], port["name"])
-    for field, relation in (
-        ("type", "type"), ("queue", "queue"), ("from_param", "parameter"), ("conditional", "conditional"), ("from_arg", "argument"),
-        ("param_pattern", "pattern"), ("callback", "callback"),
-    ):  # fmt: skip
-        if port.get(field) is not None:
-            add(f"interface_port_{relation}", key, port[field])
-    if port.get("latched"):
-        add("interface_port_latched", key)
-    if port.get("implicit"):
-        add("interface_port_implicit", key)
-    at = place(port.get("at"))
-    if at:
-        add("interface_port_at", key, at)
+def library_rows(found: LibraryComponent) -> Rows:
+    """The rows of a component of the library."""
+    writer = _Writer()
+    component = f"{found.package}/{found.component}"
+    writer.add("interface", component, found.package, found.component, found.kind, "library")
+    if found.open_ports:
+        writer.add("interface_open", component, "ports")
+    if found.open_params:
+        writer.add("interface_open", component, "params")
+    if found.options is not None:
+        for option in ("", *found.options):
+            writer.add("interface_option", component, option)
+    for number, port in enumerate(found.ports, 1):
+        key = f"{component}#p{number}"
+        writer.add("interface_port", component, key, port.kind, port.name or "?")
+        writer.attributes("interface_port", key, vars(port), _LIBRARY_PORT)
+        for index, pattern in port.if_arg.items():
+            writer.add("interface_port_if_argument", key, index, pattern)
+    for number, access in enumerate(found.params, 1):
+        key = f"{component}#a{number}"
+        if access.pattern:
+            writer.add("interface_parameter_pattern", component, key, access.op, access.pattern)
+        else:
+            _access(writer, component, key, vars(access))
+    return writer.rows
 
 
-def _access(component: str, key: str, access: Mapping[str, Any], add: Any, place: Any) -> None:
-    add("interface_parameter", component, key, access.get("op") or "read", access["name"])
-    if access.get("type"):
-        add("interface_parameter_type", key, access["type"])
-    default = access.get("default")
+def _access(writer: _Writer, component: str, key: str, access: Mapping[str, Any]) -> None:
+    writer.add("interface_parameter", component, key, access["op"], access["name"])
+    if access["type"]:
+        writer.add("interface_parameter_type", key, access["type"])
+    default = access["default"]
     if default is not None:
-        add("interface_parameter_default", key, default if isinstance(default, str) else json.dumps(default))
-    at = place(access.get("at"))
-    if at:
-        add("interface_parameter_at", key, at)
+        writer.add("interface_parameter_default", key, default if isinstance(default, str) else json.dumps(default))
+    writer.place("interface_parameter_at", key, access.get("at"))

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Check the buggy and the fixed tree of real misconfiguration bugs.
+
+Usage: bugs.py BUGS.yml TREES_DIR --out FINDINGS_DIR [--bug ID ...]
+
+TREES_DIR/<id>/{buggy,fixed} are the trees; FINDINGS_DIR/<id>.{buggy,fixed}.json become lists of {"message", "file", "line", "check"}.
+`${T}` in a bug's arguments and variables is its tree, `${B}` the folder of BUGS.yml, whose `stubs/` stand in for absent packages.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shlex
+import time
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rosarch.cli.inputs import extraction_cache
+from rosarch.models.findings import Finding
+from rosarch.models.system.analysis import analyze_systems
+from rosarch.models.system.launches import Surroundings, given
+
+
+def check_tree(bug: dict[str, Any], side: str, tree: Path, bugs: Path) -> tuple[Finding, ...]:
+    """The findings about the system that a bug names, in one of its trees."""
+
+    def filled(text: str) -> str:
+        return text.replace("${T}", str(tree)).replace("${B}", str(bugs))
+
+    environment = {name: filled(str(value)) for name, value in bug.get("env", {}).items()}
+    where = Surroundings(tree, (tree, bugs / "stubs"), environment)
+    texts = []
+    for launch in bug["launch"]:
+        words = [*launch.get("args", ()), *launch.get(f"args_{side}", ())]
+        texts.append([str(tree / launch["file"]), *(filled(word).replace(",", "\\,") for word in words)])
+    if bug.get("launch_inline_file"):
+        texts.append([str(bugs / bug["launch_inline_file"])])
+    if bug.get("launch_mode") == "together":
+        texts = [[word for words in texts for word in words]]
+    return analyze_systems(tree, given(map(shlex.join, texts), where), cache=extraction_cache(True)).findings
+
+
+def document(finding: Finding, tree: Path) -> dict[str, Any]:
+    """A finding as `evaluate.py` wants it: where the fault lies, and of the chain of evidence nothing else."""
+    return {
+        "message": finding.message,
+        "file": finding.place.path.removeprefix(f"{tree}/"),
+        "line": finding.place.line,
+        "check": finding.check.id,
+        "severity": finding.severity,
+    }
+
+
+def main() -> None:
+    """Write the findings of every bug."""
+    parser = argparse.ArgumentParser(description="Check the buggy and the fixed tree of real misconfiguration bugs.")
+    parser.add_argument("bugs", type=Path)
+    parser.add_argument("trees", type=Path)
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--bug", action="append", metavar="ID", help="only this one; may be repeated")
+    options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
+    for bug in yaml.safe_load(options.bugs.read_text(encoding="utf-8")):
+        if options.bug and bug["id"] not in options.bug:
+            continue
+        for side in ("buggy", "fixed"):
+            tree = (options.trees / bug["id"] / side).resolve()
+            start = time.perf_counter()
+            found = check_tree(bug, side, tree, options.bugs.parent.resolve())
+            rows = [document(finding, tree) for finding in found]
+            (options.out / f"{bug['id']}.{side}.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+            print(f"{bug['id']:13} {side:6} {len(rows):4} findings {time.perf_counter() - start:7.1f} s", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,97 @@
+"""What of a workspace is started together: the launch files that were named, or those that no other includes."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import re
+import shlex
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosarch.extractor.launch import Files, PackagePath, compose, launch_files, top_level
+from rosarch.extractor.launch.names import mapping
+from rosarch.models.system.analysis import Launch
+
+_COMMA = re.compile(r"(?<!\\),")
+MAX_MATRIX = 256  # systems of one launch with several values for its arguments
+
+
+class LaunchWordError(ValueError):
+    """A word that is no launch file and no argument; the text says why."""
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Where launch files are composed: the workspace, where packages are looked for, the robot's environment variables."""
+
+    root: Path
+    package_path: tuple[Path, ...]
+    environment: Mapping[str, str]
+
+    def files(self) -> Files:
+        """What reads launch files here."""
+        return Files(PackagePath(self.package_path))
+
+    def variables(self) -> dict[str, str]:
+        """The environment of launch files. roslaunch does not run without ROS_MASTER_URI."""
+        path = os.pathsep.join(map(os.path.abspath, self.package_path))
+        return {"ROS_MASTER_URI": "http://localhost:11311", "ROS_PACKAGE_PATH": path, **self.environment}
+
+
+def given(texts: Iterable[str], where: Surroundings) -> list[Launch]:
+    r"""A launch for each text: launch files that are started together, and their arguments.
+
+    Files are absolute, or below the current folder or the workspace. `name:=a,b` gives a launch for each value (`\,` is a comma).
+
+    Raises:
+        LaunchWordError: a file is not there, a word is not of the form NAME:=VALUE, or there are too many launches.
+    """
+    found = []
+    for text in texts:
+        words = shlex.split(text)
+        paths = [_path(word, where.root) for word in words if ":=" not in word]
+        if not paths:
+            raise LaunchWordError(f"`{text}` names no launch file")
+        for arguments in _matrix([word for word in words if ":=" in word]):
+            found.append(_launch(paths, arguments, where))
+    return found
+
+
+def unincluded(where: Surroundings) -> list[Launch]:
+    """A launch for each launch file of the workspace that no other includes."""
+    files = where.files()
+    paths = top_level(launch_files(os.path.abspath(where.root)), files, where.variables())
+    return [_launch([path], {}, where, files) for path in paths]
+
+
+def _path(word: str, root: Path) -> str:
+    for path in (Path(word), root / word):
+        if path.is_file():
+            return os.path.abspath(path)
+    raise LaunchWordError(f"{word}: no such launch file, neither here nor below {root}")
+
+
+def _matrix(words: Sequence[str]) -> list[dict[str, str]]:
+    choices: dict[str, list[str]] = {}
+    for word in words:
+        pair = mapping(word)
+        if pair is None:
+            raise LaunchWordError(f"{word}: not of the form NAME:=VALUE")
+        choices[pair[0]] = [value.replace("\\,", ",") for value in _COMMA.split(pair[1])]
+    combined = list(itertools.islice(itertools.product(*choices.values()), MAX_MATRIX + 1))
+    if len(combined) > MAX_MATRIX:
+        raise LaunchWordError(f"more than {MAX_MATRIX} combinations of arguments")
+    return [dict(zip(choices, values, strict=True)) for values in combined]
+
+
+def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: Surroundings, files: Files | None = None) -> Launch:
+    composition = compose(paths, arguments, files=files or where.files(), environment=where.variables())
+    words = (*(_shown(path, where.root) for path in paths), *(f"{name}:={value}" for name, value in arguments.items()))
+    return Launch(" ".join(words), words, composition)
+
+
+def _shown(path: str, root: Path) -> str:
+    inside = os.path.relpath(path, os.path.abspath(root))
+    return path if inside.startswith("..") else inside
