@@ -35,13 +35,16 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
     ports = [port for port in model.ports if UNKNOWN not in port.name or _parameter(port)]
     accesses = [*model.params, *model.reconfigurable]
     params = [parameter for parameter in accesses if UNKNOWN not in parameter.name]
-    lost_ports = len(ports) < len(model.ports) or not any(not port.implicit for port in ports)
+    silent = not model.loads and all(port.implicit for port in ports)
+    lost_ports = len(ports) < len(model.ports) or UNKNOWN in model.loads or silent
     lost_params = len(params) < len(accesses)
     return _known(
         component=_name(model),
         kind=model.kind,
+        base=model.plugin.base if model.plugin else None,
         node_name=model.node_name,
         open=(lost_params or "ports") if lost_ports else ("params" if lost_params else None),
+        loads=[name for name in model.loads if UNKNOWN not in name] or None,
         ports=_distinct(_port(port) for port in ports) or None,
         params=_parameters(params) or None,
     )

@@ -56,7 +56,7 @@ def _joined(base: Iterable[Document], overlay: Iterable[Document], key: tuple[st
 
 
 def _build(file: LibraryFile, document: Document, made: str) -> LibraryComponent:
-    fields: dict[str, Any] = {key: document[key] for key in ("node_name", "elements", "namespace_element") if key in document}
+    fields: dict[str, Any] = {key: document[key] for key in ("node_name", "base", "elements", "namespace_element") if key in document}
     is_open = document.get("open", False)
     return LibraryComponent(
         package=file.package,
@@ -66,6 +66,7 @@ def _build(file: LibraryFile, document: Document, made: str) -> LibraryComponent
         params=tuple(LibraryParameter(**parameter) for parameter in document.get("params", ())),
         open_ports=is_open in (True, "ports"),
         open_params=is_open in (True, "params"),
+        loads=tuple(document.get("loads", ())),
         options=tuple(document["options"]) if "options" in document else None,
         origin=file.origin,
         revision=file.revision,

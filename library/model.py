@@ -14,6 +14,14 @@ from typing import Any
 GENERATED, BY_HAND = "generated", "by hand"
 
 
+def _given(row: LibraryPort | LibraryParameter) -> dict[str, Any]:
+    """The fields that say something; a name that only a launch file tells is `?`."""
+    said = {
+        key: value for key, value in vars(row).items() if value is not None and (key == "default" or (value is not False and value != {}))
+    }
+    return {**said, "name": row.name or "?"}
+
+
 @dataclass(frozen=True)
 class LibraryPort:
     """A port; see `docs/library.md`. `name` is None where only an argument or a parameter tells it."""
@@ -65,6 +73,8 @@ class LibraryComponent:
     ports: tuple[LibraryPort, ...] = ()
     params: tuple[LibraryParameter, ...] = ()
     node_name: str | None = None
+    base: str | None = None
+    loads: tuple[str, ...] = ()
     open_ports: bool = False
     open_params: bool = False
     options: tuple[str, ...] | None = None
@@ -79,6 +89,28 @@ class LibraryComponent:
     def open(self) -> bool:
         """Whether there may be more than is listed."""
         return self.open_ports or self.open_params
+
+    def document(self) -> dict[str, Any]:
+        """This component in the form of component models, as far as it is known, and with what only the library has."""
+        return {
+            "component": self.component,
+            "package": self.package,
+            "kind": self.kind,
+            "node_name": self.node_name,
+            "plugin": {"name": self.component, "base": self.base} if self.base else None,
+            "loads": list(self.loads),
+            "open": self.open,
+            "open_ports": self.open_ports,
+            "open_params": self.open_params,
+            "options": None if self.options is None else list(self.options),
+            "elements": dict(self.elements),
+            "namespace_element": self.namespace_element,
+            "ports": [{"id": f"p{number}", **_given(port)} for number, port in enumerate(self.ports, 1)],
+            "params": [_given(parameter) for parameter in self.params],
+            "origin": self.origin,
+            "revision": self.revision,
+            "made": self.made,
+        }
 
     @property
     def title(self) -> str:

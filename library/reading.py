@@ -144,8 +144,8 @@ _FILE: Mapping[str, Check] = {
     "package": _text, "origin": _text, "revision": _text, "made": _one_of((GENERATED, BY_HAND)), "components": _list,
 }  # fmt: skip
 _COMPONENT: Mapping[str, Check] = {
-    "component": _text, "kind": _one_of(COMPONENT_KINDS), "node_name": _text, "open": _open, "replace": _flag, "options": _texts,
-    "elements": _elements, "namespace_element": _text, "ports": _list, "params": _list,
+    "component": _text, "kind": _one_of(COMPONENT_KINDS), "node_name": _text, "base": _text, "loads": _texts, "open": _open,
+    "replace": _flag, "options": _texts, "elements": _elements, "namespace_element": _text, "ports": _list, "params": _list,
 }  # fmt: skip
 _PORT: Mapping[str, Check] = {
     "kind": _one_of(PORT_KINDS), "name": _text, "type": _text, "from_param": _text, "queue": _count(0), "latched": _flag, "via": _text,

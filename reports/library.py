@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +12,6 @@ from rosarch.reports.printable import printable
 
 if TYPE_CHECKING:
     from rosarch.library import LibraryComponent, LibraryParameter, LibraryPort
-
-_DEFAULTS: dict[str, Any] = {"via": "plain", "op": "read"}
 
 
 def library_schema() -> Any:
@@ -31,12 +28,12 @@ def list_text(components: Sequence[LibraryComponent]) -> str:
 
 def list_json(components: Iterable[LibraryComponent]) -> str:
     """All that is known of the components, in an array."""
-    return json.dumps([_data(component) for component in components], indent=2, ensure_ascii=False) + "\n"
+    return json.dumps([component.document() for component in components], indent=2, ensure_ascii=False) + "\n"
 
 
 def component_json(component: LibraryComponent) -> str:
     """All that is known of a component."""
-    return json.dumps(_data(component), indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(component.document(), indent=2, ensure_ascii=False) + "\n"
 
 
 def component_text(component: LibraryComponent) -> str:
@@ -91,14 +88,3 @@ def _details(port: LibraryPort) -> str:
 def _access(parameter: LibraryParameter) -> str:
     default = "" if parameter.default is None else f" default {json.dumps(parameter.default, ensure_ascii=False)}"
     return f"{parameter.op}{default}"
-
-
-def _data(component: LibraryComponent) -> dict[str, Any]:
-    data = asdict(component) | {"path": str(component.path)}
-    data["ports"] = [_given(port) for port in data["ports"]]
-    data["params"] = [_given(parameter) for parameter in data["params"]]
-    return data
-
-
-def _given(row: dict[str, Any]) -> dict[str, Any]:
-    return {key: value for key, value in row.items() if (value not in (None, False, {}) and _DEFAULTS.get(key) != value) or key == "op"}

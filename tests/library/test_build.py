@@ -37,6 +37,9 @@ def test_a_workspace_becomes_a_library(built: Path, examples: Path) -> None:
     assert [tuple(getattr(port, key) for key in fields) for port in found.ports] == [
         tuple(port[key] for key in fields) for port in expected["ports"]
     ]
+    assert (found.base, found.document()["plugin"]) == ("nodelet::Nodelet", {"name": "scan_filters/range_clip", "base": "nodelet::Nodelet"})
+    node = find("scan_filters", "range_clip_node", [built])
+    assert node and node.loads == ("scan_filters/range_clip",) and not node.open
     assert {parameter.name for parameter in found.params} == {parameter["name"] for parameter in expected["params"]}
 
 
@@ -84,7 +87,10 @@ def test_show(rosarch: Callable) -> None:
     assert text[3].split() == ["publisher", "{2}_throttle", "(argument", "4)", "?", "if", "argument", "1", "is", "messages"]
     assert rosarch("library", "show", "image_proc/debayer").out.startswith("image_proc/debayer  nodelet\n")
     assert json.loads(rosarch("library", "show", "topic_tools/throttle", "--format", "json").out)["ports"][0] == {
+        "id": "p1",
         "kind": "subscriber",
+        "name": "?",
+        "via": "plain",
         "queue": 10,
         "from_arg": 2,
     }

@@ -89,3 +89,20 @@ def test_what_may_be_more(tmp_path: Path) -> None:
         "c": (True, True, False),
         "d": (True, False, True),
     }
+
+
+def test_the_document_keeps_what_is_said(tmp_path: Path) -> None:
+    component = node(
+        loads=["demo/other"],
+        ports=[publisher("a", queue=0), {"kind": "subscriber", "from_arg": 1}],
+        params=[{"name": "~p", "default": False}, {"pattern": "~q.*"}],
+    )
+    found = find("demo", "n", [write(tmp_path / "own", "by hand", component)])
+    assert found
+    document = found.document()
+    assert document["loads"] == ["demo/other"]
+    assert document["ports"] == [
+        {"id": "p1", "kind": "publisher", "name": "a", "via": "plain", "queue": 0},
+        {"id": "p2", "kind": "subscriber", "name": "?", "via": "plain", "from_arg": 1},
+    ]
+    assert document["params"] == [{"name": "~p", "op": "read", "default": False}, {"name": "?", "op": "read", "pattern": "~q.*"}]
