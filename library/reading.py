@@ -7,12 +7,14 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.files import read_file
 from rosarch.extractor.hints import hint
-from rosarch.extractor.workspace import Diagnostic
 from rosarch.library.model import BY_HAND, GENERATED
+
+if TYPE_CHECKING:
+    from rosarch.extractor.workspace import Diagnostic
 
 COMPONENT_KINDS = ("node", "nodelet", "plugin", "gazebo_plugin")
 PORT_KINDS = (
@@ -69,6 +71,8 @@ def read_library_file(path: Path) -> LibraryFile | Diagnostic:
 
 
 def _problem(path: Path, message: str, line: int = 1, column: int = 1) -> Diagnostic:
+    from rosarch.extractor.workspace import Diagnostic  # takes a while, and is seldom needed
+
     return Diagnostic("library", path, line, column, message)
 
 
@@ -209,5 +213,5 @@ def _undeclared_elements(component: Document) -> Iterator[str]:
                 if component["kind"] == "gazebo_plugin":
                     if name not in elements:
                         yield f"ports[{index}]: `{name}` is none of the component's `elements`{hint(name, elements)}"
-                elif not re.fullmatch("[1-9][0-9]*", name):
+                elif not re.fullmatch("0|[1-9][0-9]*", name):
                     yield f"ports[{index}]: {{{name}}} is no number of an argument"

@@ -44,7 +44,8 @@ def test_shipped_files_are_as_they_should_be(path: Path) -> None:
     assert path.stem == found.package
     assert found.made == {"generated": "generated", "by_hand": "by hand"}[path.parent.name]
     assert found.origin.startswith("https://")
-    assert path.read_text() == document_text(data), "not formatted as `rosarch library build` does"
+    if found.made == "generated":
+        assert path.read_text() == document_text(data), "not as `rosarch library build` writes it"
 
 
 def test_no_shipped_file_is_left_out() -> None:
