@@ -111,9 +111,10 @@ class Behavior:
 NOTHING = Behavior((), (), (), (), (), ())
 
 
-def build_behavior(relations: Relations, places: Mapping[str, Place], ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> Behavior:
+def build_behavior(
+    relations: Relations, places: Mapping[str, Place], guards: Guards, ports: PortIds, callbacks: Iterable[tuple[Any, str]]
+) -> Behavior:
     """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
-    guards = Guards(relations, places)
     names = {row[0]: _variable_name(row[1], row[2], row[3]) for row in sorted(relations["variable_display"])}
     return Behavior(
         _periodic(relations, places, ports, guards),

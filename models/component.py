@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior
 from rosarch.models.formula import Formula
+from rosarch.models.guards import Guards
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
 
@@ -33,6 +35,7 @@ class Port:
     at: Place
     implicit: bool = False
     unknown: str | None = None
+    guard: Formula = formula.TRUE
 
 
 @dataclass(frozen=True)
@@ -76,8 +79,9 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
     """Assemble the model from the rows of the rules' output relations."""
     places = {row[0]: Place(*row[1:]) for row in relations["node_location"]}
     names = sorted(name for (name,) in relations["node_name"])
-    ports, ids = _ports(relations, places)
-    behavior = build_behavior(relations, places, ids, tuple(relations["port_callback"]))
+    guards = Guards(relations, places)
+    ports, ids = _ports(relations, places, guards)
+    behavior = build_behavior(relations, places, guards, ids, tuple(relations["port_callback"]))
     plugins = [Plugin(name, base or None) for name, base in sorted(relations["component_plugin"])]
     return ComponentModel(
         system,
@@ -100,7 +104,7 @@ def _first(rows: Iterable[Row]) -> dict[Any, Any]:
     return {row[0]: row[1] for row in sorted(rows, key=lambda row: (repr(row[0]), str(row[1])), reverse=True)}
 
 
-def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[tuple[Port, ...], dict[Row, str]]:
+def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) -> tuple[tuple[Port, ...], dict[Row, str]]:
     """The ports, and the ids of those that are not implicit by their record."""
     types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
@@ -108,6 +112,9 @@ def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[tuple[Por
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
+    calls = defaultdict(list)
+    for port, call in sorted(relations["port_made_through"], key=repr):
+        calls[port].append(call)
     found: list[tuple[Row | None, Port]] = []
     for (port,) in relations["port"]:
         site, kind, name = port
@@ -129,6 +136,7 @@ def _ports(relations: Relations, places: Mapping[str, Place]) -> tuple[tuple[Por
                     places[site],
                     False,
                     unknown.get(port),
+                    guards.created(site, calls[port]),
                 ),
             )
         )
@@ -159,14 +167,17 @@ def _parameter_type(type_: str) -> str:
 
 
 def _parameters(relations: Relations, places: Mapping[str, Place]) -> tuple[Parameter, ...]:
-    types, defaults = _first(relations["parameter_access_type"]), _first(relations["parameter_access_default"])
+    types, defaults = (
+        _first(((call, name), value) for call, name, value in relations[relation])
+        for relation in ("parameter_access_type", "parameter_access_default")
+    )
     found: dict[tuple[str, str, Place], Parameter] = {}
     for call, op, name in relations["parameter_access"]:
-        type_ = types.get(call)
+        type_ = types.get((call, name))
         at = places.get(call)
         if at is None:
             continue
-        found[name, op, at] = Parameter(name, op, _parameter_type(type_) if type_ else None, defaults.get(call), at)
+        found[name, op, at] = Parameter(name, op, _parameter_type(type_) if type_ else None, defaults.get((call, name)), at)
     return tuple(sorted(found.values(), key=lambda parameter: (parameter.at.path, parameter.at.line, parameter.at.column, parameter.name)))
 
 
@@ -233,7 +244,8 @@ def _variable_json(variable: StateVariable) -> dict[str, Any]:
 def _port_json(port: Port) -> dict[str, Any]:
     data: dict[str, Any] = {
         "id": port.id, "kind": port.kind, "name": port.name, "from_param": port.from_param, "type": port.type, "queue": port.queue,
-        "latched": port.latched, "callback": port.callback, "via": port.via, "at": str(port.at), "conditional": None,
+        "latched": port.latched, "callback": port.callback, "via": port.via, "at": str(port.at),
+        "conditional": formula.text(port.guard),
     }  # fmt: skip
     if port.implicit:
         data["implicit"] = True

@@ -12,6 +12,9 @@ from rosarch.models.places import Place
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
 
+CREATION = "creation "
+"""Begins the root of what is made at any time, the start of the program included; a function may follow that is taken as entered."""
+
 
 class Guards:
     """Reads the relations once; `guard` answers for one activity and one expression."""
@@ -26,6 +29,7 @@ class Guards:
         for row in sorted(relations["guard_step"]):
             self._steps[row[0]].append(row[1:])
         self._silent = {row[0] for row in relations["silent_condition"]}
+        self._loops = {row[0] for row in relations["loop_condition"]}
         self._stable = {row[0] for row in relations["stable_condition"]}
         self._cases: dict[str, list[str]] = defaultdict(list)
         for chooser, value in sorted(relations["switch_case"]):
@@ -36,7 +40,9 @@ class Guards:
         self._entered: dict[str, set[str]] = defaultdict(set)
         for root, function in relations["activity_enters"]:
             self._entered[root].add(function)
+        self._roots = {root for root, kind in relations["activity"] if kind not in ("loop", "main")}
         self._known: dict[tuple[str, str], Formula] = {}
+        self._cuts = 0
 
     def guard(self, root: str, node: str) -> Formula:
         """When the activity of `root` evaluates `node`; true when nothing is known."""
@@ -47,21 +53,31 @@ class Guards:
         """As `guard`, but false when no way leads there."""
         return either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
 
+    def created(self, node: str, through: Iterable[str]) -> Formula:
+        """When `node` is evaluated, from the start of the program, or of what runs later; `through`: the calls that enter its function."""
+        blocks = self._blocks.get(node, ())
+        entries = [self.created(call, ()) for call in through if call in self._blocks]
+        found = either(self._of(CREATION + _function(block) if entries else CREATION, block, ()) for block in blocks)
+        if entries:
+            found = both(either(entries), found)
+        return found if found.alternatives else TRUE
+
     def _runs(self, root: str, block: str) -> bool:
-        return block in self._parts[root] or _function(block) in self._entered[root]
+        return root.startswith(CREATION) or block in self._parts[root] or _function(block) in self._entered[root]
 
     def _of(self, root: str, node: str, path: tuple[str, ...]) -> Formula:
         """The guard of a block or function; a way that comes back to where it was adds nothing."""
-        if node == root or node == _function(root):
+        if node in (root, _function(root)) or (root.startswith(CREATION) and (node in self._roots or node == root[len(CREATION) :])):
             return TRUE
         if node in path:
+            self._cuts += 1
             return FALSE
         known = self._known.get((root, node))
         if known is not None:
             return known
-        steps = self._steps.get(node, ())
+        cuts, steps = self._cuts, self._steps.get(node, ())
         found = either(self._step(root, row, (*path, node)) for row in steps) if steps else TRUE
-        if not path:
+        if not path or cuts == self._cuts:  # else it lacks the ways that lead back
             self._known[root, node] = found
         return found
 
@@ -72,6 +88,8 @@ class Guards:
         if sense == "always" and before != _function(path[-1]) and not self._runs(root, before):
             return FALSE  # a call that this activity does not make
         beyond = self._of(root, before, path)
+        if root.startswith(CREATION) and chooser in self._loops:
+            return beyond  # what a loop makes is made for each element there is
         return both(beyond, self._condition(chooser, sense, value)) if beyond.alternatives else FALSE
 
     def _condition(self, chooser: str, sense: str, value: str) -> Formula:

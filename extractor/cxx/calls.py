@@ -6,7 +6,7 @@ import re
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body, expressions, operands, strip, template_argument_texts
-from rosarch.extractor.cxx.declarations import declare_class, declare_function, declare_type, declare_unknown_type
+from rosarch.extractor.cxx.declarations import declare_class, declare_function, declare_template_member, declare_type, declare_unknown_type
 from rosarch.extractor.cxx.libclang import Cursor, Tree
 
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*|new|delete)$")
@@ -151,6 +151,8 @@ def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
         for candidate in candidates:
             unit.add("call_function", call, declare_function(unit, candidate))
         unit.add("call_unresolved", call, "overloaded" if candidates else "dependent")
+        if receiver is None and "::" in callee_text:
+            declare_template_member(unit, call, callee, name)
     if receiver is not None:
         unit.add("call_receiver", call, receiver)
     for index, argument in enumerate(arguments):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from rosarch.extractor.cxx import kinds, libclang
-from rosarch.extractor.cxx.libclang import Cursor, Type
+from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
 from rosarch.extractor.cxx.unit import UnitFacts
 
 _FUNCTION_KINDS = {
@@ -21,6 +21,7 @@ _INT = re.compile(r"(signed|int|auto|decltype\s*\(.*\)|\s)*")
 _QUALIFIERS = re.compile(r"\bconst\b|\bvolatile\b|\[\d*\]|[&*\s]")
 _SPECIFIERS = re.compile(r"\b(const|constexpr|static|mutable|extern|inline|volatile|register|typename|struct|class)\b")
 _TEMPLATE_PARAMETER = re.compile(r"type-parameter-\d+-(\d+)")
+_TEMPLATE_MEMBER = re.compile(r"typename (type-parameter-\d+-(\d+))::(\w+)")
 _ANONYMOUS = re.compile(r"\(.*? at .*\)")
 
 
@@ -192,6 +193,15 @@ def declare_unknown_type(unit: UnitFacts, written: str) -> str:
     return name
 
 
+def declare_template_member(unit: UnitFacts, expr: str, tree: Tree, name: str) -> None:
+    """Record that `expr`, written as `tree`, names or calls the member `name` of a template parameter: `T::name`."""
+    for child in tree.children:
+        if child.kind == kinds.TYPE_REFERENCE:
+            owner = declare_type(unit, libclang.cursor_type(child.cursor))
+            if _TEMPLATE_PARAMETER.fullmatch(owner):
+                unit.add("template_member_use", expr, owner, name)
+
+
 def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
     """Return the qualified name of the class at `cursor`, recording its bases on first sight."""
     pattern = _pattern(cursor)
@@ -244,6 +254,11 @@ def declare_type(unit: UnitFacts, type_: Type) -> str:
     parameter = _TEMPLATE_PARAMETER.fullmatch(name)
     if parameter:
         unit.add("template_parameter", name, int(parameter.group(1)))
+    member = _TEMPLATE_MEMBER.fullmatch(name)
+    if member:
+        owner = member.group(1)
+        unit.add("template_parameter", owner, int(member.group(2)))
+        unit.add("type_member", name, owner, member.group(3))
     declaration = libclang.type_declaration(type_)
     if declaration.kind in kinds.CLASSES or declaration.kind == kinds.ENUM:
         unit.add("type_class", name, declare_class(unit, declaration))

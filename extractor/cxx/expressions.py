@@ -8,7 +8,7 @@ from collections.abc import Callable
 from rosarch.extractor.cxx import kinds, libclang, literals
 from rosarch.extractor.cxx.body import Body, expressions, strip
 from rosarch.extractor.cxx.calls import lower_call
-from rosarch.extractor.cxx.declarations import declare_function, declare_type, declare_variable, qualified_name
+from rosarch.extractor.cxx.declarations import declare_function, declare_template_member, declare_type, declare_variable, qualified_name
 from rosarch.extractor.cxx.libclang import Tree
 
 _ASSIGNMENTS = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
@@ -244,7 +244,10 @@ def _lower_unknown(body: Body, tree: Tree) -> str:
     for index, child in enumerate(expressions(tree)):
         body.unit.add("operand", expr, index, lower_expression(body, child))
     body.unit.add("expr_unknown", expr, "form")
-    body.unit.add("expr_text", expr, body.unit.text(span))
+    text = body.unit.text(span)
+    body.unit.add("expr_text", expr, text)
+    if "::" in text:
+        declare_template_member(body.unit, expr, tree, text.rpartition("::")[2].strip())
     return expr
 
 

@@ -54,9 +54,13 @@ def _walk_declaration(unit: UnitFacts, cursor: Cursor) -> None:
 
 
 def _is_instance(cursor: Cursor) -> bool:
-    """Whether clang made this function from a template: it stands where the template stands."""
+    """Whether clang made this function from a template: it stands where the template, or its definition outside of the class, stands."""
     template = libclang.template_of(cursor)
-    return bool(template.d0) and libclang.location(template).raw == libclang.location(cursor).raw
+    if not template.d0:
+        return False
+    defined = libclang.definition(template)
+    place = libclang.location(cursor).raw
+    return any(libclang.location(source).raw == place for source in (template, defined) if source.d0)
 
 
 def walk_class(unit: UnitFacts, cursor: Cursor) -> None:

@@ -12,11 +12,13 @@ import pytest
 from rosarch.models.component import ComponentModel, build_model, to_json
 
 NAMES = (
-    "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_via", "implicit_port",
-    "implicit_port_callback", "node_location",
-    "function_display", "parameter_access", "parameter_access_default", "parameter_access_type", "reconfigure_parameter", "node_name",
+    "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_made_through", "port_via",
+    "implicit_port", "implicit_port_callback", "node_location",
+    "function_display", "parameter_access", "parameter_access_default", "parameter_access_type",
+    "reconfigure_parameter", "node_name",
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
-    "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step", "silent_condition", "switch_case",
+    "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
+    "loop_condition", "silent_condition", "switch_case",
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
     "timer_callback", "sends_once", "always_sends_once",
     "component_plugin", "plugin_load",
@@ -53,8 +55,8 @@ RELATIONS: dict[str, list[tuple[Any, ...]]] = {
     "node_location": [("c1", "pkg/n.cpp", 7, 3), ("c2", "pkg/n.cpp", 8, 3), ("c3", "pkg/n.cpp", 9, 3)],
     "function_display": [("N::on_in@n.cpp:3", "ns::N", "ns::N::on_in")],
     "parameter_access": [("c3", "read", "~topic")],
-    "parameter_access_default": [("c3", "out")],
-    "parameter_access_type": [("c3", "std::basic_string<char>")],
+    "parameter_access_default": [("c3", "~topic", "out")],
+    "parameter_access_type": [("c3", "~topic", "std::basic_string<char>")],
     "node_name": [("driver",)],
 }
 
@@ -97,7 +99,7 @@ def test_an_empty_component_has_all_fields() -> None:
 def test_the_order_of_rows_changes_nothing(seed: int) -> None:
     relations = {
         **RELATIONS, "port_type": [*RELATIONS["port_type"], (OUT, "a/Other"), (OUT, "z/Last")], "node_name": [("driver",), ("another",)],
-        "parameter_access_default": [("c3", "out"), ("c3", "5"), ("c3", "image")],
+        "parameter_access_default": [("c3", "~topic", "out"), ("c3", "~topic", "5"), ("c3", "~topic", "image")],
     }  # fmt: skip
     shuffled = {name: random.Random(seed).sample(rows, len(rows)) for name, rows in relations.items()}
     assert to_json(model(**shuffled)) == to_json(model(**relations))
@@ -165,7 +167,7 @@ def test_callbacks(via: str, function: str, display: tuple[str, str], callback: 
 )
 def test_defaults_are_typed(text: str, value: object) -> None:
     (parameter,) = to_json(
-        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", text)], node_location=place("c1"))
+        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", "p", text)], node_location=place("c1"))
     )["params"]
     assert parameter["default"] == value
     assert type(parameter["default"]) is type(value)
@@ -174,7 +176,7 @@ def test_defaults_are_typed(text: str, value: object) -> None:
 @pytest.mark.parametrize("text", ["nan", "inf", "-inf", "infinity"])
 def test_a_default_is_valid_json(text: str) -> None:
     (parameter,) = to_json(
-        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", text)], node_location=place("c1"))
+        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", "p", text)], node_location=place("c1"))
     )["params"]
     assert json.loads(json.dumps(parameter, allow_nan=False))["default"] == text
 
@@ -182,7 +184,7 @@ def test_a_default_is_valid_json(text: str) -> None:
 @pytest.mark.parametrize("text", ["1_000", "٣", " 5 "])
 def test_a_text_that_only_python_takes_for_a_number_stays_text(text: str) -> None:
     (parameter,) = to_json(
-        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", text)], node_location=place("c1"))
+        model(parameter_access=[("c1", "read", "p")], parameter_access_default=[("c1", "p", text)], node_location=place("c1"))
     )["params"]
     assert parameter["default"] == text
 
@@ -192,8 +194,8 @@ def test_a_string_parameter_keeps_its_text(text: str) -> None:
     """A default of a string parameter that looks like a number is still a string."""
     access = {
         "parameter_access": [("c1", "read", "p")],
-        "parameter_access_default": [("c1", text)],
-        "parameter_access_type": [("c1", "std::basic_string<char>")],
+        "parameter_access_default": [("c1", "p", text)],
+        "parameter_access_type": [("c1", "p", "std::basic_string<char>")],
     }
     (parameter,) = to_json(model(**access, node_location=place("c1")))["params"]
     assert (parameter["type"], parameter["default"]) == ("string", text)
@@ -211,7 +213,7 @@ def test_a_string_parameter_keeps_its_text(text: str) -> None:
     ],
 )
 def test_parameter_types(cxx: str, shown: str) -> None:
-    (parameter,) = model(parameter_access=[("c1", "read", "p")], parameter_access_type=[("c1", cxx)], node_location=place("c1")).params
+    (parameter,) = model(parameter_access=[("c1", "read", "p")], parameter_access_type=[("c1", "p", cxx)], node_location=place("c1")).params
     assert parameter.type == shown
 
 
