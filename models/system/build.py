@@ -44,11 +44,11 @@ def merged(parts: Iterable[Rows]) -> dict[str, set[tuple[Any, ...]]]:
     return rows
 
 
-def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded") -> Result:
-    """All that the rules derive of a system."""
+def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] = ()) -> Result:
+    """What the rules derive of a system: its model, the findings and, if asked for, the relations in `keep`."""
     types = {type_ for check in rules.checks for _, type_ in check.columns}
     helpers = {relation for type_ in types for relation in (evidence_of(type_), shown_as(type_)) if relation in rules.program.relations}
-    wanted = [*rules.program.outputs, *(check.relation for check in rules.checks), *sorted(helpers)]
+    wanted = [*rules.program.outputs, *(check.relation for check in rules.checks), *sorted(helpers), *keep]
     return rules.program.evaluate(rows, engine=engine, keep=wanted)
 
 

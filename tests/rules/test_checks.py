@@ -1,0 +1,51 @@
+"""Checks, each with cases in which it must fire and cases in which it must stay silent.
+
+`checks/<id>/*.dl` are facts, with the shorthand of `checks/shorthand.dl`. `// expect: message` and, if told, `// at: path:line` after it are the
+findings that this check must make there; files called `silent*` have none. Other checks do not count.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+
+from rosarch.datalog import load_program
+from rosarch.extractor.manifest import rules_folder
+from rosarch.models.checks import check_files, read_check
+from rosarch.models.findings import Finding
+from rosarch.models.places import Place
+from rosarch.models.system.build import SystemRules, evaluate
+from rosarch.models.system.findings import findings
+
+HERE = Path(__file__).parent / "checks"
+CASES = sorted(HERE.glob("*/*.dl"))
+EXPECT = re.compile(r"^// expect: (.*)(?:\n// at: (.*))?$", re.MULTILINE)
+
+
+@lru_cache
+def found(case: Path) -> list[Finding]:
+    check = read_check(rules_folder() / "checks" / f"{case.parent.name}.dl")
+    program = load_program([rules_folder() / "system.dl", Path(check.path), HERE / "shorthand.dl", case])
+    rules = SystemRules(program, (check,))
+    result = evaluate(rules, {}, keep=("place",))
+    places = {row[0]: Place(*row[1:]) for row in result.rows("place")}
+    return findings(rules.checks, result, places, "demo")
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.parent.name}/{case.stem}")
+def test_case(case: Path) -> None:
+    expected = EXPECT.findall(case.read_text(encoding="utf-8"))
+    assert bool(expected) != case.stem.startswith("silent")
+    actual = sorted({(finding.message, str(finding.place)) for finding in found(case)})
+    assert [message for message, _ in actual] == sorted(message for message, _ in expected)
+    told = {message: place for message, place in expected if place}
+    assert {message: place for message, place in actual if message in told} == told
+
+
+@pytest.mark.parametrize("path", check_files(), ids=lambda path: path.stem)
+def test_every_check_fires_and_stays_silent(path: Path) -> None:
+    names = {case.stem.partition("_")[0] for case in CASES if case.parent.name == path.stem}
+    assert {"fires", "silent"} <= names
