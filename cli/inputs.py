@@ -47,6 +47,20 @@ def unwritable(out: Path, error: OSError) -> InputError:
     return InputError(f"{error.filename or out}: cannot write ({(error.strerror or str(error)).lower()})")
 
 
+def read_input(path: Path) -> str:
+    """The text of a file that was given."""
+    from rosarch.extractor.files import read_file
+
+    try:
+        return read_file(path).decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        column = error.start - error.object.rfind(b"\n", 0, error.start)
+        raise InputError(f"{path}:{line}:{column}: not UTF-8 text: byte 0x{error.object[error.start]:02x}") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({(error.strerror or str(error)).lower()})") from None
+
+
 def extraction_cache(wanted: bool) -> Cache | None:
     """Where what was read from sources is kept: below `ROSARCH_CACHE_DIR` or the user's cache folder."""
     if not wanted:

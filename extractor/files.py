@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import stat
+from collections.abc import Callable
 from pathlib import Path
 
 _LONGEST = 200
@@ -31,6 +32,19 @@ def read_file(path: str | Path) -> bytes:
     if not stat.S_ISREG(os.stat(path).st_mode):
         raise OSError(errno.EINVAL, "not a regular file", str(path))
     return Path(path).read_bytes()
+
+
+def folder_reader(root: Path) -> Callable[[str], str | None]:
+    r"""Reads texts below a folder, lines ending in `\n`; None for what is no regular file or cannot be read."""
+
+    def read(path: str) -> str | None:
+        try:
+            data = read_file(root / path)
+        except (OSError, ValueError):  # a name with a zero byte is a ValueError
+            return None
+        return data.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r", "\n")
+
+    return read
 
 
 def is_folder(entry: os.DirEntry[str]) -> bool:

@@ -1,0 +1,109 @@
+"""The options of `rosarch check` on what becomes of findings, and the policy they make together with the configuration file."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import read_input
+from rosarch.cli.options import path_argument
+
+if TYPE_CHECKING:
+    from rosarch.models.configuration import Configuration
+    from rosarch.models.findings import Check
+    from rosarch.models.policy import Policy, Severities
+
+
+class FailOn(str, Enum):
+    """The least severity that makes the exit code 1."""
+
+    error = "error"
+    warning = "warning"
+    note = "note"
+    never = "never"
+
+
+_IDS = "the check ID, `*` and `?` are wildcards; may be repeated."
+Errors = Annotated[list[str] | None, typer.Option("--error", metavar="ID", help=f"Report as an error {_IDS}", show_default=False)]
+Warnings = Annotated[list[str] | None, typer.Option("--warning", metavar="ID", help=f"Report as a warning {_IDS}", show_default=False)]
+Notes = Annotated[list[str] | None, typer.Option("--note", metavar="ID", help=f"Report as a note {_IDS}", show_default=False)]
+Ignored = Annotated[list[str] | None, typer.Option("--ignore", metavar="ID", help=f"Do not report {_IDS}", show_default=False)]
+Failing = Annotated[
+    FailOn | None, typer.Option("--fail-on", help="The least severity that makes the exit code 1; warning by default.", show_default=False)
+]
+ExitZero = Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever is found.")]
+ConfigFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--config", parser=path_argument, metavar="FILE", help="The configuration; DIR/.rosarch.yml by default.", show_default=False
+    ),
+]
+BaselineFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--baseline", parser=path_argument, metavar="FILE", help="Report only what this baseline does not know.", show_default=False
+    ),
+]
+NewBaseline = Annotated[
+    Path | None,
+    typer.Option("--write-baseline", parser=path_argument, metavar="FILE", help="Write what is found as a baseline.", show_default=False),
+]
+
+
+def load_configuration(folder: Path, file: Path | None, checks: Iterable[Check]) -> Configuration:
+    """The configuration in `file`, or of a workspace, with paths relative to the current folder; an empty one when there is none."""
+    from rosarch.models.configuration import NAME, Configuration, ConfigurationError, read_configuration
+    from rosarch.models.policy import identifiers
+
+    path = file or folder / NAME
+    if file is None and not path.exists():
+        return Configuration()
+    try:
+        found = read_configuration(read_input(path), str(path), identifiers(checks))
+    except ConfigurationError as error:
+        raise InputError(str(error)) from None
+    base = path.parent
+    return replace(
+        found,
+        baseline=found.baseline and str(base / found.baseline),
+        launch=tuple(replace(entry, files=tuple(str(base / name) for name in entry.files)) for entry in found.launch),
+        package_path=tuple(str(base / name) for name in found.package_path),
+    )
+
+
+def make_policy(
+    configuration: Configuration,
+    checks: Iterable[Check],
+    *,
+    errors: Sequence[str] | None = None,
+    warnings: Sequence[str] | None = None,
+    notes: Sequence[str] | None = None,
+    ignored: Sequence[str] | None = None,
+    fail_on: FailOn | None = None,
+    exit_zero: bool = False,
+) -> Policy:
+    """What a workspace and its user want to be told; the options overrule the file."""
+    from rosarch.models.policy import Policy, identifiers
+
+    known = identifiers(checks)
+    given = {"error": errors, "warning": warnings, "note": notes, "ignore": ignored}
+    options: Severities = tuple((name, severity) for severity, texts in given.items() for name in _names(severity, texts, known))
+    threshold = fail_on.value if fail_on else configuration.fail_on or FailOn.warning.value
+    return Policy((configuration.checks, options), configuration.ignore_paths, threshold, exit_zero)
+
+
+def _names(option: str, texts: Iterable[str] | None, known: Collection[str]) -> Iterator[str]:
+    """The ids and patterns of an option; each must mean a check."""
+    from rosarch.extractor.hints import hint
+    from rosarch.models.policy import unmatched
+
+    names = [name.strip() for text in texts or () for name in text.split(",")]
+    for name in unmatched(names, known):
+        raise InputError(f"--{option} {name}: no such check{hint(name, known)}")
+    yield from names

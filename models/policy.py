@@ -1,0 +1,152 @@
+"""What becomes of findings: how severe each is, which are reported, and when the run has failed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+
+from rosarch.extractor.suppressions import Suppression
+from rosarch.models.baseline import Baseline, BaselineEntry, compare
+from rosarch.models.findings import SEVERITIES, Check, Finding
+from rosarch.models.suppressed import COMMENT_CHECKS, Suppressed, suppress
+
+IGNORE = "ignore"
+CHOICES = (*SEVERITIES, IGNORE)
+NEVER = "never"
+THRESHOLDS = (*SEVERITIES, NEVER)
+
+Severities = tuple[tuple[str, str], ...]
+"""Pairs of a check id, in which `*` and `?` are wildcards, and one of `CHOICES`."""
+
+
+@dataclass(frozen=True)
+class Policy:
+    """What a team or a user wants to be told.
+
+    Of the layers of `severities` a later one overrules an earlier one: the command line the configuration file. In a layer the pattern that
+    says most about the id decides, of equal ones the last.
+    """
+
+    severities: tuple[Severities, ...] = ()
+    ignored_paths: tuple[str, ...] = ()
+    fail_on: str = "warning"
+    exit_zero: bool = False
+
+    def severity(self, finding: Finding) -> str:
+        """The severity of a finding, or `ignore`."""
+        for layer in reversed(self.severities):
+            rules = [(_weight(pattern), severity) for pattern, severity in layer if fnmatchcase(finding.check.id, pattern)]
+            if rules:
+                heaviest = max(weight for weight, _ in rules)
+                return [severity for weight, severity in rules if weight == heaviest][-1]
+        return finding.severity
+
+    def ignores(self, path: str) -> bool:
+        """Whether findings in a file are not reported."""
+        return any(path_matches(pattern, path) for pattern in self.ignored_paths)
+
+    def fails(self, finding: Finding) -> bool:
+        """Whether a finding makes the run fail."""
+        return self.fail_on != NEVER and SEVERITIES.index(finding.severity) <= SEVERITIES.index(self.fail_on)
+
+
+@dataclass(frozen=True)
+class Reported:
+    """Findings as they are reported, sorted by place.
+
+    `shown` are told to everyone; `suppressed` by comments; `known` are those of the baseline, `gone` those of it that are no more; both are
+    empty without a baseline (`compared`). `checks` are all that were made.
+    """
+
+    policy: Policy
+    checks: tuple[Check, ...]
+    shown: tuple[Finding, ...]
+    suppressed: tuple[Suppressed, ...] = ()
+    known: tuple[Finding, ...] = ()
+    gone: tuple[BaselineEntry, ...] = ()
+    compared: bool = False
+
+    @property
+    def failed(self) -> bool:
+        """Whether something was found that must not be."""
+        return any(map(self.policy.fails, self.shown))
+
+    @property
+    def exit_code(self) -> int:
+        """0 for clean, 1 for findings."""
+        return int(self.failed and not self.policy.exit_zero)
+
+    @property
+    def baseline(self) -> Baseline:
+        """A baseline after which nothing is new."""
+        return Baseline.of((*self.shown, *self.known))
+
+
+def apply_policy(
+    findings: Iterable[Finding],
+    policy: Policy,
+    suppressions: Iterable[Suppression] = (),
+    baseline: Baseline | None = None,
+    *,
+    checks: Iterable[Check],
+) -> Reported:
+    """Sort out what is reported. `checks` are all that were made; `suppressions` those of every file whose comments are to be judged."""
+    checks = (*sorted(checks, key=lambda check: check.id), *COMMENT_CHECKS)
+    comments = [comment for comment in sorted(set(suppressions)) if not policy.ignores(comment.path)]
+    staying, suppressed, about = suppress(findings, comments, identifiers(checks))
+    active: list[Finding] = []
+    hidden = [each.finding for each in suppressed]
+    for finding in (*staying, *about):
+        severity = policy.severity(finding)
+        if severity == IGNORE or policy.ignores(finding.place.path):
+            hidden.append(finding)
+        else:
+            active.append(replace(finding, severity=severity))
+    active.sort(key=_order)
+    new, known, gone = compare(baseline, active, hidden) if baseline is not None else (active, [], [])
+    told = [Suppressed(replace(each.finding, severity=policy.severity(each.finding)), each.suppression) for each in suppressed]
+    told = [each for each in told if each.finding.severity != IGNORE]
+    told.sort(key=lambda each: _order(each.finding))
+    return Reported(policy, checks, tuple(new), tuple(told), tuple(known), tuple(gone), baseline is not None)
+
+
+def identifiers(checks: Iterable[Check]) -> list[str]:
+    """The ids of checks, and of those that are made of suppression comments."""
+    return sorted({check.id for check in (*checks, *COMMENT_CHECKS)})
+
+
+def unmatched(patterns: Iterable[str], checks: Collection[str]) -> list[str]:
+    """The patterns that no check's id matches."""
+    return [pattern for pattern in patterns if not any(fnmatchcase(check, pattern) for check in checks)]
+
+
+def path_matches(pattern: str, path: str) -> bool:
+    """Whether a pattern of `ignore_paths` means a file: as in `.gitignore`, a folder means all below it and a bare name any folder's."""
+    anchored = "/" in pattern.rstrip("/")
+    steps = [step for step in pattern.split("/") if step not in ("", ".")]
+    names = [name for name in path.split("/") if name not in ("", ".")]
+    return bool(steps) and _steps_match(steps if anchored else ["**", *steps], names)
+
+
+def _steps_match(steps: Sequence[str], names: Sequence[str]) -> bool:
+    """Whether the steps of a pattern match the first of `names`, or all: `ends` are the numbers of names that the steps so far match."""
+    ends = {0}
+    for step in steps:
+        if step == "**":
+            ends = set(range(min(ends), len(names) + 1))
+        else:
+            ends = {end + 1 for end in ends if end < len(names) and fnmatchcase(names[end], step)}
+        if not ends:
+            return False
+    return True
+
+
+def _weight(pattern: str) -> tuple[int, bool]:
+    literal = re.sub(r"\[[^\]]*\]|[*?]", "", pattern)
+    return len(literal), literal == pattern
+
+
+def _order(finding: Finding) -> tuple[object, ...]:
+    return (finding.place, SEVERITIES.index(finding.severity), finding.check.id, finding.message)

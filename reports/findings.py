@@ -1,0 +1,77 @@
+"""What the reports of findings share: the formats there are, and what a writer is given besides the findings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+from importlib import import_module
+from importlib.metadata import version
+
+from rosarch.models.findings import SEVERITIES, Finding
+from rosarch.models.places import Place
+from rosarch.models.policy import Reported
+from rosarch.reports.labels import counted
+from rosarch.reports.printable import printable
+
+FORMATS = ("text", "json", "sarif", "junit", "github", "markdown")
+LINE_FORMATS = ("text", "github")
+"""Formats that may follow each other in one stream: nobody parses the whole of it."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """Where a report is read.
+
+    `read` gives the text of a file of the workspace, or None. `folder` is the workspace as seen from where the reader stands, empty when
+    that is the workspace itself: people, editors and services find a file by the path that begins there.
+    """
+
+    read: Callable[[str], str | None] = field(default=lambda _path: None)
+    folder: str = ""
+    terminal: bool = False
+
+    def path(self, path: str) -> str:
+        """The path of a file of the workspace as the reader knows it."""
+        return path if path.startswith("/") or self.folder in ("", ".") else f"{self.folder.rstrip('/')}/{path}"
+
+    def place(self, place: Place) -> str:
+        """`path:line:column`, printable, as far as it is known."""
+        numbers = [number for number in (place.line, place.column) if number > 0]
+        return ":".join([printable(self.path(place.path)), *map(str, numbers)])
+
+    def line(self, place: Place) -> str:
+        """`path:line`, as `place`."""
+        return self.place(replace(place, column=0))
+
+
+def report_text(output_format: str, reported: Reported, setting: Setting) -> str:
+    """A report in one of `FORMATS`."""
+    writer: Callable[[Reported, Setting], str] = import_module(f"rosarch.reports.findings_{output_format}").findings_text
+    return writer(reported, setting)
+
+
+def tool_version() -> str:
+    """The version of rosarch that reports name."""
+    return version("rosarch")
+
+
+def severity_counts(findings: Iterable[Finding]) -> dict[str, int]:
+    """How many findings there are of each severity, the worst first."""
+    found = [finding.severity for finding in findings]
+    return {severity: found.count(severity) for severity in SEVERITIES}
+
+
+def summary_line(reported: Reported) -> str:
+    """All in one line: `3 findings: 1 error, 2 warnings; 1 suppressed`."""
+    counts = [counted(number, severity) for severity, number in severity_counts(reported.shown).items() if number]
+    if counts:
+        words = [f"{counted(len(reported.shown), 'finding')}: {', '.join(counts)}"]
+    else:
+        words = ["no new findings" if reported.known else "no findings"]
+    if reported.suppressed:
+        words.append(f"{len(reported.suppressed)} suppressed")
+    if reported.known:
+        words.append(f"{len(reported.known)} known from the baseline")
+    if reported.gone:
+        words.append(f"{len(reported.gone)} of the baseline gone")
+    return "; ".join(words)

@@ -1,0 +1,55 @@
+"""Findings as one JSON document, for programs; its schema is `schema/findings.schema.json`."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+from typing import Any
+
+from rosarch.models.findings import Finding
+from rosarch.models.places import Place
+from rosarch.models.policy import Reported
+from rosarch.reports.findings import Setting, severity_counts, tool_version
+
+
+def findings_text(reported: Reported, setting: Setting) -> str:
+    """The document. Its paths are relative to the workspace, `folder` tells where that is."""
+    data = {
+        "rosarch": tool_version(),
+        "folder": setting.folder or ".",
+        "findings": [_finding(finding) for finding in reported.shown],
+        "suppressed": [
+            {**_finding(each.finding), "reason": each.suppression.reason, "comment_line": each.suppression.line}
+            for each in reported.suppressed
+        ],
+        "known": [_finding(finding) for finding in reported.known],
+        "gone": [
+            {"check": entry.check, "message": entry.message, "file": entry.file, "fingerprint": entry.fingerprint}
+            for entry in reported.gone
+        ],
+        "summary": {**severity_counts(reported.shown), "compared": reported.compared, "failed": reported.failed},
+    }
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+
+
+def findings_schema() -> Any:
+    """The JSON Schema of the document."""
+    return json.loads(files("rosarch.reports").joinpath("schema/findings.schema.json").read_text(encoding="utf-8"))
+
+
+def _finding(finding: Finding) -> dict[str, Any]:
+    return {
+        "check": finding.check.id,
+        "severity": finding.severity,
+        "confidence": finding.check.confidence,
+        "message": finding.message,
+        **_place(finding.place),
+        "evidence": [{"text": step.text, **_place(step.place)} for step in finding.evidence],
+        "hint": finding.check.recommendation,
+        "systems": list(finding.systems),
+        "fingerprint": finding.fingerprint,
+    }
+
+
+def _place(place: Place) -> dict[str, Any]:
+    return {"file": place.path, "line": place.line, "column": place.column}

@@ -1,0 +1,73 @@
+"""Findings as Markdown, for a comment on a pull request."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import groupby
+
+from rosarch.models.findings import Finding
+from rosarch.models.policy import Reported
+from rosarch.reports.excerpts import Excerpts
+from rosarch.reports.findings import Setting, summary_line
+from rosarch.reports.labels import counted
+from rosarch.reports.printable import printable
+
+LONGEST = 60_000  # characters; a comment on GitHub has 65,536 at most
+
+
+def findings_text(reported: Reported, setting: Setting) -> str:
+    """A heading, and by file an item for each finding that unfolds to the evidence; cut where a comment has no more room."""
+    excerpts = Excerpts(setting.read)
+    parts = [f"### rosarch: {summary_line(reported)}\n"]
+    length, left = len(parts[0]), len(reported.shown)
+    for path, findings in groupby(reported.shown, key=lambda finding: finding.place.path):
+        heading = f"\n#### {_code(setting.path(path))}\n\n"
+        for finding in findings:
+            text = heading + "\n".join(_finding(finding, excerpts, setting)) + "\n"
+            if length + len(text) > LONGEST:
+                return "".join([*parts, f"\n… and {counted(left, 'more finding')}.\n"])
+            parts.append(text)
+            length, left, heading = length + len(text), left - 1, ""
+    return "".join(parts)
+
+
+def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator[str]:
+    line = f"line {finding.place.line}: " if finding.place.line > 0 else ""
+    yield f"- **{finding.severity}** {line}{_escape(finding.message)} ({_code(finding.check.id)})"
+    yield "  <details><summary>why, and what to do</summary>"
+    yield ""
+    for step in finding.evidence:
+        text = f": {_escape(step.text)}" if step.text else ""
+        yield f"  {_code(setting.line(step.place))}{text}"
+        excerpt = excerpts.at(step.place)
+        if excerpt:
+            fence = "`" * (1 + max([2, *(len(run) for run in re.findall("`+", excerpt.text))]))
+            yield ""
+            yield from (f"  {row}" for row in (fence, excerpt.text, excerpt.underline, fence))
+        yield ""
+    if finding.check.recommendation:
+        yield f"  **Hint:** {_escape(' '.join(finding.check.recommendation.split()))}"
+        yield ""
+    if finding.systems:
+        yield f"  In: {', '.join(map(_code, finding.systems))}"
+        yield ""
+    yield "  </details>"
+
+
+def _code(text: str) -> str:
+    """A code span of any text."""
+    text = printable(text)
+    fence = "`" * (1 + max((len(run) for run in re.findall("`+", text)), default=0))
+    return f"{fence} {text} {fence}" if "`" in text else f"`{text}`"
+
+
+def _escape(text: str) -> str:
+    """Plain text: no markup but code spans, no HTML, no link, nobody mentioned, no issue referred to."""
+    parts = re.split(r"(`[^`\n]+`)", printable(text))
+    return "".join(part if number % 2 else _plain(part) for number, part in enumerate(parts))
+
+
+def _plain(text: str) -> str:
+    text = re.sub(r"([\\`*_|<>\[\]~&$!])", r"\\\1", text)
+    return re.sub(r"[@#]|\bGH-|(?<=http)(?=s?:)|\bwww(?=\.)|(?<=ftp)(?=:)", lambda found: f"{found[0]}<!-- -->", text)

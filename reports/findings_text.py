@@ -1,0 +1,69 @@
+"""Findings for people: each with its source line, the steps that lead to it, and what to change."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+
+from rich.console import Console
+from rich.text import Text
+
+from rosarch.models.findings import Evidence, Finding
+from rosarch.models.policy import Reported
+from rosarch.reports.excerpts import Excerpts
+from rosarch.reports.findings import Setting, summary_line
+from rosarch.reports.printable import all_printable, printable
+
+_STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold cyan"}
+
+
+def findings_text(reported: Reported, setting: Setting) -> str:
+    """A paragraph for each finding, by file and line, and a summary."""
+    excerpts = Excerpts(setting.read)
+    lines: list[Text] = []
+    for finding in reported.shown:
+        lines += [*_finding(finding, excerpts, setting), Text()]
+    worst = min((finding.severity for finding in reported.shown), key=list(_STYLES).index, default="")
+    lines.append(Text(summary_line(reported), style=_STYLES.get(worst, "bold green")))
+    if not setting.terminal:
+        return "".join(f"{line.plain.rstrip()}\n" for line in lines)
+    buffer = io.StringIO()
+    console = Console(file=buffer, force_terminal=True, highlight=False)
+    for line in lines:
+        console.print(line, soft_wrap=True)
+    return buffer.getvalue()
+
+
+def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator[Text]:
+    """Headline, excerpt, the other steps with theirs, the hint, and the systems that have it."""
+    width = max(len(str(step.place.line)) for step in finding.evidence)
+    yield Text.assemble(
+        (f"{setting.place(finding.place)}: ", "bold"),
+        (f"{finding.severity}: ", _STYLES[finding.severity]),
+        printable(finding.message),
+        (f"  [{printable(finding.check.id)}]", "dim"),
+    )
+    shown: set[tuple[str, int]] = set()
+    for number, step in enumerate(finding.evidence):
+        if number:
+            text = f": {printable(step.text)}" if step.text else ""
+            yield Text.assemble("  ", (setting.line(step.place), "bold"), text)
+        if (step.place.path, step.place.line) not in shown:
+            yield from _excerpt(step, excerpts, width, finding.severity, labelled=not number)
+            shown.add((step.place.path, step.place.line))
+    if finding.check.recommendation:
+        yield Text.assemble("  ", ("hint: ", "bold"), printable(" ".join(finding.check.recommendation.split())))
+    if finding.systems:
+        yield Text.assemble("  ", ("in: ", "bold"), ", ".join(all_printable(finding.systems)))
+
+
+def _excerpt(step: Evidence, excerpts: Excerpts, width: int, severity: str, *, labelled: bool) -> Iterator[Text]:
+    """The source line of a step, what is meant underlined; with `labelled`, the step's text stands behind the underline."""
+    excerpt = excerpts.at(step.place)
+    label = f" {printable(step.text)}" if labelled and step.text else ""
+    if excerpt is None:
+        if label:
+            yield Text(f"  {label}")
+        return
+    yield Text.assemble((f"  {step.place.line:>{width}} | ", "dim"), excerpt.text)
+    yield Text.assemble((f"  {'':{width}} | ", "dim"), (f"{excerpt.underline}{label}", _STYLES[severity] if labelled else "dim"))
