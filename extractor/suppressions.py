@@ -121,10 +121,8 @@ class _Source:
         """The first and last line of what a comment is about: what stands before it on its line, else what comes next."""
         start = self.comments[comment][0]
         before, after = self.before[comment], self.after[comment]
-        if before >= self.starts[self.line(start) - 1]:
-            offset = before
-        else:
-            offset = after if after < len(self.text) else start
+        following = after if after < len(self.text) else start
+        offset = before if before >= self.starts[self.line(start) - 1] else following
         tag = bisect_right(self.tags, (offset, len(self.text))) - 1
         first, end = self.tags[tag] if tag >= 0 and offset < self.tags[tag][1] else (offset, offset + 1)
         return self.line(first), self.line(end - 1)

@@ -66,4 +66,5 @@ class Finding:
     @property
     def fingerprint(self) -> str:
         """Equal for the same finding after lines were shifted: made from the check, the message and the file."""
-        return hashlib.sha256("\0".join((self.check.id, self.message, self.place.path)).encode()).hexdigest()[:32]
+        identity = "\0".join((self.check.id, self.message, self.place.path))
+        return hashlib.sha256(identity.encode("utf-8", "backslashreplace")).hexdigest()[:32]

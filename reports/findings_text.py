@@ -63,7 +63,7 @@ def _excerpt(step: Evidence, excerpts: Excerpts, width: int, severity: str, *, l
     label = f" {printable(step.text)}" if labelled and step.text else ""
     if excerpt is None:
         if label:
-            yield Text(f"  {label}")
+            yield Text(f" {label}")
         return
     yield Text.assemble((f"  {step.place.line:>{width}} | ", "dim"), excerpt.text)
     yield Text.assemble((f"  {'':{width}} | ", "dim"), (f"{excerpt.underline}{label}", _STYLES[severity] if labelled else "dim"))

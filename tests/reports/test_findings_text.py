@@ -1,0 +1,146 @@
+"""Findings for people."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import pytest
+from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, nothing, one
+from handmade_findings import FULL, MISMATCH, finding
+
+from rosarch.models.findings import Evidence
+from rosarch.models.places import Place
+from rosarch.reports.excerpts import WIDEST, Excerpts
+from rosarch.reports.findings import Setting
+from rosarch.reports.findings_text import findings_text
+
+
+def test_a_finding() -> None:
+    assert findings_text(one(), HERE) == (
+        "odom/src/odom.cpp:3:13: error: /odom reads /ticks as Float32, but /base publishes it as Int32  [type-mismatch]\n"
+        '  3 |   sub_ = nh.subscribe("ticks", 10, &Odom::onTicks, this);\n'
+        "    |             ^~~~~~~~~ read as Float32\n"
+        "  base/launch/base.launch:3: remapped\n"
+        '  3 |     <remap from="ticks" to="/ticks"/>\n'
+        "    |     ^~~~~~\n"
+        "  base/src/base.cpp:3: published as Int32\n"
+        '  3 |     pub_ = nh.advertise<std_msgs::Int32>("ticks", 1);\n'
+        "    |               ^~~~~~~~~\n"
+        "  hint: Use one type, or rename one topic.\n"
+        "  in: base.launch, sim.launch\n"
+        "\n"
+        "1 finding: 1 error\n"
+    )
+
+
+def test_all_kinds() -> None:
+    lines = findings_text(everything(), HERE).splitlines()
+    assert lines[0] == "a.cpp: warning: whole file  [near-miss]"
+    assert lines[-1] == "2 findings: 1 error, 1 warning; 1 suppressed; 1 known from the baseline; 1 of the baseline gone"
+    assert not any("bad style" in line or "an old one" in line for line in lines)
+
+
+def test_nothing() -> None:
+    assert findings_text(nothing(), HERE) == "no findings\n"
+
+
+def test_paths_begin_where_the_reader_stands() -> None:
+    text = findings_text(one(), BELOW)
+    assert re.findall(r"^\s*(\S+?):3\b", text, re.MULTILINE) == [
+        "ws/odom/src/odom.cpp",
+        "ws/base/launch/base.launch",
+        "ws/base/src/base.cpp",
+    ]
+    assert findings_text(one(finding(path="/opt/ros/a.h")), BELOW).startswith("/opt/ros/a.h:3:1: error: m")
+
+
+def test_a_file_that_cannot_be_read() -> None:
+    assert findings_text(one(), Setting()).splitlines()[:3] == [
+        "odom/src/odom.cpp:3:13: error: /odom reads /ticks as Float32, but /base publishes it as Int32  [type-mismatch]",
+        "  read as Float32",
+        "  base/launch/base.launch:3: remapped",
+    ]
+
+
+def test_a_line_is_shown_once() -> None:
+    again = replace(FULL, evidence=(FULL.evidence[0], replace(FULL.evidence[0], text="here again")))
+    assert findings_text(one(again), HERE).splitlines()[3:5] == [
+        "  odom/src/odom.cpp:3: here again",
+        "  hint: Use one type, or rename one topic.",
+    ]
+
+
+def test_numbers_are_aligned() -> None:
+    steps = (Evidence("", Place("a.cpp", 9, 1)), Evidence("b", Place("a.cpp", 100, 1)))
+    text = findings_text(one(replace(FULL, evidence=steps)), Setting({"a.cpp": "f();\n" * 100}.get))
+    assert [line for line in text.splitlines() if "|" in line] == ["    9 | f();", "      | ^", "  100 | f();", "      | ^"]
+
+
+def test_colour_on_terminals(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    monkeypatch.setenv("TERM", "xterm-256color")
+    monkeypatch.setenv("COLUMNS", "40")
+    coloured = findings_text(one(), replace(HERE, terminal=True))
+    assert "\x1b[1;31merror: \x1b[0m" in coloured
+    assert re.sub(r"\x1b\[[\d;]*m", "", coloured) == findings_text(one(), HERE)
+    monkeypatch.setenv("NO_COLOR", "1")
+    plain = findings_text(one(), replace(HERE, terminal=True))
+    assert not re.search(r"\x1b\[[\d;]*3[1-7]m", plain)
+
+
+def test_hostile_text_stays_on_its_line() -> None:
+    text = findings_text(hostile(), EVIL_SETTING)
+    assert all(line.isprintable() for line in text.split("\n"))
+    assert [line for line in text.split("\n") if line.startswith("::error")] == []
+    assert findings_text(hostile(), replace(EVIL_SETTING, terminal=True)).count("\x1b[31m") == 0
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "text", "underline"),
+    [
+        ("abc def", 1, "abc def", "^~~"),
+        ("abc def", 5, "abc def", "    ^~~"),
+        ("\t\tf(x);", 3, "        f(x);", "        ^"),
+        ("  f(x);", 1, "  f(x);", "  ^~~~~"),  # no token there: all of it
+        ("  f(x);", 99, "  f(x);", "  ^~~~~"),
+        ("  f(x);", 0, "  f(x);", "  ^~~~~"),
+        ('f("a b", 1)', 3, 'f("a b", 1)', "  ^~~~~"),
+        ("車輪 f()", 4, "車輪 f()", "     ^"),
+        ("topic: /a/b.c: x", 8, "topic: /a/b.c: x", "       ^~~~~~"),
+        ("a\x1b[31mb c", 9, "a\\x1b[31mb c", "           ^"),
+        ("  </node>", 3, "  </node>", "  ^~~~~~"),
+    ],
+)
+def test_excerpts(line: str, column: int, text: str, underline: str) -> None:
+    excerpt = Excerpts({"f": f"x\n{line}\n"}.get).at(Place("f", 2, column))
+    assert excerpt is not None
+    assert (excerpt.text, excerpt.underline) == (text, underline)
+
+
+@pytest.mark.parametrize("column", [2, 50, 2002, 3990, 4001])
+def test_long_lines_are_cut_around_the_mark(column: int) -> None:
+    line = "".join("x" if number % 10 else " " for number in range(4000)) + "end"
+    excerpt = Excerpts({"f": line}.get).at(Place("f", 1, column))
+    assert excerpt is not None
+    assert len(excerpt.text) <= WIDEST + 2
+    assert set(excerpt.text[excerpt.before : excerpt.before + excerpt.marked]) <= set("xend ")
+    assert excerpt.text.startswith("…") == (column > 100)
+    assert excerpt.text.endswith("…") == (column < 3900)
+
+
+@pytest.mark.parametrize("line", [0, 2, 4, -1])
+def test_no_excerpt(line: int) -> None:
+    assert Excerpts({"f": "x\n \nx"}.get).at(Place("f", line, 1)) is None
+    assert Excerpts({}.get).at(Place("f", 1, 1)) is None
+
+
+def test_lines_are_those_of_the_compiler() -> None:
+    excerpt = Excerpts({"f": "a\x0cb\u2028c\nsecond"}.get).at(Place("f", 2, 1))
+    assert excerpt is not None
+    assert excerpt.text == "second"
+
+
+def test_recommendation_may_be_empty() -> None:
+    bare = finding(replace(MISMATCH, recommendation=""))
+    assert findings_text(one(bare), HERE) == "a.cpp:3:1: error: m  [type-mismatch]\n\n1 finding: 1 error\n"
