@@ -26,7 +26,6 @@ def _about_comments(identifier: str, title: str, about: str, description: str, s
         scenario=scenario,
         recommendation=recommendation,
         message="",
-        at="",
         evidence=(),
         relation="",
         columns=(),

@@ -10,13 +10,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import typer
 from handmade_findings import CHECKS, FULL, NEAR_MISS, SOURCES, STYLE, finding
 
+from rosarch.cli import check_options as options
+from rosarch.cli import check_outputs as outputs
 from rosarch.cli.check_options import FailOn, load_configuration, make_policy
 from rosarch.cli.check_outputs import Destinations, judge, parse_destinations, write_reports
 from rosarch.cli.errors import InputError
 from rosarch.models.configuration import Configuration
-from rosarch.models.policy import Policy, Reported, apply_policy
+from rosarch.models.policy import THRESHOLDS, Policy, Reported, apply_policy
 
 
 @pytest.fixture
@@ -198,3 +201,34 @@ def test_findings_of_any_iterable(ws: Path) -> None:
     found = judge(iter([finding()]), Policy(), iter([]), checks=iter(CHECKS), baseline=None, new_baseline=Path("b.json"))
     assert len(found.known) == 1
     assert replace(found, known=()).exit_code == 0
+
+
+def test_options_of_a_command() -> None:
+    got: dict[str, Any] = {}
+    app = typer.Typer()
+
+    @app.command()
+    def command(
+        errors: options.Errors = None,
+        warnings: options.Warnings = None,
+        notes: options.Notes = None,
+        ignored: options.Ignored = None,
+        fail_on: options.Failing = None,
+        exit_zero: options.ExitZero = False,
+        config: options.ConfigFile = None,
+        baseline: options.BaselineFile = None,
+        new_baseline: options.NewBaseline = None,
+        formats: outputs.Formats = "text",
+        written: outputs.Outputs = None,
+    ) -> None:
+        got.update((name, value) for name, value in locals().items() if name != "got")
+
+    words = "--error a --error b --warning c --note d --ignore * --fail-on never --exit-zero --config c.yml --baseline b --write-baseline n"
+    typer.main.get_command(app).main([*words.split(), "--format", "github", "-o", "sarif=s"], standalone_mode=False)
+    assert got == {
+        "errors": ["a", "b"], "warnings": ["c"], "notes": ["d"], "ignored": ["*"], "fail_on": FailOn.never, "exit_zero": True,
+        "config": Path("c.yml"), "baseline": Path("b"), "new_baseline": Path("n"), "formats": "github", "written": ["sarif=s"],
+    }  # fmt: skip
+    typer.main.get_command(app).main([], standalone_mode=False)
+    assert not any(value for name, value in got.items() if name != "formats")
+    assert tuple(each.value for each in FailOn) == THRESHOLDS
