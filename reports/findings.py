@@ -14,6 +14,7 @@ from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
 FORMATS = ("text", "json", "sarif", "junit", "github", "markdown")
+SYSTEMS = 5  # that a report for people names
 LINE_FORMATS = ("text", "github")
 """Formats that may follow each other in one stream: nobody parses the whole of it."""
 
@@ -53,6 +54,12 @@ def report_text(output_format: str, reported: Reported, setting: Setting) -> str
 def tool_version() -> str:
     """The version of rosarch that reports name."""
     return version("rosarch")
+
+
+def some_systems(finding: Finding) -> list[str]:
+    """The systems that have a finding, in words and printable; of many the first ones."""
+    names = [printable(name) for name in finding.systems]
+    return names if len(names) <= SYSTEMS else [*names[: SYSTEMS - 1], f"{len(names) - SYSTEMS + 1} more"]
 
 
 def severity_counts(findings: Iterable[Finding]) -> dict[str, int]:

@@ -9,7 +9,7 @@ from itertools import groupby
 from rosarch.models.findings import Finding
 from rosarch.models.policy import Reported
 from rosarch.reports.excerpts import Excerpts
-from rosarch.reports.findings import Setting, summary_line
+from rosarch.reports.findings import Setting, some_systems, summary_line
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
@@ -50,7 +50,7 @@ def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator
         yield f"  **Hint:** {_escape(' '.join(finding.check.recommendation.split()))}"
         yield ""
     if finding.systems:
-        yield f"  In: {', '.join(map(_code, finding.systems))}"
+        yield f"  In: {', '.join(map(_code, some_systems(finding)))}"
         yield ""
     yield "  </details>"
 

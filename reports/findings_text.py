@@ -11,8 +11,8 @@ from rich.text import Text
 from rosarch.models.findings import Evidence, Finding
 from rosarch.models.policy import Reported
 from rosarch.reports.excerpts import Excerpts
-from rosarch.reports.findings import Setting, summary_line
-from rosarch.reports.printable import all_printable, printable
+from rosarch.reports.findings import Setting, some_systems, summary_line
+from rosarch.reports.printable import printable
 
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold cyan"}
 
@@ -54,7 +54,7 @@ def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator
     if finding.check.recommendation:
         yield Text.assemble("  ", ("hint: ", "bold"), printable(" ".join(finding.check.recommendation.split())))
     if finding.systems:
-        yield Text.assemble("  ", ("in: ", "bold"), ", ".join(all_printable(finding.systems)))
+        yield Text.assemble("  ", ("in: ", "bold"), ", ".join(some_systems(finding)))
 
 
 def _excerpt(step: Evidence, excerpts: Excerpts, width: int, severity: str, *, labelled: bool) -> Iterator[Text]:

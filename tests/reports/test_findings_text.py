@@ -144,3 +144,11 @@ def test_lines_are_those_of_the_compiler() -> None:
 def test_recommendation_may_be_empty() -> None:
     bare = finding(replace(MISMATCH, recommendation=""))
     assert findings_text(one(bare), HERE) == "a.cpp:3:1: error: m  [type-mismatch]\n\n1 finding: 1 error\n"
+
+
+@pytest.mark.parametrize(
+    ("number", "shown"), [(1, "s0"), (5, "s0, s1, s2, s3, s4"), (6, "s0, s1, s2, s3, 2 more"), (60, "s0, s1, s2, s3, 56 more")]
+)
+def test_of_many_systems_some_are_named(number: int, shown: str) -> None:
+    found = replace(finding(), systems=tuple(f"s{each}" for each in range(number)))
+    assert findings_text(one(found), HERE).splitlines()[-3] == f"  in: {shown}"
