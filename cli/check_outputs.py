@@ -63,17 +63,18 @@ def judge(
     checks: Iterable[Check],
     baseline: Path | None,
     new_baseline: Path | None,
+    complete: bool = True,
 ) -> Reported:
-    """What is reported of `findings`. All of them are known as soon as a new baseline is written."""
+    """What is reported of `findings`, see `apply_policy`. All of them are known as soon as a new baseline is written."""
     from rosarch.models.baseline import baseline_text
     from rosarch.models.policy import apply_policy
 
     findings, suppressions, checks = tuple(findings), tuple(suppressions), tuple(checks)
-    reported = apply_policy(findings, policy, suppressions, _load(baseline), checks=checks)
+    reported = apply_policy(findings, policy, suppressions, _load(baseline), checks=checks, complete=complete)
     if new_baseline is None:
         return reported
     _write(new_baseline, baseline_text(reported.baseline))
-    return apply_policy(findings, policy, suppressions, reported.baseline, checks=checks)
+    return apply_policy(findings, policy, suppressions, reported.baseline, checks=checks, complete=complete)
 
 
 def write_reports(reported: Reported, destinations: Destinations, folder: Path) -> None:

@@ -91,11 +91,16 @@ def apply_policy(
     baseline: Baseline | None = None,
     *,
     checks: Iterable[Check],
+    complete: bool = True,
 ) -> Reported:
-    """Sort out what is reported. `checks` are all that were made; `suppressions` those of every file whose comments are to be judged."""
+    """Sort out what is reported.
+
+    `checks` are all that were made; `suppressions` those of every file whose comments are to be judged. When only a part of the workspace
+    was checked, it is not `complete`, no suppression is called unused and nothing of the baseline gone.
+    """
     checks = (*sorted(checks, key=lambda check: check.id), *COMMENT_CHECKS)
     comments = [comment for comment in sorted(set(suppressions)) if not policy.ignores(comment.path)]
-    staying, suppressed, about = suppress(findings, comments, identifiers(checks))
+    staying, suppressed, about = suppress(findings, comments, identifiers(checks), complete=complete)
     active: list[Finding] = []
     hidden = [each.finding for each in suppressed]
     for finding in (*staying, *about):
@@ -109,7 +114,7 @@ def apply_policy(
     told = [Suppressed(replace(each.finding, severity=policy.severity(each.finding)), each.suppression) for each in suppressed]
     told = [each for each in told if each.finding.severity != IGNORE]
     told.sort(key=lambda each: _order(each.finding))
-    return Reported(policy, checks, tuple(new), tuple(told), tuple(known), tuple(gone), baseline is not None)
+    return Reported(policy, checks, tuple(new), tuple(told), tuple(known), tuple(gone if complete else ()), baseline is not None)
 
 
 def identifiers(checks: Iterable[Check]) -> list[str]:

@@ -61,9 +61,12 @@ class Suppressed:
 
 
 def suppress(
-    findings: Iterable[Finding], suppressions: Collection[Suppression], known: Collection[str]
+    findings: Iterable[Finding], suppressions: Collection[Suppression], known: Collection[str], *, complete: bool
 ) -> tuple[list[Finding], list[Suppressed], list[Finding]]:
-    """The findings that stay, those that are suppressed, and those about the comments; `known` are the ids of all checks."""
+    """The findings that stay, those that are suppressed, and those about the comments.
+
+    `known` are the ids of all checks. Unless all is `complete`, what a comment suppresses may not have been looked for.
+    """
     covering: dict[tuple[str, int, str], list[Suppression]] = defaultdict(list)
     for suppression in suppressions:
         for line in range(suppression.first, suppression.last + 1):
@@ -78,11 +81,11 @@ def suppress(
             suppressed.append(Suppressed(finding, min(comments)))
         else:
             staying.append(finding)
-    about = [finding for suppression in suppressions for finding in _judge(suppression, used, known)]
+    about = [finding for suppression in suppressions for finding in _judge(suppression, used, known, complete)]
     return staying, suppressed, about
 
 
-def _judge(suppression: Suppression, used: Collection[tuple[Suppression, str]], known: Collection[str]) -> list[Finding]:
+def _judge(suppression: Suppression, used: Collection[tuple[Suppression, str]], known: Collection[str], complete: bool) -> list[Finding]:
     if not suppression.checks:
         message = "the comment names no check: write `rosarch: ignore[check-id] reason`"
         return [_finding(UNUSED_SUPPRESSION, suppression, message)]
@@ -90,7 +93,7 @@ def _judge(suppression: Suppression, used: Collection[tuple[Suppression, str]], 
     for check in suppression.checks:
         if check not in known:
             message = f"no check is called `{check}`{hint(check, known)}"
-        elif (suppression, check) not in used:
+        elif complete and (suppression, check) not in used:
             message = f"no finding of `{check}` is here to be suppressed"
         else:
             continue

@@ -216,6 +216,13 @@ def test_new_baseline_knows_everything_active() -> None:
     assert (again.shown, again.gone, len(again.known)) == ((), (), 2)
 
 
+def test_a_part_of_a_workspace_does_not_tell_what_is_unused_or_gone() -> None:
+    comments = [comment("style", reason=""), comment("stile", line=7)]
+    reported = apply_policy([], Policy(), comments, Baseline.of([finding()]), checks=CHECKS, complete=False)
+    assert [(each[0], each[2]) for each in told(reported)] == [("suppression-without-reason", 2), ("unused-suppression", 7)]
+    assert (reported.gone, reported.compared) == ((), True)
+
+
 def test_unmatched_patterns() -> None:
     known = identifiers(CHECKS)
     assert known == ["near-miss", "style", "suppression-without-reason", "type-mismatch", "unused-suppression"]
