@@ -55,19 +55,25 @@ def read_folder(folder: Path) -> tuple[tuple[LibraryFile, ...], tuple[Diagnostic
 def read_library_file(path: Path) -> LibraryFile | Diagnostic:
     """One file, or the first thing that is wrong with it."""
     try:
-        data = json.loads(read_file(path).decode("utf-8"))
+        data = json.loads(read_file(path).decode("utf-8"), parse_constant=_no_number)
     except OSError as error:
         return _problem(path, f"cannot be read: {(error.strerror or str(error)).lower()}")
     except json.JSONDecodeError as error:
         return _problem(path, f"broken JSON: {error.msg.lower()}", error.lineno, error.colno)
     except UnicodeDecodeError:
         return _problem(path, "is not UTF-8")
+    except ValueError as error:
+        return _problem(path, f"broken JSON: {str(error).partition(';')[0]}")
     except RecursionError:
         return _problem(path, "is nested too deeply")
     wrong = next(_file_problems(data), None)
     if wrong is not None:
         return _problem(path, wrong)
     return LibraryFile(path, data["package"], data["origin"], data["revision"], data["made"], tuple(data["components"]))
+
+
+def _no_number(text: str) -> None:
+    raise ValueError(f"{text} is no number of JSON")
 
 
 def _problem(path: Path, message: str, line: int = 1, column: int = 1) -> Diagnostic:

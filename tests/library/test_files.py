@@ -107,6 +107,7 @@ def test_what_is_wrong_is_said(tmp_path: Path, data: Any, message: str) -> None:
         (b'{"package":\n  oops}', "2:3: broken JSON: expecting value"),
         (b'"\xff"', "1:1: is not UTF-8"),
         (b"[" * 100_000, "1:1: is nested too deeply"),
+        (b'{"package": NaN}', "1:1: broken JSON: NaN is no number of JSON"),
     ],
 )
 def test_files_that_are_no_json(tmp_path: Path, text: bytes, message: str) -> None:
