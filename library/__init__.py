@@ -40,6 +40,18 @@ class Library:
         """
         return self._by_name.get((package, component))
 
+    def with_loaded(self, component: LibraryComponent) -> tuple[LibraryComponent, ...]:
+        """`component`, and the plug-ins that it loads, directly or through others, as far as they are known."""
+        found = {component.title: component}
+        waiting = [component]
+        while waiting:
+            for name in waiting.pop().loads:
+                plugin = self.find(None, name)
+                if plugin is not None and plugin.title not in found:
+                    found[plugin.title] = plugin
+                    waiting.append(plugin)
+        return tuple(found.values())
+
 
 @lru_cache(maxsize=8)
 def _load(folders: tuple[Path, ...]) -> Library:

@@ -106,3 +106,10 @@ def test_the_document_keeps_what_is_said(tmp_path: Path) -> None:
         {"id": "p2", "kind": "subscriber", "name": "?", "via": "plain", "from_arg": 1},
     ]
     assert document["params"] == [{"name": "~p", "op": "read", "default": False}, {"name": "?", "op": "read", "pattern": "~q.*"}]
+
+
+def test_what_is_loaded_comes_along(tmp_path: Path) -> None:
+    loaded = [{"component": f"demo/{name}", "kind": "nodelet", "loads": [f"demo/{name}", "demo/b", "demo/none"]} for name in "ab"]
+    library = load([write(tmp_path / "own", "by hand", node(loads=["demo/a"]), *loaded)])
+    found = library.find("demo", "n")
+    assert found and [component.component for component in library.with_loaded(found)] == ["n", "demo/a", "demo/b"]
