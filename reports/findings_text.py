@@ -29,8 +29,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
         return "".join(f"{line.plain.rstrip()}\n" for line in lines)
     buffer = io.StringIO()
     console = Console(file=buffer, force_terminal=True, highlight=False)
-    for line in lines:
-        console.print(line, soft_wrap=True)
+    console.print(Text("\n").join(lines), soft_wrap=True)
     return buffer.getvalue()
 
 
