@@ -32,8 +32,11 @@ def _component(sources: Sequence[tuple[LibraryFile, Document]]) -> LibraryCompon
     file, document = bases[0] if bases else overlays.pop(0)
     made = file.made
     for upper, overlay in overlays:
-        made = upper.made if overlay.get("replace") or made == BY_HAND else COMPLETED
-        document, file = _laid_over(document, overlay), upper
+        document = _laid_over(document, overlay)
+        if overlay.get("replace") or made == BY_HAND:
+            file, made = upper, upper.made
+        else:
+            made = COMPLETED
     return _build(file, document, made)
 
 
@@ -45,14 +48,21 @@ def _laid_over(base: Document, overlay: Document) -> Document:
         **base,
         **overlay,
         "elements": {**base.get("elements", {}), **overlay.get("elements", {})},
-        "ports": _joined(base.get("ports", ()), overlay.get("ports", ()), ("kind", "name")),
-        "params": _joined(base.get("params", ()), overlay.get("params", ()), ("name", "pattern")),
+        "ports": _joined(base.get("ports", ()), overlay.get("ports", ())),
+        "params": _joined(base.get("params", ()), overlay.get("params", ())),
     }
 
 
-def _joined(base: Iterable[Document], overlay: Iterable[Document], key: tuple[str, ...]) -> list[Document]:
-    new = {tuple(item.get(name) for name in key) for item in overlay}
-    return [*(item for item in base if tuple(item.get(name) for name in key) not in new), *overlay]
+def _joined(base: Iterable[Document], overlay: Iterable[Document]) -> list[Document]:
+    new = {_identity(item) for item in overlay}
+    return [*(item for item in base if _identity(item) not in new), *overlay]
+
+
+def _identity(item: Document) -> tuple[Any, ...]:
+    """What tells a port or parameter from the others: its name, or else that which tells the name."""
+    if "name" in item:
+        return item.get("kind"), item["name"]
+    return item.get("kind"), *(item.get(source) for source in ("from_param", "from_arg", "param_pattern", "pattern"))
 
 
 def _build(file: LibraryFile, document: Document, made: str) -> LibraryComponent:

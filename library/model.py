@@ -41,11 +41,6 @@ class LibraryPort:
     param_pattern: str | None = None
     suffix: str | None = None
 
-    @property
-    def key(self) -> tuple[Any, ...]:
-        """What tells this port from the others of its component."""
-        return self.kind, self.name, self.type, self.from_arg, tuple(sorted(self.if_arg.items())), self.param_pattern, self.suffix
-
 
 @dataclass(frozen=True)
 class LibraryParameter:
@@ -57,15 +52,10 @@ class LibraryParameter:
     default: Any = None
     pattern: str | None = None
 
-    @property
-    def key(self) -> tuple[str | None, str, str | None]:
-        """What tells this access from the others of its component."""
-        return self.name, self.op, self.pattern
-
 
 @dataclass(frozen=True)
 class LibraryComponent:
-    """A node, nodelet, plug-in or plug-in of gazebo. `made` is `generated` or `by hand`; `path` is the file that it was read from."""
+    """A node, nodelet, plug-in or plug-in of gazebo. `path` is the file that its base was read from."""
 
     package: str
     component: str

@@ -41,6 +41,7 @@ def test_by_hand_is_laid_over_generated(tmp_path: Path) -> None:
     found = find("demo", "n", [folder])
     assert ports(found) == [("a", "x/A"), ("b", "x/C"), ("c", None)]
     assert found and (found.node_name, found.open, found.made) == ("base", False, "generated, completed by hand")
+    assert found.path == folder / "demo.json"
     assert [(p.name, p.pattern, p.default) for p in found.params] == [("~p", None, 2), (None, "~q.*", None)]
 
 
@@ -49,7 +50,7 @@ def test_replace_leaves_nothing_of_the_base(tmp_path: Path) -> None:
     write(folder, "by hand", node(replace=True, ports=[publisher("b")]), name="more.json")
     found = find("demo", "n", [folder])
     assert ports(found) == [("b", None)]
-    assert found and (found.node_name, found.made) == (None, "by hand")
+    assert found and (found.node_name, found.made, found.path) == (None, "by hand", folder / "more.json")
 
 
 def test_earlier_folders_come_first(tmp_path: Path) -> None:
@@ -113,3 +114,12 @@ def test_what_is_loaded_comes_along(tmp_path: Path) -> None:
     library = load([write(tmp_path / "own", "by hand", node(loads=["demo/a"]), *loaded)])
     found = library.find("demo", "n")
     assert found and [component.component for component in library.with_loaded(found)] == ["n", "demo/a", "demo/b"]
+
+
+def test_what_has_no_name_goes_by_what_tells_it(tmp_path: Path) -> None:
+    imus, odometry = ({"kind": "subscriber", "param_pattern": f"~{name}[0-9]+"} for name in ("imu", "odom"))
+    lower = write(tmp_path / "lower", "by hand", node(ports=[imus, odometry], params=[{"pattern": "~a.*"}, {"pattern": "~b.*"}]))
+    upper = write(tmp_path / "upper", "by hand", node(ports=[{**imus, "type": "x/Imu"}], params=[{"pattern": "~a.*", "type": "int"}]))
+    found = find("demo", "n", [upper, lower])
+    assert found and [(port.param_pattern, port.type) for port in found.ports] == [("~odom[0-9]+", None), ("~imu[0-9]+", "x/Imu")]
+    assert [(parameter.pattern, parameter.type) for parameter in found.params] == [("~b.*", None), ("~a.*", "int")]
