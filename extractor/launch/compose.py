@@ -19,7 +19,7 @@ from .names import global_namespace
 from .scope import Scope
 from .state import Exhausted, Handler, State
 from .unknowns import cleaned
-from .xml_reader import Element, XmlError
+from .xml_reader import Element, XmlError, read_launch
 
 MAX_INCLUDE_DEPTH = 60
 MAX_INCLUDES = 20_000
@@ -87,7 +87,7 @@ class _Composer:
     def parse(self, path: str) -> Element | None:
         """The `<launch>` of a file; None, with a report, when it cannot be read."""
         try:
-            launch = self.state.files.launch(path)
+            launch = self.state.files.parsed(path, read_launch)
         except LaunchError as error:
             self.state.report(error, fatal=error.kind not in ("outside", "size"))
             return None

@@ -11,6 +11,7 @@ import builtins
 import operator
 import warnings
 from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 
 from .eval_functions import BUILTINS, MATH, METHODS, TooLarge, format_text, size_of
@@ -82,16 +83,13 @@ def evaluate(expression: str, lookup: Callable[[str], Any], functions: Mapping[s
         Unsupported: it uses what is not evaluated here, or it is too large.
         UnknownInvolved: it depends on a text with unknown parts.
     """
-    if len(expression) > MAX_LENGTH:
-        raise Unsupported(f"more than {MAX_LENGTH} characters")
-    try:
-        return _Evaluator(lookup, functions).value(_parsed(expression.lstrip(" \t")).body)
-    except (SyntaxError, ValueError) as error:
-        raise EvalFailed(error.msg if isinstance(error, SyntaxError) else str(error)) from None
-    except (RecursionError, MemoryError):
-        raise Unsupported("nested too deeply") from None
-    except TooLarge as error:
-        raise Unsupported(str(error)) from None
+    return Evaluator(lookup, functions).evaluate(expression)
+
+
+@lru_cache(maxsize=4096)
+def _parsed_once(expression: str) -> ast.Expression:
+    """The tree of an expression that is only read: the same one is often evaluated many times."""
+    return _parsed(expression)
 
 
 def _parsed(expression: str) -> ast.Expression:
@@ -101,13 +99,26 @@ def _parsed(expression: str) -> ast.Expression:
         return ast.parse(expression, mode="eval")
 
 
-class _Evaluator:
-    """Walks one expression."""
+class Evaluator:
+    """Walks expressions; `steps` tells how much work that was."""
 
     def __init__(self, lookup: Callable[[str], Any], functions: Mapping[str, Function]) -> None:
         self.lookup, self.functions = lookup, functions
         self.steps = 0
         self.local: dict[str, Any] = {}
+
+    def evaluate(self, expression: str) -> Any:
+        """The value of an expression; see the function `evaluate`."""
+        if len(expression) > MAX_LENGTH:
+            raise Unsupported(f"more than {MAX_LENGTH} characters")
+        try:
+            return self.value(_parsed_once(expression.lstrip(" \t")).body)
+        except (SyntaxError, ValueError) as error:
+            raise EvalFailed(error.msg if isinstance(error, SyntaxError) else str(error)) from None
+        except (RecursionError, MemoryError):
+            raise Unsupported("nested too deeply") from None
+        except TooLarge as error:
+            raise Unsupported(str(error)) from None
 
     def value(self, node: ast.expr) -> Any:
         """The value of any expression."""
@@ -135,21 +146,23 @@ class _Evaluator:
         return cleaned(node.value) if isinstance(node.value, str) else node.value
 
     def _name(self, node: ast.Name) -> Any:
-        if node.id in self.local:
-            return self.local[node.id]
-        if node.id in self.functions:
-            return self.functions[node.id]
-        if node.id in MATH:
-            return MATH[node.id]
+        return self.local[node.id] if node.id in self.local else self.named(node.id)
+
+    def named(self, name: str) -> Any:
+        """The value of a name."""
+        if name in self.functions:
+            return self.functions[name]
+        if name in MATH:
+            return MATH[name]
         try:
-            return self.lookup(node.id)
+            return self.lookup(name)
         except KeyError:
             pass
-        if node.id in BUILTINS:
-            return BUILTINS[node.id]
-        if node.id in _PYTHON_BUILTINS:
-            raise Unsupported(f"`{node.id}` is not evaluated")
-        raise EvalFailed(f"name '{node.id}' is not defined")
+        if name in BUILTINS:
+            return BUILTINS[name]
+        if name in _PYTHON_BUILTINS:
+            raise Unsupported(f"`{name}` is not evaluated")
+        raise EvalFailed(f"name '{name}' is not defined")
 
     def _binop(self, node: ast.BinOp) -> Any:
         left, right = self.value(node.left), self.value(node.right)
@@ -225,11 +238,15 @@ class _Evaluator:
         return METHODS[str]["format"]("{:" + spec + "}", value)
 
     def _attribute(self, node: ast.Attribute) -> Any:
-        raise Unsupported(f"the attribute `{node.attr}` is not evaluated")
+        return self.attribute(self.known(node.value), node.attr)
+
+    def attribute(self, _value: Any, name: str) -> Any:
+        """`value.name` where it is not called."""
+        raise Unsupported(f"the attribute `{name}` is not evaluated")
 
     def _call(self, node: ast.Call) -> Any:
         if isinstance(node.func, ast.Attribute):
-            function = self._method(self.known(node.func.value), node.func.attr)
+            function = self.method(self.known(node.func.value), node.func.attr)
         else:
             function = self.value(node.func)
         if not callable(function):
@@ -244,7 +261,8 @@ class _Evaluator:
             raise UnknownInvolved
         return function(*arguments, **named)
 
-    def _method(self, value: Any, name: str) -> Function:
+    def method(self, value: Any, name: str) -> Function:
+        """What `value.name(...)` calls."""
         methods = METHODS.get(type(value), {})
         if name in methods:
             method = methods[name]

@@ -6,18 +6,23 @@ in a package that was found there, or beside the launch file itself are read; li
 
 from __future__ import annotations
 
+import glob
+import itertools
 import os
+import re
 import stat
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from .model import LaunchError
 from .packages import PackagePath
 from .unknowns import cleaned
-from .xml_reader import Element, read_launch
 from .yaml_values import KeyLines, load_yaml_lines
 
 MAX_BYTES = 32 * 1024 * 1024  # of one file
+MAX_MATCHES = 1000
+_Parsed = TypeVar("_Parsed")
 
 
 class Files:
@@ -29,7 +34,7 @@ class Files:
         self._roots: set[str] | None = None
         self._beside: set[str] = set()
         self._contents: dict[str, bytes] = {}
-        self._launches: dict[str, Element] = {}
+        self._documents: dict[tuple[str, object], Any] = {}
         self._values: dict[str, tuple[Any, KeyLines]] = {}
 
     def allow_beside(self, launch_file: str) -> None:
@@ -61,17 +66,28 @@ class Files:
             raise LaunchError("encoding", path, f"{path} is not UTF-8 (byte {error.start})") from None
         return cleaned(text.replace("\r\n", "\n").replace("\r", "\n"))
 
-    def launch(self, path: str) -> Element:
-        """The `<launch>` of a file, parsed once.
+    def parsed(self, path: str, parse: Callable[[bytes], _Parsed]) -> _Parsed:
+        """The content of a file as `parse` makes it, parsed once. It must not be changed.
 
         Raises:
             LaunchError: the file cannot be read.
-            XmlError: it is no launch file.
         """
-        full = os.path.join(self.folder, path)
-        if full not in self._launches:
-            self._launches[full] = read_launch(self.read(path))
-        return self._launches[full]
+        key = (os.path.join(self.folder, path), parse)
+        if key not in self._documents:
+            self._documents[key] = parse(self.read(path))
+        return cast(_Parsed, self._documents[key])
+
+    def matching(self, pattern: str) -> list[str]:
+        """The files that a shell pattern names, sorted, at most `MAX_MATCHES`.
+
+        Raises:
+            LaunchError: it looks outside the folders that may be read.
+        """
+        full = os.path.join(self.folder, pattern)
+        base, *rest = re.split(r"[^/]*[*?\[]", full, maxsplit=1)
+        if not self._is_allowed(os.path.realpath(base)) or any(".." in part.split("/") for part in rest):
+            raise LaunchError("outside", pattern, f"{pattern} is outside the package path and not read")
+        return sorted(itertools.islice(glob.iglob(full), MAX_MATCHES))
 
     def yaml(self, text: str) -> tuple[Any, KeyLines]:
         """The value of a YAML text and the lines of its keys, parsed once: the same file is often loaded for many nodes. Not to be changed.

@@ -10,7 +10,7 @@ from pathlib import Path
 from .compose import compose
 from .files import Files
 from .model import LaunchError
-from .xml_reader import XmlError
+from .xml_reader import XmlError, read_launch
 
 _SUFFIXES = (".launch", ".launch.xml")
 _UNKNOWN = re.compile(r"\$\([^()]*\)")
@@ -56,7 +56,7 @@ def _pattern(name: str) -> re.Pattern[str] | None:
 def _written(path: str, files: Files) -> Iterator[str]:
     """The files that the text of a launch file includes under any condition, as far as they can be told without arguments."""
     try:
-        launch = files.launch(path)
+        launch = files.parsed(path, read_launch)
     except (LaunchError, XmlError):
         return
     for element in launch.walk():

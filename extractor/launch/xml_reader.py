@@ -49,7 +49,7 @@ def read_launch(data: bytes) -> Element:
     Raises:
         XmlError: the document is malformed, declares entities, is too deep, or has no or several `<launch>`.
     """
-    root = _Builder().read(data)
+    root = _LaunchReader().element(data)
     found = [element for element in root.walk() if element.tag == "launch"]
     if not found:
         raise XmlError(f"root element is <{root.tag}>, not <launch>", root.line, root.column)
@@ -58,8 +58,8 @@ def read_launch(data: bytes) -> Element:
     return found[0]
 
 
-class _Builder:
-    """The handlers that make elements of what expat reports. Names keep their prefixes, as in the text."""
+class Reader:
+    """Reads a document with expat. Names keep their prefixes, as in the text; subclasses make of it what they need."""
 
     def __init__(self) -> None:
         self.parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
@@ -67,14 +67,16 @@ class _Builder:
         self.parser.buffer_text = True
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = self._end
-        self.parser.CharacterDataHandler = self._characters
+        self.parser.CharacterDataHandler = self.characters
         self.parser.EntityDeclHandler = self._entity
-        self.root: Element | None = None
-        self.open: list[Element] = []
-        self.texts: list[list[str]] = []
+        self.depth = 0
 
-    def read(self, data: bytes) -> Element:
-        """Parse a whole document."""
+    def read(self, data: bytes) -> None:
+        """Parse a whole document.
+
+        Raises:
+            XmlError: it is malformed, declares entities, or is too deep.
+        """
         try:
             self.parser.Parse(data, True)
         except expat.ExpatError as error:
@@ -82,15 +84,55 @@ class _Builder:
             raise XmlError(f"broken XML: {reason}", error.lineno, error.offset + 1) from None
         except (ValueError, LookupError) as error:  # an encoding that Python does not know
             raise XmlError(f"broken XML: {error}", 1, 1) from None
+
+    def start(self, tag: str, attributes: dict[str, str], line: int, column: int) -> None:
+        """An element begins."""
+        raise NotImplementedError
+
+    def end(self) -> None:
+        """The element that began last ends."""
+        raise NotImplementedError
+
+    def characters(self, data: str) -> None:
+        """Character data of the element that is open."""
+        raise NotImplementedError
+
+    def _start(self, name: str, attributes: dict[str, str]) -> None:
+        line, column = self._position()
+        if self.depth >= MAX_DEPTH:
+            raise XmlError(f"elements nested more than {MAX_DEPTH} deep", line, column)
+        self.depth += 1
+        self.start(_qualified(name), {_qualified(key): cleaned(value) for key, value in attributes.items()}, line, column)
+
+    def _end(self, _name: str) -> None:
+        self.depth -= 1
+        self.end()
+
+    def _entity(self, name: str, *_rest: object) -> None:
+        raise XmlError(f"entity `{name}` is declared here; entities are not expanded", *self._position())
+
+    def _position(self) -> tuple[int, int]:
+        return self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+
+
+class _LaunchReader(Reader):
+    """Makes the elements of a launch file."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.root: Element | None = None
+        self.open: list[Element] = []
+        self.texts: list[list[str]] = []
+
+    def element(self, data: bytes) -> Element:
+        """The root of a document."""
+        self.read(data)
         if self.root is None:
             raise XmlError("broken XML: no element found", 1, 1)
         return self.root
 
-    def _start(self, name: str, attributes: dict[str, str]) -> None:
-        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
-        if len(self.open) >= MAX_DEPTH:
-            raise XmlError(f"elements nested more than {MAX_DEPTH} deep", line, column)
-        element = Element(_qualified(name), {_qualified(key): cleaned(value) for key, value in attributes.items()}, line, column)
+    def start(self, tag: str, attributes: dict[str, str], line: int, column: int) -> None:
+        element = Element(tag, attributes, line, column)
         if self.open:
             self.open[-1].children.append(element)
         else:
@@ -98,16 +140,12 @@ class _Builder:
         self.open.append(element)
         self.texts.append([])
 
-    def _end(self, _name: str) -> None:
+    def end(self) -> None:
         self.open.pop().text = cleaned("".join(self.texts.pop()))
 
-    def _characters(self, data: str) -> None:
+    def characters(self, data: str) -> None:
         if self.texts:
             self.texts[-1].append(data)
-
-    def _entity(self, name: str, *_rest: object) -> None:
-        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
-        raise XmlError(f"entity `{name}` is declared here; entities are not expanded", line, column)
 
 
 def _qualified(name: str) -> str:

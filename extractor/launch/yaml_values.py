@@ -32,19 +32,32 @@ class YamlError(Exception):
 KeyLines = Mapping[tuple[str, ...], int]
 
 
-def load_yaml(text: str) -> Any:
+class Loader(yaml.SafeLoader):
+    """The safe loader, which makes no objects, with a bound on what `<<` merges."""
+
+    def flatten_mapping(self, node: yaml.MappingNode) -> None:
+        super().flatten_mapping(node)
+        if len(node.value) > _MAX_MERGED:
+            raise yaml.constructor.ConstructorError(None, None, f"more than {_MAX_MERGED} merged keys", node.start_mark)
+
+
+class _Loader(Loader):
+    """The loader of rosparam, with its angles and binaries."""
+
+
+def load_yaml(text: str, loader_class: type[Loader] = _Loader) -> Any:
     """The value of a document. See `load_yaml_lines`."""
-    return load_yaml_lines(text)[0]
+    return load_yaml_lines(text, loader_class)[0]
 
 
-def load_yaml_lines(text: str) -> tuple[Any, KeyLines]:
+def load_yaml_lines(text: str, loader_class: type[Loader] = _Loader) -> tuple[Any, KeyLines]:
     """The value of a document, and the line that each key of its maps stands on, by the keys that lead there.
 
     Raises:
         YamlError: the text is not YAML, has a tag that makes an object, or unfolds to too much.
     """
     try:
-        loader = _Loader(_ESCAPED_MARK.sub(r"\\uFFFD", text))
+        loader = loader_class(_ESCAPED_MARK.sub(r"\\uFFFD", text))
         try:
             node = loader.get_single_node()
             lines = _key_lines(node)
@@ -80,15 +93,6 @@ def _key_lines(document: yaml.Node | None) -> dict[tuple[str, ...], int]:
                 lines.setdefault((*path, key.value), key.start_mark.line + 1)
                 stack.append(((*path, key.value), value))
     return lines
-
-
-class _Loader(yaml.SafeLoader):
-    """The safe loader with rosparam's angles and binaries."""
-
-    def flatten_mapping(self, node: yaml.MappingNode) -> None:
-        super().flatten_mapping(node)
-        if len(node.value) > _MAX_MERGED:
-            raise yaml.constructor.ConstructorError(None, None, f"more than {_MAX_MERGED} merged keys", node.start_mark)
 
 
 def _radians(loader: _Loader, node: yaml.Node) -> float:
