@@ -66,15 +66,15 @@ class Files:
             raise LaunchError("encoding", path, f"{path} is not UTF-8 (byte {error.start})") from None
         return cleaned(text.replace("\r\n", "\n").replace("\r", "\n"))
 
-    def parsed(self, path: str, parse: Callable[[bytes], _Parsed]) -> _Parsed:
-        """The content of a file as `parse` makes it, parsed once. It must not be changed.
+    def parsed(self, path: str, parse: Callable[[bytes, str], _Parsed]) -> _Parsed:
+        """What `parse` makes of the content of a file and its path, made once. It must not be changed.
 
         Raises:
             LaunchError: the file cannot be read.
         """
         key = (os.path.join(self.folder, path), parse)
         if key not in self._documents:
-            self._documents[key] = parse(self.read(path))
+            self._documents[key] = parse(self.read(path), path)
         return cast(_Parsed, self._documents[key])
 
     def matching(self, pattern: str) -> list[str]:

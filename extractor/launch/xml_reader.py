@@ -43,7 +43,7 @@ class XmlError(Exception):
         self.message, self.line, self.column = message, line, column
 
 
-def read_launch(data: bytes) -> Element:
+def read_launch(data: bytes, _path: str) -> Element:
     """The one `<launch>` element of a document; roslaunch looks for it at any depth.
 
     Raises:

@@ -1,0 +1,7 @@
+"""Robot descriptions: xacro evaluated without running anything, and the simulator plugins that a description loads.
+
+`expand` gives the document that the xacro program would write, with the place of every element in the files it is made of; `plugins` lists
+the plugins of such a document, of a URDF or of an SDF file.
+
+Sources: the xacro format (wiki.ros.org/xacro) and the behaviour of xacro 1.9 to 1.14.
+"""

@@ -1,0 +1,56 @@
+"""A xacro file, evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.model import LaunchError, Place
+from rosarch.extractor.launch.unknowns import Unknowns
+
+from .context import Context
+from .document import Document, DocumentError, parse
+from .expander import Expander, Frame
+from .model import NOETIC, Dialect, Expansion, XacroError
+from .symbols import Symbols, Table
+from .traditional import collect
+
+
+def expand(
+    path: str,
+    arguments: Mapping[str, str] | None = None,
+    *,
+    files: Files,
+    environment: Mapping[str, str] | None = None,
+    unknowns: Unknowns | None = None,
+    dialect: Dialect = NOETIC,
+) -> Expansion:
+    """What xacro makes of a file. What depends on something absent stays unknown, as `unknowns` has it, and the rest is evaluated.
+
+    Args:
+        path: the file.
+        arguments: values of its arguments.
+        files: reads files and knows the packages.
+        environment: the environment variables that `$(env)` and `$(optenv)` see.
+        unknowns: those that `arguments` may have.
+        dialect: how xacro reads it.
+    """
+    context = Context(files, environment or {}, unknowns or Unknowns(), arguments or {})
+    expander = Expander(context, dialect)
+    frame = Frame(Table(), Symbols(dialect))
+    context.here = Place(path, 1)
+    document: Document | None = None
+    try:
+        with context.file(path):
+            source = files.parsed(path, parse)
+            if not dialect.in_order:
+                source = collect(source, expander, frame)
+            document = expander.root(source, frame)
+    except (LaunchError, XacroError) as error:
+        context.report(LaunchError("xacro", error.subject, error.message))
+    except DocumentError as error:
+        context.here = error.place
+        context.report(LaunchError("xml", path, error.message))
+    except RecursionError:
+        context.report(LaunchError("xacro", path, "definitions nested too deeply"))
+    return Expansion(document, tuple(context.problems), tuple(context.read), expander.bare_tags, context.work)
