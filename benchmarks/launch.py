@@ -26,6 +26,7 @@ from rosarch.extractor.launch.names import mapping
 Record = dict[str, Any]
 CUT = 300  # characters of an exception's text that the records have
 _ANONYMOUS = re.compile(r"\$\(anon ([^)\s]+)[^)]*\)")
+_NOT_INSTALLED = re.compile(r"no such command \[\[?'[^'/]+'")  # a program by its name
 
 # What an exception of roslaunch says, the kind of problem that this is for rosarch, and the group that holds its subject.
 CAUSES: tuple[tuple[str, str], ...] = (
@@ -85,7 +86,8 @@ def causes_of(exception: str) -> list[tuple[str, str]]:
 def refusal_difference(exception: str, composition: Composition, cut: bool = False) -> str | None:
     """How the refusal of rosarch differs from that of roslaunch.
 
-    A command that rosarch does not run counts as one that fails. With `cut`, the text of the exception may end before the cause; then
+    A command that rosarch does not run counts as one that fails, and so does one that it answers although the program was not installed
+    where roslaunch ran: that is no property of the files. With `cut`, the text of the exception may end before the cause; then
     rosarch must refuse something after entering the files whose names are left.
     """
     causes = causes_of(exception)
@@ -99,7 +101,7 @@ def refusal_difference(exception: str, composition: Composition, cut: bool = Fal
             return None
         if fatal:
             return f"roslaunch: {exception!r}, rosarch: {problem}"
-    return f"roslaunch: {exception!r}, rosarch: no refusal"
+    return None if _NOT_INSTALLED.search(exception) else f"roslaunch: {exception!r}, rosarch: no refusal"
 
 
 def is_cause(problem: Problem, causes: list[tuple[str, str]]) -> bool:

@@ -12,7 +12,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from rosarch.extractor.urdf.plugins import SimulatorPlugin
+
 from . import elements, nodes
+from .descriptions import note_worlds
 from .files import Files
 from .model import ArgumentDeclared, Composition, Condition, Include, LaunchError, NodeStart, ParamSetting, Place, Remap
 from .names import global_namespace
@@ -193,6 +196,7 @@ class _Composer:
         state.at(element, scope, conditions)
         for name in sorted(inner.declared - set(passed)):
             state.report(LaunchError("arg-without-value", name, f"argument `{name}` is passed without a value"))
+        note_worlds(state, passed.values(), scope)
         inner.args, inner.declared, inner.maybe_declared, inner.anonymous = passed, set(), {}, {}
         return inner
 
@@ -213,6 +217,7 @@ def _finished(state: State) -> Composition:
         declared=tuple(_rendered_declaration(argument, state) for argument in state.declared),
         passed=tuple(replace(argument, name=shown(argument.name), value=_shown(argument.value, state)) for argument in state.passed),
         remaps=tuple(_rendered_remap(remap, state) for remap in state.remaps),
+        worlds=tuple(state.worlds.values()),
     )
 
 
@@ -233,7 +238,20 @@ def _rendered_remap(remap: Remap, state: State) -> Remap:
 def _rendered_param(setting: ParamSetting, state: State) -> ParamSetting:
     shown = state.unknowns.render
     source = None if setting.source is None else shown(setting.source)
-    return replace(setting, name=shown(setting.name), value=_rendered(setting.value, state), source=source)
+    plugins = tuple(_rendered_plugin(plugin, state) for plugin in setting.plugins)
+    return replace(setting, name=shown(setting.name), value=_rendered(setting.value, state), source=source, plugins=plugins)
+
+
+def _rendered_plugin(plugin: SimulatorPlugin, state: State) -> SimulatorPlugin:
+    shown = state.unknowns.render
+    return replace(
+        plugin,
+        filename=shown(plugin.filename),
+        name=shown(plugin.name),
+        reference=None if plugin.reference is None else shown(plugin.reference),
+        sensor=None if plugin.sensor is None else shown(plugin.sensor),
+        elements=tuple((name, shown(text)) for name, text in plugin.elements),
+    )
 
 
 def _rendered(value: Any, state: State) -> Any:

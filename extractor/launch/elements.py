@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeAlias
+
+from rosarch.extractor.urdf.command import xacro_call
+from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 from .commands import output, words_of
+from .descriptions import evaluated, plugins_of_file
 from .model import ArgumentDeclared, ArgumentPassed, LaunchError, ParamSetting, Place, Remap
 from .names import canonical, ns_join
 from .scope import Scope
@@ -65,51 +69,66 @@ def param(state: State, element: Element, scope: Scope, *, private: bool = False
         raise LaunchError("attribute", "name", "<param> has no attribute `name`")
     name = state.resolver.resolve(element.attributes["name"].strip(), scope)
     ((source, text),) = texts.items()
-    value = _param_value(state, source, text or "", kind)
+    value, plugins = _param_value(state, source, text or "", kind)
     setting = ParamSetting(
         name=canonical(name),
         value=value,
         lines=(*scope.lines, state.here),
         conditions=scope.conditions + conditions,
         source=text if source in ("textfile", "binfile") else None,
+        plugins=plugins,
     )
     if private or name.startswith("~"):
         scope.add_private(setting)
     else:
-        state.set_param(ParamSetting(ns_join(scope.namespace, name), value, setting.lines, setting.conditions, setting.source))
+        state.set_param(replace(setting, name=ns_join(scope.namespace, name)))
 
 
-def _param_value(state: State, source: str, text: str, kind: str) -> Any:
+_Value: TypeAlias = tuple[Any, tuple[SimulatorPlugin, ...]]  # with the simulator plugins of a robot description
+
+
+def _param_value(state: State, source: str, text: str, kind: str) -> _Value:
     if source == "value":
-        return _converted(text.strip(), kind)
-    if state.unknowns.is_open(text):
-        return state.unknowns.mark(f"$({source} {state.unknowns.render(text)})", text)
+        return _converted(text.strip(), kind), ()
     if source == "command":
         return _command_value(state, text, kind)
+    if state.unknowns.is_open(text):
+        return state.unknowns.mark(f"$({source} {state.unknowns.render(text)})", text), ()
     try:
         if source == "binfile":
-            return Binary(state.files.read(text))
+            return Binary(state.files.read(text)), ()
         content = state.files.read_text(text)
         state.spend(len(content))
+        plugins = plugins_of_file(state, text, content)
     except LaunchError as error:
         state.report(error, fatal=error.kind not in ("outside", "size"))
-        return state.unknowns.mark(f"$({source} {text})")
-    return _converted(content, kind)
+        return state.unknowns.mark(f"$({source} {text})"), ()
+    return _converted(content, kind), plugins
 
 
-def _command_value(state: State, command: str, kind: str) -> Any:
+def _command_value(state: State, command: str, kind: str) -> _Value:
     """What a command prints; it is not run, so most stay unknown."""
     words = words_of(command)
+    unknown = state.unknowns.mark(f"$(command {state.unknowns.render(command)})", command)
+    plugins: tuple[SimulatorPlugin, ...] = ()
     try:
+        call = xacro_call(words)
+        if call and not state.unknowns.is_open(call.file):
+            printed, plugins = evaluated(state, call)
+            return (unknown, ()) if printed is None else (_converted(printed, kind), plugins)
+        if state.unknowns.is_open(command):
+            return unknown, ()
         printed = output(words, state.files, state.resolver.environment)
+        if printed is not None and len(words) == 2 and state.files.is_file(words[1]):
+            plugins = plugins_of_file(state, words[1], printed)
     except LaunchError as error:
         if error.kind not in ("outside", "size"):
             raise LaunchError("command", words[0], f"command `{words[0]}` would fail: {error.message}") from None
         printed = None
     if printed is None:
         state.warn("command", words[0], f"command `{words[0]}` is not run, what it prints is unknown")
-        return state.unknowns.mark(f"$(command {command})")
-    return _converted(printed, kind)
+        return unknown, ()
+    return _converted(printed, kind), plugins
 
 
 def _converted(text: str, kind: str) -> Any:

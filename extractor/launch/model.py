@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.workspace import Diagnostic
+
+if TYPE_CHECKING:
+    from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 
 @dataclass(frozen=True, order=True)
@@ -92,6 +95,7 @@ class ParamSetting:
     """A parameter and the value it is set to.
 
     `lines` lead to the element that sets it, `source` is the file the value is from, `written` its line in a YAML text.
+    `plugins` are the simulator plugins of a value that is a robot description.
     """
 
     name: str
@@ -100,6 +104,7 @@ class ParamSetting:
     conditions: tuple[Condition, ...] = ()
     source: str | None = None
     written: Place | None = None
+    plugins: tuple[SimulatorPlugin, ...] = ()
 
     @property
     def place(self) -> Place:
@@ -126,6 +131,16 @@ class ArgumentPassed:
     value: str | None
     include: Place
     place: Place
+
+
+@dataclass(frozen=True)
+class World:
+    """A simulated world, and the plugins that it loads. `lines` lead to what names its file."""
+
+    file: str
+    lines: tuple[Place, ...]
+    conditions: tuple[Condition, ...]
+    plugins: tuple[SimulatorPlugin, ...]
 
 
 @dataclass(frozen=True)
@@ -177,6 +192,7 @@ class Composition:
     declared: tuple[ArgumentDeclared, ...] = ()
     passed: tuple[ArgumentPassed, ...] = ()
     remaps: tuple[Remap, ...] = ()
+    worlds: tuple[World, ...] = ()
 
     @property
     def refusal(self) -> Problem | None:

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from . import elements
-from .model import Condition, LaunchError, NodeStart, ParamSetting
+from .descriptions import note_worlds
+from .model import Condition, LaunchError, NodeStart
 from .names import global_namespace, is_legal, ns_join
 from .scope import Scope
 from .state import State
@@ -33,6 +34,7 @@ def node(state: State, element: Element, scope: Scope) -> None:
     name = state.required(element, "name", scope)
     started = _start(state, element, scope, name, conditions)
     state.at(element, scope, conditions)
+    note_worlds(state, started.args.split(), scope)
     state.add_node(started)
 
 
@@ -109,7 +111,7 @@ def _start(state: State, element: Element, scope: Scope, name: str, conditions: 
     state.at(element, scope, conditions)
     for setting in (*scope.private, *inner.private):
         key = inner.namespace + setting.name.removeprefix("~")
-        state.set_param(ParamSetting(key, setting.value, setting.lines, _joined(inner.conditions, setting.conditions), setting.source))
+        state.set_param(replace(setting, name=key, conditions=_joined(inner.conditions, setting.conditions)))
     namespace = "/" + "/".join([*filter(None, outer.namespace.split("/")), ""]) if outer.namespace.strip("/") else "/"
     started = NodeStart(
         package=found.package,

@@ -17,6 +17,7 @@ from .model import (
     Place,
     Problem,
     Remap,
+    World,
     exclusive,
 )
 from .names import canonical, parents
@@ -47,6 +48,7 @@ class State:
         self.tests: list[NodeStart] = []
         self.params: dict[str, list[ParamSetting]] = {}
         self.unread: list[ParamSetting] = []
+        self.worlds: dict[str, World] = {}
         self.includes: list[Include] = []
         self.declared: list[ArgumentDeclared] = []
         self.passed: list[ArgumentPassed] = []

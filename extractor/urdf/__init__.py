@@ -5,3 +5,12 @@ the plugins of such a document, of a URDF or of an SDF file.
 
 Sources: the xacro format (wiki.ros.org/xacro) and the behaviour of xacro 1.9 to 1.14.
 """
+
+import rosarch.extractor.launch  # noqa: F401  (launch files name descriptions: whichever is imported first, the other is complete)
+
+from .model import IN_ORDER, NOETIC, TRADITIONAL, Dialect, Expansion
+from .plugins import SimulatorPlugin, plugins
+from .writer import write
+from .xacro import expand
+
+__all__ = ["IN_ORDER", "NOETIC", "TRADITIONAL", "Dialect", "Expansion", "SimulatorPlugin", "expand", "plugins", "write"]

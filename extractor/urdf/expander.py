@@ -23,7 +23,7 @@ from .model import PREFIX, Dialect, XacroError
 from .symbols import Symbols, Table, truth
 
 BARE_TAGS = frozenset({"property", "macro", "insert_block", "include", "if", "unless", "arg"})  # once xacro's without its prefix
-ELEMENT_COST = 64  # work of one element, in characters
+ELEMENT_COST = 256  # work of one element, in characters
 
 
 @dataclass(frozen=True)

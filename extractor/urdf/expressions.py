@@ -24,7 +24,7 @@ from .model import Dialect, XacroError
 from .symbols import Symbols
 
 MAX_TEXT = 1024 * 1024  # characters of one evaluated text
-STEP = 8  # work of one step of an expression, in characters
+STEP = 16  # work of one step of an expression, in characters
 
 _MODERN = re.compile(r"(?P<escape>\$\$+[{(])|(?P<expression>\$\{[^}]*\})|(?P<extension>\$\([^)]*\))|(?P<text>[^$]+|\$[^{($]+|\$\Z)")
 _OLD = re.compile(r"(?P<escape>\$\$+\{)|(?P<expression>\$\{[^}]*\})|(?P<extension>\$\([^)]*\))|(?P<text>(?:[^$]|\$[^{(]|\$\Z)+)")

@@ -63,7 +63,7 @@ DIAGNOSTICS = """\
 launch-arg: 1
   src/robot/launch/main.launch:5:3: argument `sim` must be passed, it has no value
 launch-command: 1
-  src/robot/launch/main.launch:8:3: command `xacro` is not run, what it prints is unknown
+  src/robot/launch/main.launch:8:3: command `xacro` would fail: no such file: robot.xacro
 launch-package: 2
   src/robot/launch/main.launch:6:3: package `maps` is not on the package path
   src/robot/launch/main.launch:7:3: package `maps` is not on the package path

@@ -150,7 +150,7 @@ def test_conditional_include_marks_what_it_starts(tmp_path: Path) -> None:
 def test_problems_within_an_alternative_are_no_refusal_by_themselves(tmp_path: Path) -> None:
     found = composed(
         tmp_path,
-        '<param name="p" command="xacro a" if="$(eval open(1))"/><node pkg="p" type="t" name="n" if="$(eval open(1))" output="x"/>',
+        '<param name="p" command="convert a" if="$(eval open(1))"/><node pkg="p" type="t" name="n" if="$(eval open(1))" output="x"/>',
     )
     assert found.refusal is None
     assert [(problem.kind, problem.fatal) for problem in found.problems] == [

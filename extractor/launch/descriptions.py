@@ -1,0 +1,59 @@
+"""Robot descriptions and worlds that launch files name: what they say, and the simulator plugins in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from rosarch.extractor.urdf.command import XacroCall, run
+from rosarch.extractor.urdf.document import DocumentError, parse
+from rosarch.extractor.urdf.plugins import SimulatorPlugin, plugins
+from rosarch.extractor.urdf.writer import write
+
+from .model import LaunchError, Problem, World
+from .scope import Scope
+from .state import State
+from .unknowns import is_known
+
+_WORLDS = (".world", ".sdf")
+
+
+def evaluated(state: State, call: XacroCall) -> tuple[str | None, tuple[SimulatorPlugin, ...]]:
+    """What xacro prints, None when it refuses the file; its problems become those of the launch file."""
+    for path in (call.program, call.file):
+        if is_known(path) and (path is call.file or "/" in path) and not state.files.is_file(path):
+            state.report(LaunchError("command", call.program, f"command `{call.program}` would fail: no such file: {path}"))
+            return None, ()
+    expansion = run(call, state.files, state.resolver.environment, state.unknowns)
+    state.spend(expansion.work)
+    for problem in expansion.problems:
+        kind = "command" if problem.fatal else problem.kind
+        state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
+    if expansion.document is None:
+        return None, ()
+    return write(expansion.document, call.file), plugins(expansion.document.root)
+
+
+def plugins_of_file(state: State, path: str, text: str) -> tuple[SimulatorPlugin, ...]:
+    """The plugins of a file with the content `text`; none, with a report, when it is no document."""
+    if "<plugin" not in text:
+        return ()
+    state.spend(len(text))
+    try:
+        return plugins(state.files.parsed(path, parse).root)
+    except DocumentError as error:
+        state.problems.setdefault(Problem("urdf", path, error.message, error.place, fatal=False, conditions=state.scope.conditions))
+        return ()
+
+
+def note_worlds(state: State, texts: Iterable[str], scope: Scope) -> None:
+    """Note the worlds whose files `texts` name: arguments of a node, or of an included file."""
+    for path in texts:
+        if not path.endswith(_WORLDS) or path in state.worlds or not is_known(path) or not state.files.is_file(path):
+            continue
+        try:
+            found = plugins_of_file(state, path, state.files.read_text(path))
+        except LaunchError as error:
+            state.report(error, fatal=False)
+            continue
+        state.worlds[path] = World(path, (*scope.lines, state.here), scope.conditions + state.own_conditions, found)
