@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from rosarch.extractor.launch.facts import launch_rows, started
 from rosarch.extractor.launch.model import Composition
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.library import Library, LibraryComponent, load
 from rosarch.models.analysis import COMPONENT_TIMEOUT, analyze
@@ -35,6 +37,7 @@ class Launch:
     name: str
     words: tuple[str, ...]
     composition: Composition
+    packages: PackagePath
 
 
 @dataclass(frozen=True)
@@ -106,7 +109,7 @@ def analyze_systems(
 
 
 def _system(rules: SystemRules, launch: Launch, root: Path, interfaces: Sequence[Rows], engine: str) -> tuple[SystemModel, list[Finding]]:
-    rows = merged([launch_rows(launch.composition, root), *interfaces])
+    rows = merged([launch_rows(launch.composition, root), script_rows(launch.composition, launch.packages), *interfaces])
     result = evaluate(rules, rows, engine)
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
     return system_model(launch.name, launch.words, rows, result), findings(rules.checks, result, places, launch.name)

@@ -87,9 +87,10 @@ def _matrix(words: Sequence[str]) -> list[dict[str, str]]:
 
 
 def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: Surroundings, files: Files | None = None) -> Launch:
-    composition = compose(paths, arguments, files=files or where.files(), environment=where.variables())
+    files = files or where.files()
+    composition = compose(paths, arguments, files=files, environment=where.variables())
     words = (*(_shown(path, where.root) for path in paths), *(f"{name}:={value}" for name, value in arguments.items()))
-    return Launch(" ".join(words), words, composition)
+    return Launch(" ".join(words), words, composition, files.packages)
 
 
 def _shown(path: str, root: Path) -> str:

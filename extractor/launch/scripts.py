@@ -1,0 +1,69 @@
+"""Scripts that launch files start: which of the names in the launch files stand in their texts.
+
+A script is not analysed here. But a name whose last part does not occur in its text, nor in that of the modules of its package, is hardly a
+name that it uses.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Collection, Iterator
+from pathlib import Path
+from typing import Any
+
+from rosarch.extractor.files import read_file
+
+from .model import Composition
+from .packages import PackagePath
+
+Rows = dict[str, set[tuple[Any, ...]]]
+_WORD = re.compile(r"\w+")
+_INTERPRETED = re.compile(rb"#!.*\b(python|bash|sh|ruby|perl)")
+MAX_FILES = 500
+MAX_BYTES = 1 << 20
+
+
+def script_rows(composition: Composition, packages: PackagePath) -> Rows:
+    """The rows about the scripts among the nodes of a composition."""
+    names = {remap.source for remap in composition.remaps} | {setting.name for setting in composition.params}
+    rows: Rows = {"word_of_name": {(name, name.rpartition("/")[2]) for name in names}}
+    wanted = {word for _, word in rows["word_of_name"]}
+    for package, type_ in sorted({(node.package, node.type) for node in composition.nodes}):
+        folder = packages.find(package)
+        words = None if folder is None else _words(folder, type_, wanted)
+        if words is not None:
+            rows.setdefault("script", set()).add((package, type_))
+            rows.setdefault("script_word", set()).update((package, type_, word) for word in words)
+    return rows
+
+
+def _words(folder: str, name: str, wanted: Collection[str]) -> set[str] | None:
+    """The words among `wanted` in the script called `name` and in the modules of its package; None when there is no such script."""
+    paths = list(_texts(folder, name))
+    if not any(path.name == name and _is_script(path) for path in paths):
+        return None
+    return {word for path in paths for word in _WORD.findall(_read(path).decode(errors="replace")) if word in wanted}
+
+
+def _texts(folder: str, name: str) -> Iterator[Path]:
+    count = 0
+    for here, folders, files in os.walk(folder):
+        folders[:] = sorted(entry for entry in folders if not entry.startswith("."))
+        for file in sorted(files):
+            if file == name or file.endswith(".py"):
+                count += 1
+                if count > MAX_FILES:
+                    return
+                yield Path(here) / file
+
+
+def _is_script(path: Path) -> bool:
+    return path.suffix == ".py" or _INTERPRETED.match(_read(path)) is not None
+
+
+def _read(path: Path) -> bytes:
+    try:
+        return read_file(path)[:MAX_BYTES]
+    except OSError:
+        return b""
