@@ -132,7 +132,7 @@ class _Needed:
         """The components of the library that are started."""
         found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
         found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
-        return [component for component in found if component is not None]
+        return [part for component in found if component is not None for part in library.with_loaded(component)]
 
 
 def _packages_below(root: Path, names: Collection[str]) -> list[str]:

@@ -81,6 +81,8 @@ def library_rows(found: LibraryComponent) -> Rows:
     writer = _Writer()
     component = f"{found.package}/{found.component}"
     writer.add("interface", component, found.package, found.component, found.kind, "library")
+    for name in found.loads:
+        writer.add("interface_loads", component, name)
     if found.open_ports:
         writer.add("interface_open", component, "ports")
     if found.open_params:

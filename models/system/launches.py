@@ -40,23 +40,56 @@ class Surroundings:
         return {"ROS_MASTER_URI": "http://localhost:11311", "ROS_PACKAGE_PATH": path, **self.environment}
 
 
-def given(texts: Iterable[str], where: Surroundings) -> list[Launch]:
-    r"""A launch for each text: launch files that are started together, and their arguments.
+@dataclass(frozen=True)
+class Request:
+    """Launch files that are started together; every combination of the values of `arguments` is a launch."""
 
-    Files are absolute, or below the current folder or the workspace. `name:=a,b` gives a launch for each value (`\,` is a comma).
+    files: tuple[str, ...]
+    arguments: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+def parse_request(text: str) -> Request:
+    r"""Launch files and arguments in one text, as on a command line. `name:=a,b` are two values of an argument (`\,` is a comma).
 
     Raises:
-        LaunchWordError: a file is not there, a word is not of the form NAME:=VALUE, or there are too many launches.
+        LaunchWordError: there is no file, or a word is not of the form NAME:=VALUE.
+    """
+    words = _words(text)
+    files = tuple(word for word in words if ":=" not in word)
+    if not files:
+        raise LaunchWordError(f"`{text}` names no launch file")
+    arguments = {}
+    for word in words:
+        if ":=" in word:
+            pair = mapping(word)
+            if pair is None:
+                raise LaunchWordError(f"{word}: not of the form NAME:=VALUE")
+            arguments[pair[0]] = tuple(value.replace("\\,", ",") for value in _COMMA.split(pair[1]))
+    return Request(files, tuple(arguments.items()))
+
+
+def given(requests: Iterable[Request], where: Surroundings) -> list[Launch]:
+    """The launches of requests. Files are absolute, or below the current folder or the workspace.
+
+    Raises:
+        LaunchWordError: a file is not there, or there are too many launches.
     """
     found = []
-    for text in texts:
-        words = shlex.split(text)
-        paths = [_path(word, where.root) for word in words if ":=" not in word]
-        if not paths:
-            raise LaunchWordError(f"`{text}` names no launch file")
-        for arguments in _matrix([word for word in words if ":=" in word]):
-            found.append(_launch(paths, arguments, where))
+    for request in requests:
+        paths = [_path(word, where.root) for word in request.files]
+        names = [name for name, _ in request.arguments]
+        combinations = list(itertools.islice(itertools.product(*(values for _, values in request.arguments)), MAX_MATRIX + 1))
+        if len(combinations) > MAX_MATRIX:
+            raise LaunchWordError(f"more than {MAX_MATRIX} combinations of arguments")
+        found += [_launch(paths, dict(zip(names, values, strict=True)), where) for values in combinations]
     return found
+
+
+def _words(text: str) -> list[str]:
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise LaunchWordError(f"`{text}`: {str(error).lower()}") from None
 
 
 def unincluded(where: Surroundings) -> list[Launch]:
@@ -71,19 +104,6 @@ def _path(word: str, root: Path) -> str:
         if path.is_file():
             return os.path.abspath(path)
     raise LaunchWordError(f"{word}: no such launch file, neither here nor below {root}")
-
-
-def _matrix(words: Sequence[str]) -> list[dict[str, str]]:
-    choices: dict[str, list[str]] = {}
-    for word in words:
-        pair = mapping(word)
-        if pair is None:
-            raise LaunchWordError(f"{word}: not of the form NAME:=VALUE")
-        choices[pair[0]] = [value.replace("\\,", ",") for value in _COMMA.split(pair[1])]
-    combined = list(itertools.islice(itertools.product(*choices.values()), MAX_MATRIX + 1))
-    if len(combined) > MAX_MATRIX:
-        raise LaunchWordError(f"more than {MAX_MATRIX} combinations of arguments")
-    return [dict(zip(choices, values, strict=True)) for values in combined]
 
 
 def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: Surroundings, files: Files | None = None) -> Launch:

@@ -1,0 +1,114 @@
+"""The systems that a sub-command works on: a workspace, what is started in it, and the analysis of that."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, extraction_cache
+from rosarch.cli.options import Engine
+from rosarch.cli.terminal import progress
+
+if TYPE_CHECKING:
+    from rosarch.models.configuration import Configuration
+    from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.models.system.launches import Request, Surroundings
+
+Launches = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--launch",
+        "-l",
+        metavar="'FILE... [NAME:=VALUE,... ...]'",
+        help="Launch files that are started together, and arguments; with several values for one, a system for each. May be repeated."
+        " By default every launch file that no other includes.",
+        show_default=False,
+    ),
+]
+PackagePath = Annotated[
+    list[Path] | None,
+    typer.Option(
+        metavar="DIR", help="Where packages are looked for, besides DIR; may be repeated. By default ROS_PACKAGE_PATH.", show_default=False
+    ),
+]
+Environment = Annotated[
+    list[str] | None,
+    typer.Option("--env", metavar="NAME=VALUE", help="An environment variable of the robot; may be repeated.", show_default=False),
+]
+
+
+@dataclass(frozen=True)
+class SystemInputs:
+    """What is analysed, and how."""
+
+    folder: Path
+    launches: Sequence[str] | None = None
+    package_path: Sequence[Path] | None = None
+    environment: Sequence[str] | None = None
+    library: Sequence[Path] | None = None
+    engine: Engine = Engine.embedded
+    jobs: int | None = None
+    timeout: float = 60.0
+    defines: Mapping[str, str] = field(default_factory=dict)
+    cached: bool = True
+
+
+def load_systems(inputs: SystemInputs, configuration: Configuration | None = None) -> SystemAnalysis:
+    """Compose and check the systems of a workspace: those that the options name, or else the configuration, or else all."""
+    from rosarch.models.system.analysis import analyze_systems
+    from rosarch.models.system.launches import LaunchWordError, given, unincluded
+
+    check_folder(inputs.folder)
+    check_engine(inputs.engine)
+    where = _surroundings(inputs, configuration)
+    with progress() as report:
+        try:
+            requests = _requests(inputs, configuration)
+            launches = given(requests, where) if requests else unincluded(where)
+        except LaunchWordError as error:
+            raise InputError(str(error)) from None
+        analysis = analyze_systems(
+            inputs.folder,
+            launches,
+            library=tuple(map(check_folder, inputs.library or ())),
+            engine=inputs.engine.value,
+            jobs=inputs.jobs,
+            timeout=inputs.timeout,
+            defines=inputs.defines,
+            cache=extraction_cache(inputs.cached),
+            progress=report,
+        )
+    if not analysis.systems:
+        check_diagnostics(inputs.folder, 0, analysis.diagnostics)
+    return analysis
+
+
+def _requests(inputs: SystemInputs, configuration: Configuration | None) -> list[Request]:
+    from rosarch.models.system.launches import Request, parse_request
+
+    if inputs.launches or configuration is None:
+        return list(map(parse_request, inputs.launches or ()))
+    return [Request(choice.files, choice.arguments) for choice in configuration.launch]
+
+
+def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> Surroundings:
+    from rosarch.models.system.launches import Surroundings
+
+    environment = dict(os.environ)
+    folders = [Path(folder) for folder in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if os.path.isdir(folder)]
+    if configuration is not None:
+        environment.update(configuration.environment)
+        folders = [check_folder(Path(folder)) for folder in configuration.package_path] or folders
+    for text in inputs.environment or ():
+        name, equals, value = text.partition("=")
+        if not (name and equals):
+            raise InputError(f"--env {text}: not of the form NAME=VALUE")
+        environment[name] = value
+    given = [check_folder(folder) for folder in inputs.package_path or ()]
+    return Surroundings(inputs.folder, (inputs.folder, *(given or folders)), environment)
