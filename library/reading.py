@@ -211,7 +211,7 @@ def _parameter_problems(parameter: Document) -> Iterator[str]:
 
 
 def _undeclared_elements(component: Document) -> Iterator[str]:
-    """The names in braces of a plug-in of gazebo are elements, those of others the numbers of arguments."""
+    """The names in braces of a plug-in of gazebo are elements, those of others the numbers of arguments, or options."""
     elements = component.get("elements", {})
     for index, port in enumerate(component.get("ports", ())):
         for key in ("name", "type"):
@@ -219,5 +219,5 @@ def _undeclared_elements(component: Document) -> Iterator[str]:
                 if component["kind"] == "gazebo_plugin":
                     if name not in elements:
                         yield f"ports[{index}]: `{name}` is none of the component's `elements`{hint(name, elements)}"
-                elif not re.fullmatch("0|[1-9][0-9]*", name):
+                elif name not in elements and not re.fullmatch("0|[1-9][0-9]*", name):
                     yield f"ports[{index}]: {{{name}}} is no number of an argument"

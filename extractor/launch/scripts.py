@@ -1,6 +1,6 @@
 """Scripts that launch files start: which of the names in the launch files stand in their texts.
 
-A script is not analysed here. But a name whose last part does not occur in its text, nor in that of the modules of its package, is hardly a
+A script is not analysed here. But a name of which a part does not occur in its text, nor in that of the modules of its package, is hardly a
 name that it uses.
 """
 
@@ -27,7 +27,7 @@ MAX_BYTES = 1 << 20
 def script_rows(composition: Composition, packages: PackagePath) -> Rows:
     """The rows about the scripts among the nodes of a composition."""
     names = {remap.source for remap in composition.remaps} | {setting.name for setting in composition.params}
-    rows: Rows = {"word_of_name": {(name, name.rpartition("/")[2]) for name in names}}
+    rows: Rows = {"word_of_name": {(name, word) for name in names for word in _WORD.findall(name)}}
     wanted = {word for _, word in rows["word_of_name"]}
     for package, type_ in sorted({(node.package, node.type) for node in composition.nodes}):
         folder = packages.find(package)

@@ -87,7 +87,9 @@ def analyze_systems(
         )
         models = found.models
         diagnostics += found.diagnostics
-    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(load(library)))]
+    known = load(library)
+    diagnostics += known.problems
+    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(known))]
 
     def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
         gc.disable()

@@ -90,6 +90,9 @@ def library_rows(found: LibraryComponent) -> Rows:
     if found.options is not None:
         for option in ("", *found.options):
             writer.add("interface_option", component, option)
+    for element, default in found.elements.items():
+        if default is not None:
+            writer.add("interface_element", component, element, default)
     for number, port in enumerate(found.ports, 1):
         key = f"{component}#p{number}"
         writer.add("interface_port", component, key, port.kind, port.name or "?")
