@@ -28,7 +28,7 @@ from rosarch.extractor.files import path_text
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, without_library
+from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, programs, without_library
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
 from rosarch.extractor.workspace.graph import BROUGHT
 
@@ -65,7 +65,7 @@ class Extraction:
     """The facts of all components; use as a context manager, its temporary files go with it.
 
     `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
-    of the workspace that count as installed.
+    of the workspace that count as installed, `programs` package and name of all executables that targets build.
     """
 
     root: Path
@@ -74,6 +74,7 @@ class Extraction:
     seconds: dict[Path, float] = field(default_factory=dict)
     built: int = 0
     installed: tuple[str, ...] = ()
+    programs: frozenset[tuple[str, str]] = frozenset()
     _stack: ExitStack = field(default_factory=ExitStack)
 
     def __enter__(self) -> Extraction:
@@ -112,7 +113,7 @@ def extract(
     """
     workspace = discover(root, packages, defines=defines, timeout=timeout)
     store = load_messages(workspace.packages)
-    extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics])
+    extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
     found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
     commands = read_compile_commands(workspace.root)

@@ -30,6 +30,7 @@ class Analysis:
     models: tuple[ComponentModel, ...]
     diagnostics: tuple[Diagnostic, ...]
     statistics: Mapping[str, float | int]
+    programs: frozenset[tuple[str, str]] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,7 @@ def analyze(
                 "extraction_seconds": extracted - start,
                 "evaluation_seconds": time.perf_counter() - extracted,
             }
-            return Analysis(models, (*extraction.diagnostics, *failures), statistics)
+            return Analysis(models, (*extraction.diagnostics, *failures), statistics, extraction.programs)
 
 
 def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None) -> Analysis:

@@ -6,6 +6,7 @@ on: an element that is refused costs that element, a value that is absent stays 
 
 from __future__ import annotations
 
+import itertools
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -218,6 +219,7 @@ def _finished(state: State) -> Composition:
         passed=tuple(replace(argument, name=shown(argument.name), value=_shown(argument.value, state)) for argument in state.passed),
         remaps=tuple(_rendered_remap(remap, state) for remap in state.remaps),
         worlds=tuple(state.worlds.values()),
+        references=tuple(itertools.chain.from_iterable(map(state.files.references, state.read))),
     )
 
 

@@ -13,7 +13,19 @@ from typing import Any
 from rosarch.extractor.files import path_text
 
 from .arguments import node_arguments
-from .model import ArgumentDeclared, Composition, NodeStart, ParamSetting, Place
+from .model import (
+    ArgumentDeclared,
+    ArgumentUsed,
+    Composition,
+    FileNamed,
+    HomePath,
+    NodeStart,
+    PackageNamed,
+    ParamSetting,
+    Place,
+    ProgramNamed,
+    Reference,
+)
 from .names import canonical, global_namespace, ns_join
 from .record import plain
 from .values import Binary, automatic
@@ -54,7 +66,10 @@ class _Writer:
             self.add("remap_written", *row)
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
-            self.add("launch_problem", self.place(problem.place), problem.kind, problem.subject, problem.message, effect)
+            subject = self.path(problem.subject) if problem.kind == "file" else problem.subject
+            self.add("launch_problem", self.place(problem.place), problem.kind, subject, problem.message, effect)
+        for reference in composition.references:
+            self.reference(reference)
         return self.rows
 
     def add(self, relation: str, *row: Any) -> None:
@@ -107,6 +122,28 @@ class _Writer:
         given = "value" if argument.value is not None else "default" if argument.default is not None else ""
         text = argument.value if argument.value is not None else argument.default or ""
         self.add("argument_declared", self.path(argument.path), argument.name, given, text, self.place(argument.place))
+
+    def reference(self, named: Reference) -> None:
+        """What the text of an element names."""
+        place = self.place(named.place)
+        match named:
+            case FileNamed():
+                self.add("file_named", place, named.role, self.path(named.file))
+                if named.absent:
+                    self.add("file_absent", self.path(named.file))
+            case ProgramNamed():
+                self.add("program_named", place, named.package, named.type)
+                if named.mentioned:
+                    self.add("program_mentioned", named.package, named.type)
+            case PackageNamed():
+                self.add("package_named", place, named.package)
+                if named.folder is not None:
+                    inside = f"{os.path.abspath(named.folder)}{os.sep}".startswith(self.root + os.sep)
+                    self.add("package_found", named.package, "workspace" if inside else "path")
+            case ArgumentUsed():
+                self.add("argument_used", place, named.name)
+            case HomePath():
+                self.add("home_path", place, named.element, named.path)
 
 
 _UNKNOWN = re.compile(r"\$\([^()]*\)?")

@@ -15,9 +15,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-from .model import LaunchError
+from .model import LaunchError, Reference
 from .packages import PackagePath
+from .references import references
 from .unknowns import cleaned
+from .xml_reader import read_launch
 from .yaml_values import KeyLines, load_yaml_lines
 
 MAX_BYTES = 32 * 1024 * 1024  # of one file
@@ -35,6 +37,7 @@ class Files:
         self._beside: set[str] = set()
         self._contents: dict[str, bytes] = {}
         self._documents: dict[tuple[str, object], Any] = {}
+        self._references: dict[str, tuple[Reference, ...]] = {}
         self._values: dict[str, tuple[Any, KeyLines]] = {}
 
     def allow_beside(self, launch_file: str) -> None:
@@ -88,6 +91,13 @@ class Files:
         if not self._is_allowed(os.path.realpath(base)) or any(".." in part.split("/") for part in rest):
             raise LaunchError("outside", pattern, f"{pattern} is outside the package path and not read")
         return sorted(itertools.islice(glob.iglob(full), MAX_MATCHES))
+
+    def references(self, path: str) -> tuple[Reference, ...]:
+        """What a launch file that was read names."""
+        full = os.path.join(self.folder, path)
+        if full not in self._references:
+            self._references[full] = tuple(dict.fromkeys(references(self.parsed(path, read_launch), path, self.packages)))
+        return self._references[full]
 
     def yaml(self, text: str) -> tuple[Any, KeyLines]:
         """The value of a YAML text and the lines of its keys, parsed once: the same file is often loaded for many nodes. Not to be changed.

@@ -172,12 +172,63 @@ class Problem:
 
 
 @dataclass(frozen=True)
+class FileNamed:
+    """An element names `file`; `role` is its attribute: include, rosparam, textfile, binfile, command, or value for any other text."""
+
+    role: str
+    file: str
+    absent: bool
+    place: Place
+
+
+@dataclass(frozen=True)
+class ProgramNamed:
+    """A node or test runs `type` of `package`; `mentioned` when a file of the package is called so, or a build file says the word."""
+
+    package: str
+    type: str
+    mentioned: bool
+    place: Place
+
+
+@dataclass(frozen=True)
+class PackageNamed:
+    """An element names `package`; `folder` is None when it is not on the package path."""
+
+    package: str
+    folder: str | None
+    place: Place
+
+
+@dataclass(frozen=True)
+class ArgumentUsed:
+    """The text of an element uses the argument `name`."""
+
+    name: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class HomePath:
+    """An `attribute` of an `element`, or what it holds, names `path` below somebody's home folder."""
+
+    element: str
+    attribute: str
+    path: str
+    place: Place
+
+
+Reference = FileNamed | ProgramNamed | PackageNamed | ArgumentUsed | HomePath
+
+
+@dataclass(frozen=True)
 class Composition:
     """All that the launch files given start and set.
 
     `params` has one setting per parameter, and more only where conditions are unknown; `cleared` are namespaces whose parameters are
     removed first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could
-    not be read sets parameters in; the `source` of each is that file.
+    not be read sets parameters in; the `source` of each is that file. `references` are what
+    the files read name, in all branches.
     """
 
     nodes: tuple[NodeStart, ...]
@@ -193,6 +244,7 @@ class Composition:
     passed: tuple[ArgumentPassed, ...] = ()
     remaps: tuple[Remap, ...] = ()
     worlds: tuple[World, ...] = ()
+    references: tuple[Reference, ...] = ()
 
     @property
     def refusal(self) -> Problem | None:

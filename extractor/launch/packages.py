@@ -13,10 +13,14 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 
+from rosarch.extractor.files import read_file
 from rosarch.extractor.workspace.manifests import quick_name
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_WORD = re.compile(r"[\w.+-]+")
+_LINE_COMMENT = re.compile(r"#.*")
+_BUILD_FILES = ("CMakeLists.txt", "setup.py")
 
 
 class PackagePath:
@@ -24,6 +28,7 @@ class PackagePath:
 
     def __init__(self, folders: Sequence[Path | str]) -> None:
         self.folders = tuple(os.path.abspath(folder) for folder in folders)
+        self._names: dict[str, frozenset[str]] = {}
 
     @cached_property
     def packages(self) -> dict[str, str]:
@@ -37,6 +42,27 @@ class PackagePath:
     def find(self, name: str) -> str | None:
         """The folder of package `name`."""
         return self.packages.get(name)
+
+    def names_in(self, folder: str) -> frozenset[str]:
+        """The names of the files below a package's folder, and all words of its build files: what its programs may be called."""
+        if folder not in self._names:
+            self._names[folder] = _names_below(folder)
+        return self._names[folder]
+
+
+def _names_below(folder: str) -> frozenset[str]:
+    found: set[str] = set()
+    for here, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        found.update(names)
+        for name in names:
+            if name in _BUILD_FILES or name.endswith(".cmake"):
+                try:
+                    text = read_file(os.path.join(here, name)).decode(errors="replace")
+                except OSError:
+                    continue  # where it is evaluated, that is reported
+                found.update(_WORD.findall(_LINE_COMMENT.sub("", text)))
+    return frozenset(found)
 
 
 def _packages_below(top: str) -> Iterator[tuple[str, str]]:

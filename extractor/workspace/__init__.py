@@ -3,7 +3,7 @@
 `discover` reads a workspace, `components` lists what runs, `closure` and `include_path` answer questions about one target.
 """
 
-from .components import components, without_library
+from .components import components, programs, without_library
 from .discovery import discover
 from .graph import closure, include_path
 from .model import Component, Configured, Diagnostic, Exports, Package, PluginClass, Target, Workspace
@@ -21,5 +21,6 @@ __all__ = [
     "components",
     "discover",
     "include_path",
+    "programs",
     "without_library",
 ]

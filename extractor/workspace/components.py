@@ -10,7 +10,7 @@ from pathlib import Path
 from rosarch.extractor.files import file_name
 
 from .graph import closure, definitions, find_library, include_path
-from .model import EXECUTABLE, LIBRARY_KINDS, Component, Diagnostic, Package, PluginClass, Target, Workspace
+from .model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Diagnostic, Package, PluginClass, Target, Workspace
 from .plugins import Registration, registrations
 
 NODELET_BASE = "nodelet::Nodelet"
@@ -27,6 +27,16 @@ def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
         if package.name in workspace.selected
         for plugin in package.plugins
         if plugin.cxx_class not in _registrations(package) and _library(workspace, plugin, package) is None
+    )
+
+
+def programs(workspace: Workspace) -> frozenset[tuple[str, str]]:
+    """Package and name of each executable, tests too."""
+    return frozenset(
+        (package.name, target.output_name)
+        for package in workspace.packages
+        for target in package.targets
+        if target.kind in (EXECUTABLE, TEST)
     )
 
 

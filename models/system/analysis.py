@@ -23,6 +23,7 @@ from rosarch.models.system.build import Rows, SystemRules, evaluate, merged, sys
 from rosarch.models.system.findings import findings
 from rosarch.models.system.interfaces import library_rows, model_rows
 from rosarch.models.system.model import SystemModel
+from rosarch.models.system.workspace import programs_named, workspace_rows
 
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
@@ -72,6 +73,7 @@ def analyze_systems(
     needed = _Needed(launches)
     packages = _packages_below(root, needed.packages)
     models: tuple[ComponentModel, ...] = ()
+    programs: frozenset[tuple[str, str]] = frozenset()
     diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
     if packages:
         found = analyze(
@@ -85,11 +87,12 @@ def analyze_systems(
             progress=progress,
             only=needed.is_needed,
         )
-        models = found.models
+        models, programs = found.models, found.programs
         diagnostics += found.diagnostics
     known = load(library)
     diagnostics += known.problems
-    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(known))]
+    around = workspace_rows(root, [launch.composition for launch in launches], programs, known)
+    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(known)), around]
 
     def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
         gc.disable()
@@ -125,6 +128,7 @@ class _Needed:
         self.executables = {(package, type_) for package, type_, _ in asked}
         self.words = {word for _, _, words in asked for word in words}
         self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
+        self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}
 
     def is_needed(self, component: Component) -> bool:
         """Whether a node is started from this executable, or with an argument that names this class."""

@@ -1,0 +1,54 @@
+"""What the texts of launch files name: files, packages, programs, arguments. All branches count, whatever their conditions.
+
+Only `$(find)` and `$(dirname)` are resolved here; a name with other unknown parts is left out.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+
+from .model import ArgumentUsed, FileNamed, HomePath, PackageNamed, Place, ProgramNamed, Reference
+from .packages import PackagePath
+from .xml_reader import Element
+
+_FIND = re.compile(r"\$\(find\s+([^()\s$]+)\s*\)")
+_FILE = re.compile(r"(?:\$\(find\s+[^()\s$]+\s*\)|\$\(dirname\))/[^\s'\"]*[^\s'\"/]")
+_ARGUMENT = re.compile(r"\$\(arg\s+([^()\s$]+)\s*\)|\barg\(\s*['\"]([^'\"]+)['\"]\s*\)")
+_HOME = re.compile(r"(?<![^\s='\":,;\[(])(?:(?:/home|/Users)/[^/\s$'\"]+/|~/[^\s'\"]*\.)[^\s'\",;\])]*")  # `~/x` may be a private name
+
+
+def references(launch: Element, path: str, packages: PackagePath) -> Iterator[Reference]:
+    """What the launch file at `path` names."""
+    for element in launch.walk():
+        place = Place(path, element.line, element.column)
+        texts = {**element.attributes, **({"text": element.text} if element.tag == "rosparam" else {})}
+        for attribute, text in texts.items():
+            yield from (ArgumentUsed(one or other, place) for one, other in _ARGUMENT.findall(text))
+            yield from (PackageNamed(name, packages.find(name), place) for name in _FIND.findall(text))
+            yield from (HomePath(element.tag, attribute, found, place) for found in _HOME.findall(text) if attribute != "doc")
+            yield from _files(element, attribute, text, place, packages)
+        if element.tag in ("node", "test"):
+            yield from _program(element, place, packages)
+
+
+def _files(element: Element, attribute: str, text: str, place: Place, packages: PackagePath) -> Iterator[FileNamed]:
+    role = element.tag if attribute == "file" else attribute if attribute in ("textfile", "binfile", "command") else "value"
+    if attribute == "doc" or (element.tag == "rosparam" and element.attributes.get("command", "load") != "load"):
+        return
+    for found in _FILE.findall(text):
+        resolved = _FIND.sub(lambda match: packages.find(match[1]) or match[0], found)
+        file = os.path.normpath(resolved.replace("$(dirname)", os.path.dirname(os.path.abspath(place.path))))
+        if "$(" not in file:
+            yield FileNamed(role, file, not (os.path.exists(file) or os.path.exists(f"{file}.in")), place)
+
+
+def _program(element: Element, place: Place, packages: PackagePath) -> Iterator[Reference]:
+    package, type_ = element.attributes.get("pkg", ""), element.attributes.get("type", "")
+    if not package or "$" in package:
+        return
+    folder = packages.find(package)
+    yield PackageNamed(package, folder, place)
+    if type_ and "$" not in type_ and folder is not None:
+        yield ProgramNamed(package, type_, os.path.basename(type_) in packages.names_in(folder), place)

@@ -1,0 +1,26 @@
+"""Which of the programs and packages that launch files name the workspace has."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rosarch.extractor.launch import Files, PackagePath, compose
+from rosarch.library import load
+from rosarch.models.system.workspace import programs_named, workspace_rows
+
+LAUNCH = """<launch><group if="false">
+<node pkg="robot" type="built" name="a"/><node pkg="robot" type="gone" name="b"/>
+<node pkg="driver" type="x" name="c"/><node pkg="move_base" type="move_base" name="d"/><node pkg="control" type="x" name="e"/>
+</group></launch>"""
+
+
+def test_programs_and_packages(tmp_path: Path) -> None:
+    folder = tmp_path / "robot"
+    folder.mkdir()
+    (folder / "package.xml").write_text('<package><name>robot</name><exec_depend version_gte="1">driver</exec_depend></package>')
+    (folder / "a.launch").write_text(LAUNCH)
+    composition = compose([folder / "a.launch"], files=Files(PackagePath([tmp_path])))
+    assert programs_named([composition]) == {("robot", "built"), ("robot", "gone")}
+    rows = workspace_rows(tmp_path, [composition], {("robot", "built"), ("robot", "other")}, load())
+    assert rows["program_built"] == {("robot", "built")}
+    assert rows["package_expected"] == {("driver",), ("move_base",)}
