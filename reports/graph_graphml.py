@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
-from xml.sax.saxutils import escape, quoteattr
+from xml.sax.saxutils import escape
 
 from rosarch.models.system.view import View
 from rosarch.reports.printable import printable
@@ -27,7 +27,7 @@ def graph_text(view: View) -> str:
     out = [_HEAD]
     for (owner, name), type_ in keys.items():
         out.append(f'  <key id="{owner}_{name}" for="{owner}" attr.name="{name}" attr.type="{_TYPES[type_]}"/>')
-    out.append(f'  <graph id={quoteattr(printable(view.name))} edgedefault="directed">')
+    out += ['  <graph id="g" edgedefault="directed">', f"    <desc>{escape(printable(view.name))}</desc>"]
     for name, data in nodes.items():
         out += [f'    <node id="{ids[name]}">', *_data("node", data), "    </node>"]
     for number, (source, target, data) in enumerate(edges):

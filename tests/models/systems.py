@@ -44,7 +44,11 @@ def node(
 
 
 def system(
-    nodes: Iterable[SystemNode], *, name: str = "robot", launch: tuple[str, ...] = ("robot.launch",), inclusions: tuple[Inclusion, ...] = ()
+    nodes: Iterable[SystemNode],
+    *,
+    name: str = "robot",
+    launch: tuple[str, ...] = ("launch/robot.launch",),
+    inclusions: tuple[Inclusion, ...] = (),
 ) -> SystemModel:
     """The nodes with a connector for each name of a topic, service or action."""
     nodes = tuple(nodes)

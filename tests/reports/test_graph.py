@@ -216,7 +216,7 @@ def test_the_schema_refuses_what_is_wrong(path: tuple[str | int, ...], value: ob
 
 def test_json_values() -> None:
     data = graph_json.graph_data(build_view(small(), Selection(nodes=("/base/driver",), collapse=None)))
-    assert (data["system"], data["launch"], data["hidden"]) == ("robot", ["robot.launch"], {"implicit": 1})
+    assert (data["system"], data["launch"], data["hidden"]) == ("robot", ["launch/robot.launch"], {"implicit": 1})
     assert data["nodes"] == [
         {
             "id": "node:/base/driver", "name": "/base/driver", "package": "base_driver", "type": "driver", "origin": "source",
