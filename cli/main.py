@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli import analyze, check, doctor, explain, extract, launch, library, query, rules, show
+from rosarch.cli import analyze, check, diff, doctor, explain, extract, launch, library, query, rules, show
 from rosarch.cli.errors import run
 
 app = typer.Typer(
@@ -23,6 +23,7 @@ app = typer.Typer(
 app.command("extract")(extract.extract)
 app.command("analyze")(analyze.analyze)
 app.add_typer(show.app, name="show")
+app.command("diff")(diff.diff)
 app.command("launch")(launch.launch)
 app.command("check")(check.check)
 app.add_typer(library.app, name="library")

@@ -41,11 +41,18 @@ def is_terminal() -> bool:
     return bool(sys.stdout) and sys.stdout.isatty()
 
 
-def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool) -> None:
-    """Tell on stderr what was not understood."""
+def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool, base: Path | None = None) -> None:
+    """Tell on stderr what was not understood; paths are relative to `base`, by default to the current folder."""
     from rosarch.reports.diagnostics import diagnostics_text
 
-    sys.stderr.write(diagnostics_text(diagnostics, Path.cwd(), complete=verbose))
+    sys.stderr.write(diagnostics_text(diagnostics, base or Path.cwd(), complete=verbose))
+
+
+def show_note(text: str) -> None:
+    """Tell on stderr what a reader of the report should know."""
+    from rosarch.reports.printable import printable
+
+    sys.stderr.write(f"rosarch: {printable(text)}\n")
 
 
 @contextmanager

@@ -1,0 +1,129 @@
+"""`rosarch diff`: what changed between two folders or two revisions."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.errors import FINDINGS
+from rosarch.cli.inputs import check_folder, load_analysis
+from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.terminal import emit, show_diagnostics, show_note
+
+if TYPE_CHECKING:
+    from rosarch.cli.revisions import Exported
+    from rosarch.models.comparison import Snapshot
+
+
+class DiffFormat(str, Enum):
+    """The formats of a comparison on stdout."""
+
+    text = "text"
+    markdown = "markdown"
+    json = "json"
+
+
+@dataclass(frozen=True)
+class State:
+    """One side of the comparison: a folder, and the one that paths in messages start from."""
+
+    folder: Path
+    base: Path
+
+
+Load = Callable[[State], "Snapshot"]
+
+Side = Annotated[
+    str,
+    typer.Argument(help="A folder with ROS packages, or a revision of the git repository in the current folder.", show_default=False),
+]
+
+
+def diff(
+    old: Side,
+    new: Side,
+    packages: Packages = None,
+    output_format: Annotated[DiffFormat, typer.Option("--format", help="The form of the report on stdout.")] = DiffFormat.text,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cached: Cached = True,
+    verbose: Verbose = False,
+) -> None:
+    """Compare two folders or git revisions: ports, rates, reactions, states. Exits with 1 when something differs."""
+
+    def load(state: State) -> Snapshot:
+        from rosarch.models.comparison import Snapshot
+
+        analysis = load_analysis(
+            state.folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
+        )
+        show_diagnostics(analysis.diagnostics, verbose, state.base)
+        return Snapshot(analysis.models)
+
+    compare_states(old, new, output_format, load)
+
+
+def compare_states(old: str, new: str, output_format: DiffFormat, load: Load) -> None:
+    """Report what differs between what `load` makes of both sides."""
+    from rosarch.models.comparison import compare
+    from rosarch.reports import comparison
+
+    writers = {
+        DiffFormat.text: comparison.changes_text,
+        DiffFormat.markdown: comparison.changes_markdown,
+        DiffFormat.json: comparison.changes_json,
+    }
+    with _states(old, new) as (before, after):
+        changes = compare(load(before), load(after))
+    emit(writers[output_format](changes))
+    if changes:
+        raise typer.Exit(FINDINGS)
+
+
+@contextmanager
+def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
+    """Both sides as folders; revisions are written to temporary ones, which are called alike."""
+    with tempfile.TemporaryDirectory(prefix="rosarch-") as temporary:
+        commits = [None if Path(side).exists() else _commit(side) for side in (old, new)]
+        states = []
+        for number, (side, commit) in enumerate(zip((old, new), commits, strict=True)):
+            if commit is None:
+                states.append(State(check_folder(Path(side)), Path.cwd()))
+            else:
+                folder = Path(temporary, str(number), Path.cwd().name or "root")
+                _tell(side, _exported(commit, folder))
+                states.append(State(folder, folder))
+        yield states[0], states[1]
+
+
+def _commit(revision: str) -> str:
+    from rosarch.cli.revisions import resolve
+
+    return resolve(revision, Path.cwd())
+
+
+def _exported(commit: str, folder: Path) -> Exported:
+    from rosarch.cli.revisions import export
+
+    return export(commit, Path.cwd(), folder)
+
+
+def _tell(revision: str, exported: Exported) -> None:
+    """What of a revision is not compared."""
+    for what, paths in (
+        ("submodule", exported.submodules),
+        ("file that this repository does not have", exported.missing),
+        ("file that cannot be written or a link that leads out of the repository", exported.refused),
+    ):
+        if paths:
+            more = f" and {len(paths) - 3} more" if len(paths) > 3 else ""
+            show_note(f"{revision}: not read: {what}: {', '.join(paths[:3])}{more}")
