@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rosarch.models.system.model import SystemModel
     from rosarch.models.system.view import Selection, View
 
+Named = TypeVar("Named", "SystemModel", "View")
 # The systems below a folder that launch files, with the words of `--launch`, compose.
 LoadSystems = Callable[[Path, Sequence[str]], "Sequence[SystemModel]"]
 
@@ -145,8 +146,7 @@ def graph_command(load: LoadSystems) -> Callable[..., None]:
 
             emit(graphs_text(views))
         else:
-            texts = {view.name: lambda view=view: _graph_text(view, output_format, ports, legend) for view in views}
-            _deliver(folder, texts, output_format.value, "svg" if output_format is GraphFormat.svg else output_format.value, out)
+            _deliver(folder, views, lambda view: _graph_text(view, output_format, ports, legend), output_format.value, out)
 
     return graph
 
@@ -164,15 +164,13 @@ def includes_command(load: LoadSystems) -> Callable[..., None]:
         from rosarch.reports.include_tree import tree_dot, trees_json, trees_text
 
         systems = load(folder, launch or ())
+        write = trees_json if output_format is TreeFormat.json else trees_text
         if output_format is TreeFormat.dot:
-            _deliver(folder, {system.name: lambda system=system: tree_dot(system) for system in systems}, "dot", "dot", out)
+            _deliver(folder, systems, tree_dot, "dot", out)
+        elif out is not None:
+            _deliver(folder, systems, lambda system: write([system]), output_format.value, out)
         else:
-            write = trees_json if output_format is TreeFormat.json else trees_text
-            if out is None:
-                emit(write(systems))
-            else:
-                suffix = "json" if output_format is TreeFormat.json else "txt"
-                _deliver(folder, {system.name: lambda system=system: write([system]) for system in systems}, suffix, suffix, out)
+            emit(write(systems))
 
     return includes
 
@@ -184,8 +182,7 @@ def acme_command(load: LoadSystems) -> Callable[..., None]:
         """Write the system in Acme, in the family of ROSDiscover's architectures."""
         from rosarch.reports.acme import acme_text
 
-        systems = load(folder, launch or ())
-        _deliver(folder, {system.name: lambda system=system: acme_text(system) for system in systems}, "acme", "acme", out)
+        _deliver(folder, load(folder, launch or ()), acme_text, "acme", out)
 
     return acme
 
@@ -225,30 +222,30 @@ def _graph_text(view: View, output_format: GraphFormat, ports: bool, legend: boo
         raise InputError(f"{view.name}: {error}") from None
 
 
-def _deliver(folder: Path, texts: dict[str, Callable[[], str]], form: str, suffix: str, out: Path | None) -> None:
-    """Print the text of the only system, or write a file for each."""
+def _deliver(folder: Path, systems: Sequence[Named], write: Callable[[Named], str], form: str, out: Path | None) -> None:
+    """Print what `write` makes of the only system, or write a file for each."""
     if out is not None:
         from rosarch.extractor.cache import write_whole
 
         check_output(out)
-        for name, file in _file_names(texts).items():
-            write_whole(out / f"{file}.{suffix}", texts[name]().encode("utf-8", "backslashreplace"))
+        suffix = "txt" if form == "text" else form
+        for system, file in zip(systems, _file_names(system.name for system in systems), strict=True):
+            write_whole(out / f"{file}.{suffix}", write(system).encode("utf-8", "backslashreplace"))
         return
-    if len(texts) != 1:
-        known = ", ".join(texts) or "none"
-        raise InputError(f"{folder}: {len(texts)} systems; choose one for {form} with --launch, or write all with --output DIR: {known}")
-    for text in texts.values():
-        emit(text())
+    if len(systems) != 1:
+        known = ", ".join(system.name for system in systems) or "none"
+        raise InputError(f"{folder}: {len(systems)} systems; choose one for {form} with --launch, or write all with --output DIR: {known}")
+    emit(write(systems[0]))
 
 
-def _file_names(names: Sequence[str] | dict[str, Callable[[], str]]) -> dict[str, str]:
+def _file_names(names: Iterable[str]) -> list[str]:
     """A file's name for each system: what is no letter, digit, dot or dash is an underscore."""
-    found: dict[str, str] = {}
+    found: list[str] = []
     for name in names:
         first = re.sub(r"[^\w.-]+", "_", name).strip("._") or "system"
         file, number = first, 1
-        while file in found.values():
+        while file in found:
             number += 1
             file = f"{first}_{number}"
-        found[name] = file
+        found.append(file)
     return found
