@@ -93,7 +93,7 @@ def compare_states(old: str, new: str, output_format: DiffFormat, load: Load) ->
 def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
     """Both sides as folders; revisions are written to temporary ones, which are called alike."""
     with tempfile.TemporaryDirectory(prefix="rosarch-") as temporary:
-        commits = [None if Path(side).exists() else _commit(side) for side in (old, new)]
+        commits = [None if Path(side).is_dir() else _commit(side) for side in (old, new)]
         states = []
         for number, (side, commit) in enumerate(zip((old, new), commits, strict=True)):
             if commit is None:

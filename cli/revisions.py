@@ -45,6 +45,7 @@ class _Entry:
 
 def resolve(revision: str, repository: Path) -> str:
     """The commit that a revision of the repository around a folder names."""
+    known = "not a folder" if os.path.exists(revision) else "no such folder"
     outcome = _git(repository, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
     if outcome.returncode == 0:
         return outcome.stdout.decode().strip()
@@ -52,9 +53,9 @@ def resolve(revision: str, repository: Path) -> str:
     if inside.returncode:
         message = inside.stderr.decode("utf-8", "replace").strip().partition("\n")[0]
         if "not a git repository" in message:
-            raise InputError(f"{revision}: no such folder, and no git repository here that could have a revision of this name")
-        raise InputError(f"{revision}: no such folder, and git says: {message}")
-    raise InputError(f"{revision}: no such folder, and no such revision of the git repository here")
+            raise InputError(f"{revision}: {known}, and no git repository here that could have a revision of this name")
+        raise InputError(f"{revision}: {known}, and git says: {message}")
+    raise InputError(f"{revision}: {known}, and no such revision of the git repository here")
 
 
 def export(commit: str, repository: Path, out: Path) -> Exported:

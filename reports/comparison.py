@@ -16,6 +16,7 @@ from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
 _MARKS = MappingProxyType({"lost": "-", "gained": "+", "renamed": ">", "changed": "~"})
+WIDEST = 50  # of a column; what is wider pushes the rest of its line
 _SAME = "no differences"
 
 
@@ -24,7 +25,7 @@ def changes_text(changes: Sequence[Change]) -> str:
     lines: list[str] = []
     for where, group in _by_place(changes):
         rows = [(f"{_MARKS[c.how]} {c.subject}", printable(c.title), _details(c), _source(c)) for c in group]
-        widths = [max(len(row[column]) for row in rows) for column in range(2)]
+        widths = [min(WIDEST, max(len(row[column]) for row in rows)) for column in range(2)]
         lines.append(printable(where))
         for subject, title, details, source in rows:
             cells = [f"  {subject:{widths[0]}}", f"{title:{widths[1]}}", *(cell for cell in (details, source) if cell)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ from rosarch.models.system.links import TRANSFORMS, connector_kind, is_implicit,
 from rosarch.models.system.model import SystemModel
 
 Whole = TypeVar("Whole", ComponentModel, SystemModel)
+_UNNAMED = re.compile(r"\(((?:unnamed|anonymous) \w+) at [^()]*\)")  # a type without a name is called by its line, which moves
 SUBJECTS = ("component", "system", "node", "port", "parameter", "connection", "rate", "reaction", "state", "transition", "finding")
 
 
@@ -125,7 +127,12 @@ def _states(model: ComponentModel, _names: Names) -> list[Item]:
     found = []
     for variable in model.behavior.state_variables:
         values = None if variable.domain is None else " | ".join(variable.domain)
-        attributes = (("type", variable.type), ("begins", variable.initial), ("from", variable.from_param), ("values", values))
+        attributes = (
+            ("type", _UNNAMED.sub(r"(\1)", variable.type)),
+            ("begins", variable.initial),
+            ("from", variable.from_param),
+            ("values", values),
+        )
         found.append(Item(variable.name, variable.name, variable.name, attributes, variable.at))
     return found
 

@@ -81,12 +81,18 @@ def test_formats(rosarch: Callable, repository: Path) -> None:
     assert "| renamed | port | publisher chatter |" in rosarch("diff", "HEAD~1", "HEAD", "--format", "markdown").out
 
 
+def test_a_bare_repository(rosarch: Callable, repository: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    git(tmp_path, "clone", "-q", "--bare", str(repository), "bare")
+    monkeypatch.chdir(tmp_path / "bare")
+    assert rosarch("diff", "HEAD~1", "HEAD").out == CHANGED.format(path="")
+
+
 @pytest.mark.parametrize(
     ("sides", "message"),
     [
         (("HEAD", "nowhere"), "nowhere: no such folder, and no such revision of the git repository here"),
         (("--", "HEAD", "-x"), "-x: no such folder, and no such revision of the git repository here"),
-        (("talker/talker.cpp", "HEAD"), "talker/talker.cpp: not a folder"),
+        (("talker/talker.cpp", "HEAD"), "talker/talker.cpp: not a folder, and no such revision of the git repository here"),
         (("HEAD", "HEAD:talker"), "HEAD:talker: no such folder, and no such revision of the git repository here"),
     ],
 )

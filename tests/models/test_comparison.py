@@ -128,6 +128,14 @@ def test_states_and_transitions() -> None:
     ]
 
 
+def test_the_line_of_a_type_without_a_name() -> None:
+    def model(line: int) -> ComponentModel:
+        variable = StateVariable("N::c", f"N::(unnamed struct at n.h:{line}:3)", None, None, None, at("n.h", line))
+        return component(behavior=replace(NOTHING, state_variables=(variable,)))
+
+    assert told(model(3), model(5)) == []
+
+
 def test_systems() -> None:
     new = replace(small(), name="other")
     assert told_systems(small(), new) == ["gained system other: nodes None -> 5", "lost system robot: nodes 5 -> None"]
