@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli import analyze, check, diff, doctor, explain, extract, launch, library, query, rules, show
+from rosarch.cli import analyze, check, diff, doctor, explain, export, extract, graph, includes, launch, library, query, rules, show
 from rosarch.cli.errors import run
 
 app = typer.Typer(
@@ -23,6 +23,9 @@ app = typer.Typer(
 app.command("extract")(extract.extract)
 app.command("analyze")(analyze.analyze)
 app.add_typer(show.app, name="show")
+show.app.command("graph")(graph.graph)
+show.app.command("includes")(includes.includes)
+app.add_typer(export.app, name="export")
 app.command("diff")(diff.diff)
 app.command("launch")(launch.launch)
 app.command("check")(check.check)

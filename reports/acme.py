@@ -41,8 +41,8 @@ _KINDS: Mapping[str, _Kind] = MappingProxyType(
         "service_client": _Kind("ServiceClientPortT", "ROSServiceCallerRoleT", "call", _SERVICE),
         "action_server": _Kind("ActionServerPortT", "ROSActionResponderRoleT", "srvr", (("action_type", "{type}"),)),
         "action_client": _Kind("ActionClientPortT", "ROSActionCallerRoleT", "cli", (("action_type", "{type}"),)),
-        "tf_broadcaster": _Kind("TFLookupTransformPortT", "ROSTFAdvertiserRoleT", "tf_pub", ()),
-        "tf_listener": _Kind("TFListenerPortT", "ROSTFSubscriberRoleT", "tf_sub", ()),
+        "tf_broadcaster": _Kind("TFLookupTransformPortT", "ROSTFAdvertiserRoleT", "pub", ()),
+        "tf_listener": _Kind("TFListenerPortT", "ROSTFSubscriberRoleT", "sub", ()),
     }
 )
 _CONNECTORS = MappingProxyType(

@@ -4,41 +4,34 @@ from __future__ import annotations
 
 import json
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-import typer
 from systems import small
 
-from rosarch.cli.errors import run
-from rosarch.cli.graph import add_commands
-from rosarch.models.system.model import SystemModel
+from rosarch.cli.systems import SystemInputs
+from rosarch.models.system.analysis import SystemAnalysis
 
 SYSTEMS = (small(), replace(small(), name="arm/sim.launch", nodes=small().nodes[:1], connectors=()))
 Result = tuple[int, str, str]
 
 
 @pytest.fixture
-def command(capfd: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Result]:
-    """Run a command line that knows `SYSTEMS`, or those that the words of `--launch` name."""
+def command(rosarch: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Result]:
+    """Run a command line where the workspace has `SYSTEMS`, or those that `--launch` names."""
     monkeypatch.chdir(tmp_path)
 
-    def load(folder: Path, launch: Sequence[str]) -> Sequence[SystemModel]:
-        assert folder == Path("ws")
-        return [system for system in SYSTEMS if not launch or system.name in launch]
+    def load(inputs: SystemInputs) -> SystemAnalysis:
+        assert inputs.folder == Path("ws")
+        return SystemAnalysis(tuple(s for s in SYSTEMS if not inputs.launches or s.name in inputs.launches), (), (), ())
 
-    app, show, export = typer.Typer(), typer.Typer(), typer.Typer()
-    add_commands(show, export, load)
-    export.callback()(lambda: None)
-    app.add_typer(show, name="show")
-    app.add_typer(export, name="export")
+    monkeypatch.setattr("rosarch.cli.delivery.load_systems", load)
 
     def invoke(*words: str) -> Result:
-        code = run(lambda: typer.main.get_command(app).main(list(words), standalone_mode=False))
-        captured = capfd.readouterr()
-        return code, captured.out, captured.err
+        outcome = rosarch(*words)
+        return outcome.code, outcome.out, outcome.err
 
     return invoke
 

@@ -168,7 +168,7 @@ def test_transforms_and_implicit_topics_are_no_connections() -> None:
 
 
 def finding(message: str, line: int, path: str = "a.launch") -> Finding:
-    check = Check("near-miss", "t", "h", "high", "high", "d", "s", "r", "m", "at", (), "near_miss", (), "near-miss.dl")
+    check = Check("near-miss", "t", "h", "high", "high", "d", "s", "r", "m", (), "near_miss", (), "near-miss.dl")
     return Finding(check, "error", message, (Evidence("here", at(path, line)),))
 
 

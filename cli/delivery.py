@@ -1,0 +1,60 @@
+"""Reports on composed systems: loading the systems, and printing what is made of them or writing a file for each."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeVar
+
+import typer
+
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_output
+from rosarch.cli.systems import SystemInputs, load_systems
+from rosarch.cli.terminal import emit, show_diagnostics
+
+if TYPE_CHECKING:
+    from rosarch.models.system.model import SystemModel
+    from rosarch.models.system.view import View
+
+Named = TypeVar("Named", "SystemModel", "View")
+Out = Annotated[
+    Path | None, typer.Option("--output", "-o", metavar="DIR", help="Write a file for each system into DIR.", show_default=False)
+]
+
+
+def systems_of(inputs: SystemInputs, verbose: bool) -> Sequence[SystemModel]:
+    """The systems to show; what was not understood goes to stderr."""
+    analysis = load_systems(inputs)
+    show_diagnostics(analysis.diagnostics, verbose)
+    return analysis.systems
+
+
+def deliver(folder: Path, systems: Sequence[Named], write: Callable[[Named], str], form: str, out: Path | None) -> None:
+    """Print what `write` makes of the only system, or write a file for each."""
+    if out is not None:
+        from rosarch.extractor.cache import write_whole
+
+        check_output(out)
+        suffix = "txt" if form == "text" else form
+        for system, file in zip(systems, _file_names(system.name for system in systems), strict=True):
+            write_whole(out / f"{file}.{suffix}", write(system).encode("utf-8", "backslashreplace"))
+        return
+    if len(systems) != 1:
+        known = ", ".join(system.name for system in systems) or "none"
+        raise InputError(f"{folder}: {len(systems)} systems; choose one for {form} with --launch, or write all with --output DIR: {known}")
+    emit(write(systems[0]))
+
+
+def _file_names(names: Iterable[str]) -> list[str]:
+    """A file's name for each system: what is no letter, digit, dot or dash is an underscore."""
+    found: list[str] = []
+    for name in names:
+        first = re.sub(r"[^\w.-]+", "_", name).strip("._") or "system"
+        file, number = first, 1
+        while file in found:
+            number += 1
+            file = f"{first}_{number}"
+        found.append(file)
+    return found
