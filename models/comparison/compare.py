@@ -110,6 +110,11 @@ def _rates(model: ComponentModel, names: Names) -> list[Item]:
         hz = "?" if rate.hz is None else f"{rate.hz:g} Hz"
         attributes = (("rate", hz), ("from", rate.hz_from_param), ("when", _text(rate.guard)))
         found.append(Item((rate.mechanism, sent), sent, f"{rate.mechanism} sends {sent}", attributes, rate.at))
+    for once in model.behavior.one_shot:
+        sent = names.get(once.output, once.output)
+        delay = "?" if once.after is None else f"{once.after:g} s"
+        attributes = (("after", delay), ("from", once.after_from_param), ("when", _text(once.guard)))
+        found.append(Item(("once", sent), sent, f"once sends {sent}", attributes, once.at))
     return found
 
 

@@ -8,7 +8,7 @@ import pytest
 from systems import at, node, port, small, system
 
 from rosarch.models import formula
-from rosarch.models.behavior import NOTHING, Periodic, Reactive, StateVariable, Transition
+from rosarch.models.behavior import NOTHING, OneShot, Periodic, Reactive, StateVariable, Transition
 from rosarch.models.comparison import Change, Snapshot, compare
 from rosarch.models.component import ComponentModel, Parameter, Port
 from rosarch.models.findings import Check, Evidence, Finding
@@ -111,6 +111,14 @@ def test_behavior_is_told_with_the_new_names_of_ports() -> None:
         "changed rate timer sends out2: rate 10 Hz -> 12.5 Hz",
         "changed reaction in sends out2: always yes -> None, when None -> ready_",
     ]
+
+
+def test_timers_that_fire_once() -> None:
+    def model(after: float) -> ComponentModel:
+        once = OneShot(after, None, "p1", (at("n.cpp", 3),), True, at("n.cpp", 2), formula.TRUE)
+        return component(made_port("out"), behavior=replace(NOTHING, one_shot=(once,)))
+
+    assert told(model(5), model(0.5)) == ["changed rate once sends out: after 5 s -> 0.5 s"]
 
 
 def test_states_and_transitions() -> None:
