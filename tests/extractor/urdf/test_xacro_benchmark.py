@@ -23,7 +23,7 @@ RESULT = '<robot>\n  <link name="${size}"/>\n</robot>\n\n'
 def test_every_kind_of_difference_is_listed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "a.xacro").write_text('<robot xmlns:xacro="x"><xacro:arg name="size" default="1"/><link name="$(arg size)"/></robot>')
     (tmp_path / "b.xacro").write_text("<robot><xacro:none/></robot>")
-    text = BANNER.format(path=tmp_path / "a.xacro") + RESULT
+    text = BANNER.format(path=str(tmp_path / "a.xacro")) + RESULT
     records = [
         {"file": "a.xacro", "text": text.replace("${size}", "1")},
         {"file": "a.xacro", "arguments": ["size:=2"], "text": text.replace("${size}", "2")},
@@ -41,6 +41,6 @@ def test_every_kind_of_difference_is_listed(tmp_path: Path, monkeypatch: pytest.
     assert differences == [
         "a.xacro: line 7 of the output is '  <link name=\"3\"/>', rosarch has '  <link name=\"1\"/>'",
         "a.xacro: xacro: 'something', rosarch: no refusal",
-        f"b.xacro: xacro accepts it, rosarch refuses: {tmp_path}/b.xacro:1:9: broken XML: unbound prefix",
+        f"b.xacro: xacro accepts it, rosarch refuses: {tmp_path}/b.xacro:1:8: broken XML: unbound prefix",
     ]
     assert summary.startswith(f"{tmp_path.name}: 2 of 4 files that xacro accepts are equal, 1 of 2 that it refuses are refused, ")
