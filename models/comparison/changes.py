@@ -9,6 +9,7 @@ from difflib import SequenceMatcher
 
 from rosarch.models.places import Place
 
+MOST_ALIKE = 50
 HOW = ("lost", "gained", "renamed", "changed")
 
 
@@ -79,20 +80,22 @@ def _matched(old: Sequence[Item], new: Sequence[Item], same: Callable[[Item], Ha
 
 
 def _alike(old: list[Item], new: list[Item]) -> tuple[list[Pair], list[Item], list[Item]]:
-    """Renamed items; of several that are alike, those with the most similar names."""
-    candidates = [
-        (-SequenceMatcher(None, first.name, second.name).ratio(), index, other)
-        for index, first in enumerate(old)
-        for other, second in enumerate(new)
-        if first.likeness is not None and first.likeness == second.likeness
-    ]
+    """Renamed items; of several that are alike, those with the most similar names. Of very many, none can be told from the others."""
+    likely: dict[Hashable, tuple[list[int], list[int]]] = defaultdict(lambda: ([], []))
+    for side, items in enumerate((old, new)):
+        for index, item in enumerate(items):
+            if item.likeness is not None:
+                likely[item.likeness][side].append(index)
     partners: dict[int, int] = {}
-    for _, index, other in sorted(candidates):
-        if index not in partners and other not in partners.values():
-            partners[index] = other
-    pairs = [(old[index], new[other]) for index, other in sorted(partners.items())]
-    taken = set(partners.values())
-    return pairs, [o for i, o in enumerate(old) if i not in partners], [n for i, n in enumerate(new) if i not in taken]
+    taken: set[int] = set()
+    for before, after in likely.values():
+        pairs = [(first, second) for first in before for second in after] if max(len(before), len(after)) <= MOST_ALIKE else []
+        for _, index, other in sorted((-SequenceMatcher(None, old[i].name, new[o].name).ratio(), i, o) for i, o in pairs):
+            if index not in partners and other not in taken:
+                partners[index] = other
+                taken.add(other)
+    renamed = [(old[index], new[other]) for index, other in sorted(partners.items())]
+    return renamed, [o for i, o in enumerate(old) if i not in partners], [n for i, n in enumerate(new) if i not in taken]
 
 
 def differences(subject: str, where: str, old: Iterable[Item], new: Iterable[Item]) -> Iterator[Change]:

@@ -87,6 +87,12 @@ def test_ports(old: list[Port], new: list[Port], expected: list[str]) -> None:
     assert told(component(*old), component(*new)) == expected
 
 
+@pytest.mark.parametrize(("size", "how"), [(50, {"renamed"}), (2000, {"lost", "gained"})])
+def test_many_ports_of_one_type(size: int, how: set[str]) -> None:
+    old, new = ([made_port(f"{letter}{number}") for number in range(size)] for letter in "ab")
+    assert {change.how for change in compare(Snapshot((component(*old),)), Snapshot((component(*new),)))} == how
+
+
 def test_parameters() -> None:
     old = Parameter("~rate", "read", "double", "10.0", at("n.cpp", 1))
     assert told(component(params=(old,)), component(params=(replace(old, default="20.0"),))) == [
