@@ -44,7 +44,7 @@ def test_models_in_files(rosarch: Callable, workspace: Path, tmp_path: Path) -> 
     assert text.endswith("}\n")
     assert list(json.loads(text)) == [
         "system", "component", "package", "kind", "node_name", "sources", "ports", "params",
-        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred",
+        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot",
     ]  # fmt: skip
 
 

@@ -60,5 +60,5 @@ def test_behavior_as_json(rosarch: Callable, workspace: Path) -> None:
     (model,) = json.loads(rosarch("show", "behavior", "ws", "--format", "json").out)
     assert list(model) == [
         "system", "component", "package", "kind", "node_name", "ports",
-        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred",
+        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot",
     ]  # fmt: skip
