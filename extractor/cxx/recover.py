@@ -31,6 +31,7 @@ _KEYWORDS = frozenset(
 )
 _NUMBER = re.compile(r"[-+]?(\d+|\d*\.\d+|\d+\.\d*)([eE][-+]?\d+)?[fFuUlL]*")
 _NAME = re.compile(r"&?\s*(?:\w+\s*(?:\.|->|::)\s*)*\w+")
+_NEW = re.compile(rb"\bnew\s+$")
 _TARGET = re.compile(rb"(?<![\w.>=!<+*/|&^%-])(\w+)\s*=\s*$")
 _STRINGS = re.compile(r"(?:\"(?:\\.|[^\"\\])*\"\s*)+")
 
@@ -40,6 +41,8 @@ class _Names:
     """The unit's declared entities by unqualified name."""
 
     functions: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
+    constructors: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
+    classes: dict[str, str] = field(default_factory=dict)
     locals: dict[tuple[str, str], str] = field(default_factory=dict)
     fields: dict[tuple[str, str], str] = field(default_factory=dict)
     fields_by_name: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
@@ -95,8 +98,12 @@ def hide(data: bytes) -> bytes:
 def _names(unit: UnitFacts) -> _Names:
     names = _Names()
     callable_kinds = {str(function) for function, kind in unit.rows["function"] if kind in ("function", "method", "static_method")}
+    constructors = {str(function) for function, kind in unit.rows["function"] if kind == "constructor"}
+    names.classes = {str(function): str(owner) for function, owner in unit.rows["function_class"] if function in constructors}
     for function, name in sorted(unit.rows["function_name"]):
-        if function in callable_kinds:
+        if function in constructors:
+            names.constructors[str(name).rpartition("::")[2]].append((names.classes.get(str(function), ""), str(function)))
+        elif function in callable_kinds:
             names.functions[str(name).rpartition("::")[2]].append((str(name), str(function)))
     owners = {str(variable): str(owner) for variable, owner in unit.rows["field_class"]}
     functions = {str(variable): str(function) for variable, function in unit.rows["variable_function"]}
@@ -120,6 +127,12 @@ def _name_unknowns(unit: UnitFacts, names: _Names) -> None:
         if _NAME.fullmatch(text):
             for function in _functions_named(names, text):
                 unit.add("function_use", expr, function)
+
+
+def _constructors_named(names: _Names, text: str) -> list[str]:
+    """The constructors of the class that `text` may name."""
+    short = text.rpartition("::")[2]
+    return [function for owner, function in names.constructors.get(short, ()) if owner == text or owner.endswith(f"::{text}")]
 
 
 def _functions_named(names: _Names, text: str) -> list[str]:
@@ -237,8 +250,9 @@ def _recover_call(reader: _Reader, match: re.Match[bytes]) -> str | None:
     unit, holder, text = reader.unit, reader.holder, reader.hidden
     name = match.group("name").decode()
     receiver = match.group("receiver")
-    functions = [] if receiver else _functions_named(reader.names, name)
-    if not receiver and not functions and "::" in name:  # declared by a header that brings no rows of its own
+    made = not receiver and _NEW.search(text, max(0, match.start("name") - 20), match.start("name"))
+    functions = [] if receiver else _constructors_named(reader.names, name) if made else _functions_named(reader.names, name)
+    if not receiver and not functions and not made and "::" in name:  # declared by a header that brings no rows of its own
         functions = [name]
         unit.add("function", name, "function")
         unit.add("function_name", name, name)
@@ -255,17 +269,31 @@ def _recover_call(reader: _Reader, match: re.Match[bytes]) -> str | None:
     unit.add("expr_text", call, holder.file.text(begin, close + 1)[:500])
     for function in functions:
         unit.add("call_function", call, function)
+        if made:
+            unit.add("call_constructs", call, reader.names.classes[function])
     if receiver:
         unit.add("call_receiver", call, reader.expression(match.start("receiver"), match.end("receiver")))
     for index, (start, stop) in enumerate(split(text[match.end() : close], b",")):
         if text[match.end() + start : match.end() + stop].strip():
             unit.add("call_argument", call, index, reader.expression(match.end() + start, match.end() + stop))
     _recover_target(reader, call, begin)
-    if match.group("types"):
-        inner = match.group("types")[1:-1]
-        for index, (start, stop) in enumerate(split(inner.replace(b"<", b"(").replace(b">", b")"), b",")):
-            unit.add("call_template_argument", call, index, declare_unknown_type(unit, inner[start:stop].decode()))
+    _recover_types(reader, call, (match.group("types") or b"")[1:-1], [reader.names.classes[function] for function in functions if made])
     return call
+
+
+def _recover_types(reader: _Reader, call: str, written: bytes, classes: list[str]) -> None:
+    """Template arguments: those of the call, or those of the class of which it makes an instance."""
+    unit = reader.unit
+    parts = split(written.replace(b"<", b"(").replace(b">", b")"), b",") if written else ()
+    arguments = [declare_unknown_type(unit, written[start:stop].decode()) for start, stop in parts]
+    for index, argument in enumerate(arguments):
+        unit.add("call_template_argument", call, index, argument)
+    for owner in sorted(set(classes)):
+        instance = f"?{owner}<{', '.join(arguments)}>"
+        unit.add("expr_type", call, instance)
+        unit.add("type_class", instance, owner)
+        for index, argument in enumerate(arguments):
+            unit.add("type_argument", instance, index, argument)
 
 
 def _recover_target(reader: _Reader, call: str, begin: int) -> None:
