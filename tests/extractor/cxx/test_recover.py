@@ -50,6 +50,14 @@ def test_places_and_owner(facts_of) -> None:
     assert dict(facts["expr_text"])[call] == "pub_.publish(undeclared)"
 
 
+def test_an_object_made_in_a_dropped_statement(facts_of) -> None:
+    facts = facts_of("template <class T> struct Sub { explicit Sub(int); };\nvoid f() { consume(undeclared, new Sub<unk::T>(1)); }\n")
+    call = facts.call("Sub")
+    assert facts.one("call_constructs", call) == "Sub"
+    assert facts.one("function_name", facts.one("call_function", call)) == "Sub::Sub"
+    assert facts.all("type_argument", facts.one("expr_type", call)) == [(0, "?unk::T")]
+
+
 def test_template_arguments_of_a_dropped_call(facts_of) -> None:
     facts = method(facts_of, 'auto p = arg.advertise<unk::T>("topic", 10);')
     call = facts.call("advertise")
