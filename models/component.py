@@ -21,7 +21,10 @@ Relations = Mapping[str, Iterable[Row]]
 
 @dataclass(frozen=True)
 class Port:
-    """A place where a component meets others; the fields are those of `FORMAT.md`. `unknown` tells why a name is not known."""
+    """A place where a component meets others; the fields are those of `FORMAT.md`.
+
+    `unknown` tells why a name is not known, `in_namespace` that it begins with the namespace of the node though it looks absolute.
+    """
 
     id: str
     kind: str
@@ -36,6 +39,7 @@ class Port:
     implicit: bool = False
     unknown: str | None = None
     guard: Formula = formula.TRUE
+    in_namespace: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,7 +63,11 @@ class Plugin:
 
 @dataclass(frozen=True)
 class ComponentModel:
-    """One component; `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the plug-ins that it loads."""
+    """One component.
+
+    `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads, and
+    `loads_any` the base classes of those whose names are not known.
+    """
 
     system: str
     component: str
@@ -73,6 +81,7 @@ class ComponentModel:
     plugin: Plugin | None = None
     reconfigurable: tuple[Parameter, ...] = ()
     loads: tuple[str, ...] = ()
+    loads_any: tuple[str, ...] = ()
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
@@ -96,6 +105,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         plugins[0] if plugins else None,
         _reconfigurable(relations, places),
         tuple(sorted({name for _, name in relations["plugin_load"]})),
+        tuple(sorted({base for _, base in relations["plugin_load_any"]})),
     )
 
 
@@ -109,6 +119,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
+    relative = {port for (port,) in relations["port_in_namespace"]}
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
@@ -137,6 +148,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
                     False,
                     unknown.get(port),
                     guards.created(site, calls[port]),
+                    port in relative,
                 ),
             )
         )
@@ -200,6 +212,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         **_behavior_json(model.behavior),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
+        **({"loads_any": list(model.loads_any)} if model.loads_any else {}),
     }
 
 
@@ -251,6 +264,8 @@ def _port_json(port: Port) -> dict[str, Any]:
         data["implicit"] = True
     if port.unknown:
         data["unknown"] = port.unknown
+    if port.in_namespace:
+        data["in_namespace"] = True
     return data
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import gc
 import os
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.facts import launch_rows, started
 from rosarch.extractor.launch.model import Composition
@@ -15,7 +15,7 @@ from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.library import Library, LibraryComponent, load
-from rosarch.models.analysis import COMPONENT_TIMEOUT, analyze
+from rosarch.models.analysis import COMPONENT_TIMEOUT, Analysis, analyze
 from rosarch.models.component import ComponentModel
 from rosarch.models.findings import Finding
 from rosarch.models.places import Place
@@ -71,28 +71,26 @@ def analyze_systems(
 
     rules = system_rules()
     needed = _Needed(launches)
-    packages = _packages_below(root, needed.packages)
+    diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
+    options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache}
+
+    def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool]) -> Analysis:
+        found = analyze(root, packages, engine=engine, progress=progress, only=only, **options)
+        diagnostics.extend(found.diagnostics)
+        return found
+
     models: tuple[ComponentModel, ...] = ()
     programs: frozenset[tuple[str, str]] = frozenset()
-    diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
+    packages = _packages_below(root, needed.packages)
     if packages:
-        found = analyze(
-            root,
-            packages,
-            engine=engine,
-            jobs=jobs,
-            timeout=timeout,
-            defines=defines,
-            cache=cache,
-            progress=progress,
-            only=needed.is_needed,
-        )
+        found = analyzed(packages, needed.is_needed)
         models, programs = found.models, found.programs
-        diagnostics += found.diagnostics
+    if any(model.loads or model.loads_any for model in models):
+        models += analyzed(None, lambda component: is_loaded(component, models) and not needed.is_needed(component)).models
     known = load(library)
     diagnostics += known.problems
     around = workspace_rows(root, [launch.composition for launch in launches], programs, known)
-    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(known)), around]
+    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(known, models)), around]
 
     def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
         gc.disable()
@@ -134,11 +132,18 @@ class _Needed:
         """Whether a node is started from this executable, or with an argument that names this class."""
         return (component.package, component.name) in self.executables or component.plugin_name in self.words
 
-    def of(self, library: Library) -> list[LibraryComponent]:
-        """The components of the library that are started."""
+    def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
+        """The components of the library that are started, and those that these load, unless they are among `models`."""
+        own = {(model.package, model.plugin.name if model.plugin else model.component) for model in models}
         found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
         found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
-        return [part for component in found if component is not None for part in library.with_loaded(component)]
+        started = [component for component in found if component is not None and (component.package, component.component) not in own]
+        return [part for component in started for part in library.with_loaded(component)]
+
+
+def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:
+    """Whether one of `models` loads this plug-in, by its name or because it takes all that are derived from a class."""
+    return any(component.plugin_name in model.loads or component.base_class in model.loads_any for model in models)
 
 
 def _packages_below(root: Path, names: Collection[str]) -> list[str]:

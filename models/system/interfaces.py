@@ -42,7 +42,7 @@ class _Writer:
 
 _PORT = {
     "type": "type", "queue": "queue", "from_param": "parameter", "conditional": "conditional", "callback": "callback",
-    "latched": "latched", "implicit": "implicit",
+    "latched": "latched", "implicit": "implicit", "in_namespace": "in_namespace",
 }  # fmt: skip
 _LIBRARY_PORT = {**_PORT, "from_arg": "argument", "param_pattern": "pattern", "suffix": "suffix", "rest": "rest"}
 
@@ -56,6 +56,8 @@ def model_rows(model: ComponentModel) -> Rows:
         writer.add("interface_base", component, model.plugin.base)
     for name in model.loads:
         writer.add("interface_loads", component, name)
+    for base in model.loads_any:
+        writer.add("interface_loads_any", component, base)
     for port in document["ports"]:
         key = f"{component}#{port['id']}"
         writer.add("interface_port", component, key, port["kind"], port["name"])
