@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.facts import launch_rows, started
+from rosarch.extractor.launch.facts import launch_rows, library_name, started
 from rosarch.extractor.launch.model import Composition
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
@@ -124,6 +124,9 @@ class _Needed:
     def __init__(self, launches: Sequence[Launch]) -> None:
         asked = [item for launch in launches for item in started(launch.composition)]
         self.executables = {(package, type_) for package, type_, _ in asked}
+        worlds = [plugin for launch in launches for world in launch.composition.worlds for plugin in world.plugins]
+        robots = [plugin for launch in launches for setting in launch.composition.params for plugin in setting.plugins]
+        self.plugins = {library_name(plugin.filename) for plugin in (*worlds, *robots)}
         self.words = {word for _, _, words in asked for word in words}
         self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
         self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}
@@ -137,6 +140,7 @@ class _Needed:
         own = {(model.package, model.plugin.name if model.plugin else model.component) for model in models}
         found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
         found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
+        found += [library.find(None, file) for file in sorted(self.plugins)]
         started = [component for component in found if component is not None and (component.package, component.component) not in own]
         return [part for component in started for part in library.with_loaded(component)]
 

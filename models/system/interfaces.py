@@ -95,6 +95,8 @@ def library_rows(found: LibraryComponent) -> Rows:
     for element, default in found.elements.items():
         if default is not None:
             writer.add("interface_element", component, element, default)
+    if found.namespace_element:
+        writer.add("interface_namespace_element", component, found.namespace_element)
     for number, port in enumerate(found.ports, 1):
         key = f"{component}#p{number}"
         writer.add("interface_port", component, key, port.kind, port.name or "?")
