@@ -51,7 +51,21 @@ class SystemAnalysis:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def analyze_systems(
+@dataclass(frozen=True)
+class Surrounding:
+    """What all launches of a workspace share: the rows about components and files, the models, and what was not understood."""
+
+    root: Path
+    interfaces: tuple[Rows, ...]
+    models: tuple[ComponentModel, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+    def rows(self, launch: Launch) -> dict[str, set[tuple[Any, ...]]]:
+        """The facts about one system."""
+        return merged([launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages), *self.interfaces])
+
+
+def surrounding(
     root: Path,
     launches: Sequence[Launch],
     *,
@@ -62,14 +76,8 @@ def analyze_systems(
     defines: Mapping[str, str] | None = None,
     cache: Cache | None = None,
     progress: Progress | None = None,
-) -> SystemAnalysis:
-    """Compose the nodes that `launches` start from their components, and check each system.
-
-    The components are those below `root`, and of others those of the library, which is looked for in `library` first.
-    """
-    from rosarch.extractor.workspace import Diagnostic
-
-    rules = system_rules()
+) -> Surrounding:
+    """Analyse the components that `launches` start: those below `root`, and of others those of the library, looked for in `library` first."""
     needed = _Needed(launches)
     diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
     options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache}
@@ -90,14 +98,45 @@ def analyze_systems(
     known = load(library)
     diagnostics += known.problems
     around = workspace_rows(root, [launch.composition for launch in launches], programs, known)
-    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(known, models)), around]
+    interfaces = (*map(model_rows, models), *map(library_rows, needed.of(known, models)), around)
+    return Surrounding(root, interfaces, models, tuple(dict.fromkeys(diagnostics)))
+
+
+def analyze_systems(
+    root: Path,
+    launches: Sequence[Launch],
+    *,
+    library: Sequence[Path] = (),
+    engine: str = "embedded",
+    jobs: int | None = None,
+    timeout: float = 60.0,
+    defines: Mapping[str, str] | None = None,
+    cache: Cache | None = None,
+    progress: Progress | None = None,
+) -> SystemAnalysis:
+    """Compose the nodes that `launches` start from their components, and check each system. See `surrounding` for the components."""
+    from rosarch.extractor.workspace import Diagnostic
+
+    rules = system_rules()
+    shared = surrounding(
+        root,
+        launches,
+        library=library,
+        engine=engine,
+        jobs=jobs,
+        timeout=timeout,
+        defines=defines,
+        cache=cache,
+        progress=progress,
+    )
 
     def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
         gc.disable()
-        return _system(rules, launch, root, interfaces, engine)
+        return _system(rules, launch, shared.rows(launch), engine)
 
     systems: list[SystemModel] = []
     raised: list[Finding] = []
+    diagnostics = list(shared.diagnostics)
     for done, (index, outcome) in enumerate(run_tasks(work, launches, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT)):
         if isinstance(outcome, Failure):
             detail = f"{launches[index].name} not composed: {outcome.reason} ({outcome.detail})"
@@ -108,11 +147,10 @@ def analyze_systems(
         if progress:
             progress("systems", done + 1, len(launches))
     systems.sort(key=lambda system: system.name)
-    return SystemAnalysis(tuple(systems), _together(raised), models, tuple(dict.fromkeys(diagnostics)))
+    return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
 
 
-def _system(rules: SystemRules, launch: Launch, root: Path, interfaces: Sequence[Rows], engine: str) -> tuple[SystemModel, list[Finding]]:
-    rows = merged([launch_rows(launch.composition, root), script_rows(launch.composition, launch.packages), *interfaces])
+def _system(rules: SystemRules, launch: Launch, rows: Rows, engine: str) -> tuple[SystemModel, list[Finding]]:
     result = evaluate(rules, rows, engine)
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
     return system_model(launch.name, launch.words, rows, result), findings(rules.checks, result, places, launch.name)
