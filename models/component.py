@@ -12,6 +12,7 @@ from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards
+from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
 
@@ -245,7 +246,7 @@ def _behavior_json(behavior: Behavior) -> dict[str, Any]:
 
 
 def _guard_json(key: str, guard: Formula) -> dict[str, Any]:
-    return {key: formula.text(guard), f"{key}_tree": formula.tree(guard)}
+    return {key: formula.text(guard), f"{key}_normal": normal_text(guard), f"{key}_tree": formula.tree(guard)}
 
 
 def _variable_json(variable: StateVariable) -> dict[str, Any]:
