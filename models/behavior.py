@@ -115,7 +115,7 @@ def build_behavior(
     relations: Relations, places: Mapping[str, Place], guards: Guards, ports: PortIds, callbacks: Iterable[tuple[Any, str]]
 ) -> Behavior:
     """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
-    names = {row[0]: _variable_name(row[1], row[2], row[3]) for row in sorted(relations["variable_display"])}
+    names = variable_names(relations)
     return Behavior(
         _periodic(relations, places, ports, guards),
         _reactive(relations, places, ports, guards, callbacks),
@@ -211,6 +211,11 @@ def _deferred(relations: Relations, ports: PortIds, names: Mapping[str, str]) ->
 
 def _number(port: str) -> int:
     return int(port[1:])
+
+
+def variable_names(relations: Relations) -> dict[str, str]:
+    """What models call the variables of a component."""
+    return {row[0]: _variable_name(row[1], row[2], row[3]) for row in sorted(relations["variable_display"])}
 
 
 def _variable_name(scope: str, owner: str, name: str) -> str:

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rosarch.models import formula
-from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior
+from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards
-from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
+from rosarch.models.traits import Trait, traits
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
@@ -22,10 +22,7 @@ Relations = Mapping[str, Iterable[Row]]
 
 @dataclass(frozen=True)
 class Port:
-    """A place where a component meets others; the fields are those of `FORMAT.md`.
-
-    `unknown` tells why a name is not known, `in_namespace` that it begins with the namespace of the node though it looks absolute.
-    """
+    """A place where a component meets others; the fields are those of `FORMAT.md`. `unknown` tells why a name is not known."""
 
     id: str
     kind: str
@@ -40,7 +37,6 @@ class Port:
     implicit: bool = False
     unknown: str | None = None
     guard: Formula = formula.TRUE
-    in_namespace: bool = False
 
 
 @dataclass(frozen=True)
@@ -66,8 +62,8 @@ class Plugin:
 class ComponentModel:
     """One component.
 
-    `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads, and
-    `loads_any` the base classes of those whose names are not known.
+    `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the plug-ins that it loads, `traits` what only
+    matters in a system.
     """
 
     system: str
@@ -82,7 +78,7 @@ class ComponentModel:
     plugin: Plugin | None = None
     reconfigurable: tuple[Parameter, ...] = ()
     loads: tuple[str, ...] = ()
-    loads_any: tuple[str, ...] = ()
+    traits: tuple[Trait, ...] = ()
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
@@ -106,7 +102,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         plugins[0] if plugins else None,
         _reconfigurable(relations, places),
         tuple(sorted({name for _, name in relations["plugin_load"]})),
-        tuple(sorted({base for _, base in relations["plugin_load_any"]})),
+        traits(relations, ids, places, variable_names(relations)),
     )
 
 
@@ -120,7 +116,6 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
-    relative = {port for (port,) in relations["port_in_namespace"]}
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
@@ -149,7 +144,6 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
                     False,
                     unknown.get(port),
                     guards.created(site, calls[port]),
-                    port in relative,
                 ),
             )
         )
@@ -213,7 +207,6 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         **_behavior_json(model.behavior),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
-        **({"loads_any": list(model.loads_any)} if model.loads_any else {}),
     }
 
 
@@ -246,7 +239,7 @@ def _behavior_json(behavior: Behavior) -> dict[str, Any]:
 
 
 def _guard_json(key: str, guard: Formula) -> dict[str, Any]:
-    return {key: formula.text(guard), f"{key}_normal": normal_text(guard), f"{key}_tree": formula.tree(guard)}
+    return {key: formula.text(guard), f"{key}_tree": formula.tree(guard)}
 
 
 def _variable_json(variable: StateVariable) -> dict[str, Any]:
@@ -265,8 +258,6 @@ def _port_json(port: Port) -> dict[str, Any]:
         data["implicit"] = True
     if port.unknown:
         data["unknown"] = port.unknown
-    if port.in_namespace:
-        data["in_namespace"] = True
     return data
 
 

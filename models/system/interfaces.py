@@ -9,6 +9,7 @@ from typing import Any
 
 from rosarch.library import LibraryComponent
 from rosarch.models.component import ComponentModel, to_json
+from rosarch.models.traits import TRAITS
 
 Rows = dict[str, set[tuple[Any, ...]]]
 _PLACE = re.compile(r"(.*):(\d+)")
@@ -23,12 +24,19 @@ class _Writer:
     def add(self, relation: str, *row: Any) -> None:
         self.rows.setdefault(relation, set()).add(row)
 
+    def placed(self, text: str) -> str:
+        """The key of a place, "" when the text does not tell one."""
+        match = _PLACE.fullmatch(text)
+        if match is None:
+            return ""
+        self.add("place", f"{text}:1", match[1], int(match[2]), 1)
+        return f"{text}:1"
+
     def place(self, relation: str, key: str, text: str | None) -> None:
         """Where a thing is, when that is known."""
-        match = _PLACE.fullmatch(text or "")
-        if match is not None:
-            self.add("place", f"{text}:1", match[1], int(match[2]), 1)
-            self.add(relation, key, f"{text}:1")
+        place = self.placed(text or "")
+        if place:
+            self.add(relation, key, place)
 
     def attributes(self, prefix: str, key: str, source: Mapping[str, Any], fields: Mapping[str, str]) -> None:
         """A row for each field that is given; one that is true has no value."""
@@ -42,7 +50,7 @@ class _Writer:
 
 _PORT = {
     "type": "type", "queue": "queue", "from_param": "parameter", "conditional": "conditional", "callback": "callback",
-    "latched": "latched", "implicit": "implicit", "in_namespace": "in_namespace",
+    "latched": "latched", "implicit": "implicit",
 }  # fmt: skip
 _LIBRARY_PORT = {**_PORT, "from_arg": "argument", "param_pattern": "pattern", "suffix": "suffix", "rest": "rest"}
 
@@ -56,8 +64,6 @@ def model_rows(model: ComponentModel) -> Rows:
         writer.add("interface_base", component, model.plugin.base)
     for name in model.loads:
         writer.add("interface_loads", component, name)
-    for base in model.loads_any:
-        writer.add("interface_loads_any", component, base)
     for port in document["ports"]:
         key = f"{component}#{port['id']}"
         writer.add("interface_port", component, key, port["kind"], port["name"])
@@ -75,7 +81,16 @@ def model_rows(model: ComponentModel) -> Rows:
         for port in loop["publishes"]:
             hz = loop["hz"] if isinstance(loop["hz"], (int, float)) else 0
             writer.add("interface_periodic", f"{component}#{port}", float(hz), loop["hz_from_param"] or "")
+    for timed in model.behavior.periodic:
+        writer.add("interface_loop", component, writer.placed(str(timed.at)), timed.hz or 0.0, timed.hz_from_param or "")
+    for trait in model.traits:
+        values = zip(TRAITS[trait.name], trait.values, strict=True)
+        writer.add(f"interface_{trait.name}", component, *(_trait_value(writer, component, kind, value) for kind, value in values))
     return writer.rows
+
+
+def _trait_value(writer: _Writer, component: str, kind: str, value: str) -> str:
+    return f"{component}#{value}" if kind == "port" else writer.placed(value) if kind == "place" else value
 
 
 def library_rows(found: LibraryComponent) -> Rows:
@@ -95,8 +110,6 @@ def library_rows(found: LibraryComponent) -> Rows:
     for element, default in found.elements.items():
         if default is not None:
             writer.add("interface_element", component, element, default)
-    if found.namespace_element:
-        writer.add("interface_namespace_element", component, found.namespace_element)
     for number, port in enumerate(found.ports, 1):
         key = f"{component}#p{number}"
         writer.add("interface_port", component, key, port.kind, port.name or "?")

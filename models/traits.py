@@ -1,0 +1,43 @@
+"""What rules say of a component for the sake of the systems that it becomes part of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from rosarch.models.places import Place
+
+# relations of components and what their columns are; of systems they are called `interface_...` and begin with the component
+TRAITS = {
+    "sent_at_start": ("port", "place"),
+    "sent_in_a_row": ("port", "place"),
+    "serves_callbacks": ("place",),
+    "awaits": ("port", "port", "variable"),
+    "never_is": ("place", "variable", "text"),
+    "changed_at_once": ("variable", "place", "place"),
+    "call_blocks": ("port", "port", "place"),
+    "names_nothing": ("place", "text", "port"),
+}
+
+
+@dataclass(frozen=True, order=True)
+class Trait:
+    """A row of the relation `name`: ids of ports, places, names of variables, texts."""
+
+    name: str
+    values: tuple[str, ...]
+
+
+def traits(
+    relations: Mapping[str, Iterable[tuple[Any, ...]]], ports: Mapping[Any, str], places: Mapping[str, Place], variables: Mapping[str, str]
+) -> tuple[Trait, ...]:
+    """The traits of a component; rows about things that its model does not have are left out."""
+    known: dict[str, Mapping[Any, Any]] = {"port": ports, "place": places, "variable": variables}
+    found = set()
+    for name, kinds in TRAITS.items():
+        for row in relations.get(name, ()):
+            values = [known[kind].get(value) if kind in known else value for kind, value in zip(kinds, row, strict=True)]
+            if None not in values:
+                found.add(Trait(name, tuple(map(str, values))))
+    return tuple(sorted(found))

@@ -1,0 +1,45 @@
+"""What components are told to be for the sake of systems: each `traits/*.cpp` says in `// expect:` comments all of it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from rosarch.models.analysis import analyze
+from rosarch.models.component import ComponentModel
+from rosarch.models.traits import TRAITS
+
+HERE = Path(__file__).parent / "traits"
+NODES = sorted(HERE.glob("*.cpp"))
+
+CMAKE = """cmake_minimum_required(VERSION 2.8.3)
+project(node)
+find_package(catkin REQUIRED COMPONENTS roscpp std_msgs std_srvs)
+catkin_package()
+add_executable(node node.cpp)
+"""
+PACKAGE = """<package><name>node</name><version>0.0.0</version><description>d</description>
+<maintainer email="a@b.c">m</maintainer><license>l</license><buildtool_depend>catkin</buildtool_depend></package>
+"""
+
+
+def lines(model: ComponentModel) -> list[str]:
+    """The traits, one line each: ports by name, places by line."""
+    ports = {port.id: port.name for port in model.ports}
+
+    def shown(kind: str, value: str) -> str:
+        return ports[value] if kind == "port" else value.rpartition(":")[2] if kind == "place" else value
+
+    return sorted(" ".join([t.name, *map(shown, TRAITS[t.name], t.values)]) for t in model.traits)
+
+
+@pytest.mark.parametrize("node", NODES, ids=lambda node: node.stem)
+def test_traits_are_as_expected(node: Path, tmp_path: Path) -> None:
+    source = node.read_text(encoding="utf-8")
+    for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (model,) = analyze(tmp_path, jobs=1).models
+    assert lines(model) == sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
+    assert ("// expect:" in source) != node.stem.endswith("_not")
