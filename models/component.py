@@ -12,6 +12,7 @@ from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards
+from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
 from rosarch.models.traits import Trait, traits
@@ -22,7 +23,10 @@ Relations = Mapping[str, Iterable[Row]]
 
 @dataclass(frozen=True)
 class Port:
-    """A place where a component meets others; the fields are those of `FORMAT.md`. `unknown` tells why a name is not known."""
+    """A place where a component meets others; the fields are those of `FORMAT.md`.
+
+    `unknown` tells why a name is not known, `in_namespace` that it begins with the namespace of the node though it looks absolute.
+    """
 
     id: str
     kind: str
@@ -37,6 +41,7 @@ class Port:
     implicit: bool = False
     unknown: str | None = None
     guard: Formula = formula.TRUE
+    in_namespace: bool = False
 
 
 @dataclass(frozen=True)
@@ -62,8 +67,8 @@ class Plugin:
 class ComponentModel:
     """One component.
 
-    `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the plug-ins that it loads, `traits` what only
-    matters in a system.
+    `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads,
+    `loads_any` the base classes of those whose names are not known, and `traits` what only matters in a system.
     """
 
     system: str
@@ -78,6 +83,7 @@ class ComponentModel:
     plugin: Plugin | None = None
     reconfigurable: tuple[Parameter, ...] = ()
     loads: tuple[str, ...] = ()
+    loads_any: tuple[str, ...] = ()
     traits: tuple[Trait, ...] = ()
 
 
@@ -102,6 +108,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         plugins[0] if plugins else None,
         _reconfigurable(relations, places),
         tuple(sorted({name for _, name in relations["plugin_load"]})),
+        tuple(sorted({base for _, base in relations["plugin_load_any"]})),
         traits(relations, ids, places, variable_names(relations)),
     )
 
@@ -116,6 +123,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
+    relative = {port for (port,) in relations["port_in_namespace"]}
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
@@ -144,6 +152,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
                     False,
                     unknown.get(port),
                     guards.created(site, calls[port]),
+                    port in relative,
                 ),
             )
         )
@@ -207,6 +216,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         **_behavior_json(model.behavior),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
+        **({"loads_any": list(model.loads_any)} if model.loads_any else {}),
     }
 
 
@@ -239,7 +249,7 @@ def _behavior_json(behavior: Behavior) -> dict[str, Any]:
 
 
 def _guard_json(key: str, guard: Formula) -> dict[str, Any]:
-    return {key: formula.text(guard), f"{key}_tree": formula.tree(guard)}
+    return {key: formula.text(guard), f"{key}_normal": normal_text(guard), f"{key}_tree": formula.tree(guard)}
 
 
 def _variable_json(variable: StateVariable) -> dict[str, Any]:
@@ -258,6 +268,8 @@ def _port_json(port: Port) -> dict[str, Any]:
         data["implicit"] = True
     if port.unknown:
         data["unknown"] = port.unknown
+    if port.in_namespace:
+        data["in_namespace"] = True
     return data
 
 

@@ -14,13 +14,15 @@ MOST_ALTERNATIVES = 24
 class Condition:
     """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text are equal.
 
-    A `stable` condition has one value as long as an activity runs: it cannot hold here and not there.
+    A `stable` condition has one value as long as an activity runs: it cannot hold here and not there. `meaning` is the text with local
+    variables replaced by what they stand for.
     """
 
     text: str
     holds: bool
     place: Place | None = field(default=None, compare=False)
     stable: bool = field(default=False, compare=False)
+    meaning: str | None = field(default=None, compare=False)
 
     @property
     def key(self) -> tuple[str, bool]:
@@ -44,9 +46,9 @@ TRUE = Formula(((),))
 FALSE = Formula(())
 
 
-def condition(text: str, holds: bool, place: Place | None = None, *, stable: bool = False) -> Formula:
+def condition(text: str, holds: bool, place: Place | None = None, *, stable: bool = False, meaning: str | None = None) -> Formula:
     """The formula of one condition."""
-    return Formula(((Condition(text, holds, place, stable),),))
+    return Formula(((Condition(text, holds, place, stable, meaning),),))
 
 
 def both(first: Formula, second: Formula) -> Formula:

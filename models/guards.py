@@ -6,7 +6,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from rosarch.models.formula import FALSE, TRUE, Formula, both, condition, either
+from rosarch.models.formula import FALSE, TRUE, Formula, both, condition, either, loosest
+from rosarch.models.normal import expanded
 from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
@@ -31,6 +32,9 @@ class Guards:
         self._silent = {row[0] for row in relations["silent_condition"]}
         self._loops = {row[0] for row in relations["loop_condition"]}
         self._stable = {row[0] for row in relations["stable_condition"]}
+        self._locals: dict[str, list[tuple[str, str]]] = defaultdict(list)
+        for node, name, value in sorted(relations["settled_local"]):
+            self._locals[node].append((name, value))
         self._cases: dict[str, list[str]] = defaultdict(list)
         for chooser, value in sorted(relations["switch_case"]):
             self._cases[chooser].append(value)
@@ -97,14 +101,20 @@ class Guards:
         if chooser in self._silent or text is None or sense not in ("true", "false", "case", "default"):
             return TRUE
         place = self._places.get(chooser)
+        meaning = expanded(chooser, self._texts, self._locals)
         if sense == "case":
-            return condition(f"{text} == {self._texts.get(value, '?')}", True, place)
+            return self._case(text, meaning, value, True, place)
         if sense == "default":
             formula = TRUE
             for label in self._cases[chooser]:
-                formula = both(formula, condition(f"{text} == {self._texts.get(label, '?')}", False, place))
+                formula = both(formula, self._case(text, meaning, label, False, place))
             return formula
-        return condition(text, sense == "true", place, stable=chooser in self._stable)
+        return condition(text, sense == "true", place, stable=chooser in self._stable, meaning=meaning)
+
+    def _case(self, text: str, meaning: str, label: str, holds: bool, place: Place | None) -> Formula:
+        value = self._texts.get(label, "?")
+        chosen = f"({meaning})" if loosest(meaning) else meaning
+        return condition(f"{text} == {value}", holds, place, meaning=f"{chosen} == {value}")
 
 
 def _function(block: str) -> str:

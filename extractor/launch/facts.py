@@ -8,7 +8,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.files import path_text
 
@@ -29,6 +29,9 @@ from .model import (
 from .names import canonical, global_namespace, ns_join
 from .record import plain
 from .values import Binary, automatic
+
+if TYPE_CHECKING:
+    from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 Rows = dict[str, set[tuple[Any, ...]]]
 _LONG = 4096  # characters of a value; a robot's description is no name of anything
@@ -64,6 +67,9 @@ class _Writer:
         for remap in composition.remaps:
             row = (self.place(remap.place), self.path(remap.place.path), canonical(remap.source), canonical(remap.target))
             self.add("remap_written", *row)
+        described = [plugin for setting in composition.params for plugin in setting.plugins]
+        for plugin in dict.fromkeys((*described, *(plugin for world in composition.worlds for plugin in world.plugins))):
+            self.plugin(plugin)
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
             subject = self.path(problem.subject) if problem.kind == "file" else problem.subject
@@ -117,6 +123,14 @@ class _Writer:
         if setting.source:
             self.add("param_source", setting.name, place, self.path(setting.source))
 
+    def plugin(self, plugin: SimulatorPlugin) -> None:
+        """A plug-in of a robot or a world; two of one place differ in their elements."""
+        place = self.place(plugin.place)
+        key = f"{place}:{plugin.name}:{plugin.reference or plugin.sensor or ''}"
+        self.add("simulated_plugin", key, library_name(plugin.filename), place)
+        for element, text in plugin.elements:
+            self.add("plugin_element", key, element, text)
+
     def declared(self, argument: ArgumentDeclared) -> None:
         """An argument that a launch file declares."""
         given = "value" if argument.value is not None else "default" if argument.default is not None else ""
@@ -163,6 +177,12 @@ def kind_and_text(value: Any) -> tuple[str, str]:
         return ("list" if isinstance(value, list) else "map"), json.dumps(plain(value))[:_LONG]
     text = str(value)
     return ("unknown" if _UNKNOWN.search(text) else "string"), text[:_LONG]
+
+
+def library_name(filename: str) -> str:
+    """The file of a plug-in's library: gazebo adds what is missing."""
+    name = os.path.basename(filename.strip())
+    return name if name.endswith(".so") else f"{name}.so"
 
 
 def started(composition: Composition) -> Iterator[tuple[str, str, tuple[str, ...]]]:

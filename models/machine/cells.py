@@ -318,14 +318,20 @@ def part_text(value: str, rest: str) -> str | None:
     return text if rest and re.fullmatch(r"[\w:.>\-]+(\(\))?", text) else None
 
 
+def condition_of(row: Mapping[str, Any], key: str) -> str | None:
+    """A row's condition: with local variables replaced by what they stand for, where the model has it so."""
+    text: str | None = row.get(f"{key}_normal") or row.get(key)
+    return text
+
+
 def _conditions(document: Document) -> Iterator[tuple[str, str]]:
     """All conditions, each with the class in whose member it stands, where that is known."""
     for row in document.get("transitions") or ():
-        if row.get("guard"):
-            yield _owner(str(row.get("variable") or "")), row["guard"]
+        if guard := condition_of(row, "guard"):
+            yield _owner(str(row.get("variable") or "")), guard
     for row in (*(document.get("reactive") or ()), *(document.get("one_shot") or ())):
-        if row.get("when"):
-            yield "", row["when"]
+        if when := condition_of(row, "when"):
+            yield "", when
     for row in document.get("periodic") or ():
-        if row.get("conditional"):
-            yield "", row["conditional"]
+        if conditional := condition_of(row, "conditional"):
+            yield "", conditional

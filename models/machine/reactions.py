@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from rosarch.models.machine.cells import Document, Domains, variable_and_field
+from rosarch.models.machine.cells import Document, Domains, condition_of, variable_and_field
 from rosarch.models.machine.logic import (
     TRUE,
     Formula,
@@ -88,22 +88,22 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
         variable, suffix = variable_and_field(row, names)
         owner = variable.rpartition("::")[0].rsplit("::", 1)[-1]
         assignments = meaning.assignments(variable, suffix, row.get("value"), owner)
-        step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(row.get("guard"), owner), tuple(assignments))
+        step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(condition_of(row, "guard"), owner), tuple(assignments))
         for trigger in _triggers(row, loops):
             found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("reactive") or ()):
-        guard = meaning.conjuncts(row.get("when"), "")
+        guard = meaning.conjuncts(condition_of(row, "when"), "")
         sometimes = not guard and row.get("must") is False
         step = Step(Row("reactive", index, _place(row)), guard, (), (str(row["output"]),), sometimes)
         for trigger in _list(row.get("input")):
             found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("periodic") or ()):
-        guard = meaning.conjuncts(row.get("conditional"), "")
+        guard = meaning.conjuncts(condition_of(row, "conditional"), "")
         if row.get("publishes"):
             step = Step(Row("periodic", index, _place(row)), guard, (), tuple(row["publishes"]))
             found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
-        step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(row.get("when"), ""), (), (str(row["output"]),))
+        step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
         found.setdefault("timer", []).append(step)
     return {trigger: sorted(steps, key=_order) for trigger, steps in found.items()}
 

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import gc
 import os
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.facts import launch_rows, started
+from rosarch.extractor.launch.facts import launch_rows, library_name, started
 from rosarch.extractor.launch.model import Composition
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.library import Library, LibraryComponent, load
-from rosarch.models.analysis import COMPONENT_TIMEOUT, analyze
+from rosarch.models.analysis import COMPONENT_TIMEOUT, Analysis, analyze
 from rosarch.models.component import ComponentModel
 from rosarch.models.findings import Finding
 from rosarch.models.places import Place
@@ -51,6 +51,57 @@ class SystemAnalysis:
     diagnostics: tuple[Diagnostic, ...]
 
 
+@dataclass(frozen=True)
+class Surrounding:
+    """What all launches of a workspace share: the rows about components and files, the models, and what was not understood."""
+
+    root: Path
+    interfaces: tuple[Rows, ...]
+    models: tuple[ComponentModel, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+    def rows(self, launch: Launch) -> dict[str, set[tuple[Any, ...]]]:
+        """The facts about one system."""
+        return merged([launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages), *self.interfaces])
+
+
+def surrounding(
+    root: Path,
+    launches: Sequence[Launch],
+    *,
+    library: Sequence[Path] = (),
+    engine: str = "embedded",
+    jobs: int | None = None,
+    timeout: float = 60.0,
+    defines: Mapping[str, str] | None = None,
+    cache: Cache | None = None,
+    progress: Progress | None = None,
+) -> Surrounding:
+    """Analyse the components that `launches` start: those below `root`, and of others those of the library, looked for in `library` first."""
+    needed = _Needed(launches)
+    diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
+    options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache}
+
+    def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool]) -> Analysis:
+        found = analyze(root, packages, engine=engine, progress=progress, only=only, **options)
+        diagnostics.extend(found.diagnostics)
+        return found
+
+    models: tuple[ComponentModel, ...] = ()
+    programs: frozenset[tuple[str, str]] = frozenset()
+    packages = _packages_below(root, needed.packages)
+    if packages:
+        found = analyzed(packages, needed.is_needed)
+        models, programs = found.models, found.programs
+    if any(model.loads or model.loads_any for model in models):
+        models += analyzed(None, lambda component: is_loaded(component, models) and not needed.is_needed(component)).models
+    known = load(library)
+    diagnostics += known.problems
+    around = workspace_rows(root, [launch.composition for launch in launches], programs, known)
+    interfaces = (*map(model_rows, models), *map(library_rows, needed.of(known, models)), around)
+    return Surrounding(root, interfaces, models, tuple(dict.fromkeys(diagnostics)))
+
+
 def analyze_systems(
     root: Path,
     launches: Sequence[Launch],
@@ -63,43 +114,29 @@ def analyze_systems(
     cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> SystemAnalysis:
-    """Compose the nodes that `launches` start from their components, and check each system.
-
-    The components are those below `root`, and of others those of the library, which is looked for in `library` first.
-    """
+    """Compose the nodes that `launches` start from their components, and check each system. See `surrounding` for the components."""
     from rosarch.extractor.workspace import Diagnostic
 
     rules = system_rules()
-    needed = _Needed(launches)
-    packages = _packages_below(root, needed.packages)
-    models: tuple[ComponentModel, ...] = ()
-    programs: frozenset[tuple[str, str]] = frozenset()
-    diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
-    if packages:
-        found = analyze(
-            root,
-            packages,
-            engine=engine,
-            jobs=jobs,
-            timeout=timeout,
-            defines=defines,
-            cache=cache,
-            progress=progress,
-            only=needed.is_needed,
-        )
-        models, programs = found.models, found.programs
-        diagnostics += found.diagnostics
-    known = load(library)
-    diagnostics += known.problems
-    around = workspace_rows(root, [launch.composition for launch in launches], programs, known)
-    interfaces = [*map(model_rows, models), *map(library_rows, needed.of(known)), around]
+    shared = surrounding(
+        root,
+        launches,
+        library=library,
+        engine=engine,
+        jobs=jobs,
+        timeout=timeout,
+        defines=defines,
+        cache=cache,
+        progress=progress,
+    )
 
     def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
         gc.disable()
-        return _system(rules, launch, root, interfaces, engine)
+        return _system(rules, launch, shared.rows(launch), engine)
 
     systems: list[SystemModel] = []
     raised: list[Finding] = []
+    diagnostics = list(shared.diagnostics)
     for done, (index, outcome) in enumerate(run_tasks(work, launches, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT)):
         if isinstance(outcome, Failure):
             detail = f"{launches[index].name} not composed: {outcome.reason} ({outcome.detail})"
@@ -110,11 +147,10 @@ def analyze_systems(
         if progress:
             progress("systems", done + 1, len(launches))
     systems.sort(key=lambda system: system.name)
-    return SystemAnalysis(tuple(systems), _together(raised), models, tuple(dict.fromkeys(diagnostics)))
+    return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
 
 
-def _system(rules: SystemRules, launch: Launch, root: Path, interfaces: Sequence[Rows], engine: str) -> tuple[SystemModel, list[Finding]]:
-    rows = merged([launch_rows(launch.composition, root), script_rows(launch.composition, launch.packages), *interfaces])
+def _system(rules: SystemRules, launch: Launch, rows: Rows, engine: str) -> tuple[SystemModel, list[Finding]]:
     result = evaluate(rules, rows, engine)
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
     return system_model(launch.name, launch.words, rows, result), findings(rules.checks, result, places, launch.name)
@@ -126,6 +162,9 @@ class _Needed:
     def __init__(self, launches: Sequence[Launch]) -> None:
         asked = [item for launch in launches for item in started(launch.composition)]
         self.executables = {(package, type_) for package, type_, _ in asked}
+        worlds = [plugin for launch in launches for world in launch.composition.worlds for plugin in world.plugins]
+        robots = [plugin for launch in launches for setting in launch.composition.params for plugin in setting.plugins]
+        self.plugins = {library_name(plugin.filename) for plugin in (*worlds, *robots)}
         self.words = {word for _, _, words in asked for word in words}
         self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
         self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}
@@ -134,11 +173,19 @@ class _Needed:
         """Whether a node is started from this executable, or with an argument that names this class."""
         return (component.package, component.name) in self.executables or component.plugin_name in self.words
 
-    def of(self, library: Library) -> list[LibraryComponent]:
-        """The components of the library that are started."""
+    def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
+        """The components of the library that are started, and those that these load, unless they are among `models`."""
+        own = {(model.package, model.plugin.name if model.plugin else model.component) for model in models}
         found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
         found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
-        return [part for component in found if component is not None for part in library.with_loaded(component)]
+        found += [library.find(None, file) for file in sorted(self.plugins)]
+        started = [component for component in found if component is not None and (component.package, component.component) not in own]
+        return [part for component in started for part in library.with_loaded(component)]
+
+
+def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:
+    """Whether one of `models` loads this plug-in, by its name or because it takes all that are derived from a class."""
+    return any(component.plugin_name in model.loads or component.base_class in model.loads_any for model in models)
 
 
 def _packages_below(root: Path, names: Collection[str]) -> list[str]:

@@ -50,7 +50,7 @@ class _Writer:
 
 _PORT = {
     "type": "type", "queue": "queue", "from_param": "parameter", "conditional": "conditional", "callback": "callback",
-    "latched": "latched", "implicit": "implicit",
+    "latched": "latched", "implicit": "implicit", "in_namespace": "in_namespace",
 }  # fmt: skip
 _LIBRARY_PORT = {**_PORT, "from_arg": "argument", "param_pattern": "pattern", "suffix": "suffix", "rest": "rest"}
 
@@ -64,6 +64,8 @@ def model_rows(model: ComponentModel) -> Rows:
         writer.add("interface_base", component, model.plugin.base)
     for name in model.loads:
         writer.add("interface_loads", component, name)
+    for base in model.loads_any:
+        writer.add("interface_loads_any", component, base)
     for port in document["ports"]:
         key = f"{component}#{port['id']}"
         writer.add("interface_port", component, key, port["kind"], port["name"])
@@ -110,6 +112,8 @@ def library_rows(found: LibraryComponent) -> Rows:
     for element, default in found.elements.items():
         if default is not None:
             writer.add("interface_element", component, element, default)
+    if found.namespace_element:
+        writer.add("interface_namespace_element", component, found.namespace_element)
     for number, port in enumerate(found.ports, 1):
         key = f"{component}#p{number}"
         writer.add("interface_port", component, key, port.kind, port.name or "?")

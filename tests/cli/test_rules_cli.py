@@ -89,6 +89,25 @@ def test_explain(rosarch: Run, workspace: Path) -> None:
     assert "│  port([Site, Kind, Name]) :- port_site(" in shown
 
 
+@pytest.mark.parametrize(
+    ("goal", "line"),
+    [
+        (
+            "state_variable(auto_docking::Docking::state_)",
+            "docking.cpp:60: if (state_ == State::SEARCHING || state_ == State::APPROACHING)",
+        ),
+        ("transition(_, auto_docking::Docking::state_, _)", "docking.cpp:32: state_ = State::SEARCHING;"),
+        ("reacts([_, subscriber, beacon], [_, publisher, ~state], _)", "docking.cpp:107: state_pub_.publish(msg);"),
+        ("periodic(_, _, timer)", "docking.cpp:22: timer_ = nh.createTimer(ros::Duration(0.05), &Docking::onTimer, this);"),
+        ("reacts_deferred(_, [_, publisher, cmd_vel], _)", "docking.cpp:48: bearing_ = beacon->point.y;"),
+    ],
+)
+def test_behavior_is_explained(rosarch: Run, examples: Path, goal: str, line: str) -> None:
+    shown = rosarch("explain", examples / "docking_states", goal, "--component", "docking", "--depth", "0").out
+    assert shown.startswith(f"{goal.partition('(')[0]}(")
+    assert line in shown.partition("source lines:")[2]
+
+
 def test_why_not(rosarch: Run, workspace: Path, examples: Path) -> None:
     done = rosarch("why-not", workspace, "port_type(_, sensor_msgs/Image)")
     assert done.code == 0

@@ -18,25 +18,14 @@ NAMES = sorted(path.parent.name for path in EXAMPLES.glob("*/expected"))
 
 BEHAVIOR = ("periodic", "reactive", "state_variables", "configuration", "transitions", "one_shot")
 
-# What the sources do and the rules do not find yet: members that are given as an argument to the function that sends.
-MISSED = {
-    ("arm_tasks/pick_and_place.json", "reactive_deferred"): [{"input": "p4", "output": "p1", "variable": "PickAndPlace::object_"}],
-    ("auto_docking/docking.json", "reactive_deferred"): [{"input": "p3", "output": "p1", "variable": "Docking::bearing_"}],
-}
-
 
 def documents(folder: Path) -> dict[str, Any]:
     return {path.relative_to(folder).as_posix(): json.loads(path.read_text()) for path in sorted(folder.glob("*/*.json"))}
 
 
 def expected_documents(name: str) -> dict[str, Any]:
-    """The models written by hand, without what is known to be missed."""
-    found = documents(EXAMPLES / name / "expected")
-    for (path, key), rows in MISSED.items():
-        if path in found:
-            assert all(row in found[path][key] for row in rows)
-            found[path][key] = [row for row in found[path][key] if row not in rows]
-    return found
+    """The models written by hand."""
+    return documents(EXAMPLES / name / "expected")
 
 
 @pytest.mark.parametrize("name", NAMES)

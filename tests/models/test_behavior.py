@@ -55,6 +55,18 @@ def lines(document: dict[str, Any]) -> list[str]:
     )
 
 
+def normal_lines(document: dict[str, Any]) -> list[str]:
+    """Reactions and transitions with their conditions in normal form."""
+    ports = {port["id"]: port["name"] for port in document["ports"]}
+    return sorted(
+        [f"reactive {ports[r['input']]} -> {ports[r['output']]} [{r['when_normal'] or ''}]" for r in document["reactive"]]
+        + [
+            f"transition {t['variable']} on {','.join(ports.get(one, one) for one in t['trigger'])} [{t['guard_normal'] or ''}]"
+            for t in document["transitions"]
+        ]
+    )
+
+
 @pytest.mark.parametrize("node", NODES, ids=lambda node: node.stem)
 def test_behavior_is_as_expected(node: Path, tmp_path: Path) -> None:
     source = node.read_text(encoding="utf-8")
@@ -64,3 +76,5 @@ def test_behavior_is_as_expected(node: Path, tmp_path: Path) -> None:
     expected = sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
     assert expected
     assert lines(to_json(model)) == expected
+    normal = sorted(re.findall(r"^// normal: (.*)$", source, re.MULTILINE))
+    assert not normal or normal_lines(to_json(model)) == normal

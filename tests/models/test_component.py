@@ -12,7 +12,7 @@ import pytest
 from rosarch.models.component import ComponentModel, build_model, to_json
 
 NAMES = (
-    "port", "port_type", "port_parameter", "port_callback", "port_queue", "port_latched", "port_unknown", "port_made_through", "port_via",
+    "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_queue", "port_latched", "port_unknown", "port_made_through", "port_via",
     "implicit_port", "implicit_port_callback", "node_location",
     "function_display", "parameter_access", "parameter_access_default", "parameter_access_type",
     "reconfigure_parameter", "node_name",
@@ -20,8 +20,8 @@ NAMES = (
     "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
     "loop_condition", "silent_condition", "switch_case",
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
-    "timer_callback", "sends_once", "always_sends_once",
-    "component_plugin", "plugin_load",
+    "settled_local", "timer_callback", "sends_once", "always_sends_once",
+    "component_plugin", "plugin_load", "plugin_load_any",
 )  # fmt: skip
 FIELDS = [
     "system",

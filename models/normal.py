@@ -1,0 +1,84 @@
+"""Conditions in negation normal form: local variables replaced by what they stand for, `x == true` as `x`, constants folded."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from rosarch.models.formula import TRUE, Formula, both, condition, either, loosest, text
+from rosarch.models.formula import Condition as Item
+from rosarch.models.machine.conditions import Comparison, Condition, Conjunction, Disjunction, Negation, Operand, Truth, parse_condition
+
+DEEPEST = 4  # definitions of variables within definitions of variables
+LONGEST = 1000  # characters that a condition may grow to
+
+
+def expanded(node: str, texts: Mapping[str, str], locals_: Mapping[str, Iterable[tuple[str, str]]], depth: int = DEEPEST) -> str:
+    """The text of `node` with its local variables replaced; `locals_` has their names and values by node."""
+    found = texts[node]
+    for name, value in locals_.get(node, ()) if depth else ():
+        if value in texts:
+            inner = expanded(value, texts, locals_, depth - 1)
+            named = re.compile(rf"(?<![\w.>:]){re.escape(name)}\b")
+            longer = (f"({inner})" if loosest(inner) else inner).join(named.split(found))
+            found = longer if len(longer) <= LONGEST else found
+    return found
+
+
+def normal_text(formula: Formula) -> str | None:
+    """The formula's conditions by what they stand for, as a text in negation normal form; None when it is true."""
+    source = text(either(_meant(conjunction) for conjunction in formula.alternatives))
+    if source is None:
+        return None
+    written = _written(parse_condition(source), True)
+    return None if written == "true" else written
+
+
+def _meant(items: Iterable[Item]) -> Formula:
+    found = TRUE
+    for item in items:
+        found = both(found, condition(item.meaning or item.text, item.holds, stable=item.stable))
+    return found
+
+
+def _written(parsed: Condition, holds: bool) -> str:
+    """A condition, or its opposite when it does not hold, with negations at its leaves only."""
+    if isinstance(parsed, Negation):
+        return _written(parsed.inner, not holds)
+    if isinstance(parsed, Conjunction | Disjunction):
+        return _joined([_written(part, holds) for part in parsed.parts], isinstance(parsed, Conjunction) == holds)
+    if isinstance(parsed, Truth):
+        return "true" if parsed.value == holds else "false"
+    if isinstance(parsed, Comparison):
+        return _comparison(parsed, holds)
+    return _operand(parsed, holds)
+
+
+def _operand(operand: Operand, holds: bool) -> str:
+    loose = loosest(operand.text)
+    if holds:
+        return f"({operand.text})" if loose in ("||", "?", ",", "=") else operand.text
+    return f"!({operand.text})" if loose else f"!{operand.text}"
+
+
+def _comparison(parsed: Comparison, holds: bool) -> str:
+    if parsed.op == "==":
+        return f"{parsed.left} {'==' if holds else '!='} {parsed.right}"
+    source = f"{parsed.left} {parsed.op} {parsed.right}"
+    return source if holds else f"!({source})"  # not the opposite sign: neither holds for what is no number
+
+
+def _joined(parts: list[str], conjunction: bool) -> str:
+    """The parts joined; those that change nothing are left out, and one that decides is all."""
+    neutral, deciding = ("true", "false") if conjunction else ("false", "true")
+    kept = [part for part in dict.fromkeys(parts) if part != neutral]
+    if deciding in kept:
+        return deciding
+    if len(kept) < 2:
+        return kept[0] if kept else neutral
+    sign = "&&" if conjunction else "||"
+    return f" {sign} ".join(f"({part})" if _binds_less(part, conjunction) else part for part in kept)
+
+
+def _binds_less(part: str, conjunction: bool) -> bool:
+    return loosest(part) == ("||" if conjunction else "&&")
