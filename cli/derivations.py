@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -44,11 +45,15 @@ def datalog_errors() -> Iterator[None]:
         raise InputError(str(error)) from None
 
 
-def load_rules(files: Sequence[Path] | None) -> Program:
-    """The rules of a component, with files of the user's own."""
+def load_rules(files: Sequence[Path] | None, *, systems: bool = False) -> Program:
+    """The rules of a component or of a system, with files of the user's own."""
     from rosarch.datalog import load_program
     from rosarch.extractor.manifest import rules_folder
 
+    if systems:
+        from rosarch.models.system.build import system_rules
+
+        return system_rules(tuple(files or ())).program
     return load_program([rules_folder() / "component.dl", *(files or ())])
 
 
@@ -102,6 +107,40 @@ def selected(
             yield found.components
     except (SelectionError, ManifestError) as error:
         raise InputError(str(error)) from None
+
+
+@contextmanager
+def asked(
+    folder: Path,
+    packages: Sequence[str] | None,
+    component: str | None,
+    launches: Sequence[str] | None,
+    *,
+    jobs: int | None,
+    timeout: float,
+    defines: Sequence[str] | None,
+    cached: bool,
+    verbose: bool,
+    engine: Engine,
+) -> Iterator[Sequence[SelectedComponent]]:
+    """What a question is about: components, or with `launches` the systems that these compose."""
+    if not launches:
+        with selected(
+            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
+        ) as components:
+            yield components
+        return
+    if packages or component:
+        raise InputError("--launch asks about whole systems; --package and --component are about components")
+    from rosarch.cli.systems import SystemInputs, load_surrounding
+    from rosarch.models.selection import SelectedComponent
+
+    inputs = SystemInputs(
+        folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(list(defines or ())), cached=cached
+    )
+    shared, found = load_surrounding(inputs)
+    show_diagnostics(shared.diagnostics, verbose)
+    yield [SelectedComponent(launch.name, "", folder, partial(shared.rows, launch)) for launch in found]
 
 
 def facts_of(component: SelectedComponent, program: Program) -> Facts:

@@ -6,9 +6,10 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, RuleFiles, datalog_errors, evaluate, heading, load_rules, selected, shorten
+from rosarch.cli.derivations import Component, RuleFiles, asked, datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit
 
 Goal = Annotated[
@@ -28,6 +29,7 @@ def explain(
     goal: Goal,
     packages: Packages = None,
     component: Component = None,
+    launches: Systems = None,
     rules: RuleFiles = None,
     depth: Depth = 4,
     show_rules: Annotated[bool, typer.Option("--show-rules", help="Print every rule under the row it derives.")] = False,
@@ -45,11 +47,20 @@ def explain(
 
     layout = Layout(depth=depth or None, rules=show_rules, shorten=shorten)
     with datalog_errors():
-        program = load_rules(rules)
+        program = load_rules(rules, systems=bool(launches))
         check_goal(program, goal)
         texts = []
-        with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
+        with asked(
+            folder,
+            packages,
+            component,
+            launches,
+            jobs=jobs,
+            timeout=timeout,
+            defines=defines,
+            cached=cached,
+            verbose=verbose,
+            engine=engine,
         ) as components:
             title = heading(components)
             for each in components:
@@ -69,6 +80,7 @@ def why_not(
     goal: Goal,
     packages: Packages = None,
     component: Component = None,
+    launches: Systems = None,
     rules: RuleFiles = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
@@ -83,10 +95,19 @@ def why_not(
     from rosarch.datalog.prover import check_goal
 
     with datalog_errors():
-        program = load_rules(rules)
+        program = load_rules(rules, systems=bool(launches))
         check_goal(program, goal)
-        with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
+        with asked(
+            folder,
+            packages,
+            component,
+            launches,
+            jobs=jobs,
+            timeout=timeout,
+            defines=defines,
+            cached=cached,
+            verbose=verbose,
+            engine=engine,
         ) as components:
             if len(components) > 1:
                 names = ", ".join(c.title for c in components)

@@ -6,8 +6,9 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, Profiled, RuleFiles, check_profile, datalog_errors, evaluate, heading, load_rules, selected
+from rosarch.cli.derivations import Component, Profiled, RuleFiles, asked, check_profile, datalog_errors, evaluate, heading, load_rules
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose
+from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit
 
 Query = Annotated[str, typer.Argument(metavar="QUERY", help="A rule body: 'port(P), !port_type(P, _)'.", show_default=False)]
@@ -19,6 +20,7 @@ def query(
     text: Query,
     packages: Packages = None,
     component: Component = None,
+    launches: Systems = None,
     rules: RuleFiles = None,
     output_format: Annotated[ModelFormat, typer.Option("--format", help="The form of the answer on stdout.")] = ModelFormat.table,
     most: Most = None,
@@ -37,10 +39,19 @@ def query(
 
     check_profile(profile, engine)
     with datalog_errors():
-        program = load_rules(rules)
+        program = load_rules(rules, systems=bool(launches))
         check_query(program, text)
-        with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
+        with asked(
+            folder,
+            packages,
+            component,
+            launches,
+            jobs=jobs,
+            timeout=timeout,
+            defines=defines,
+            cached=cached,
+            verbose=verbose,
+            engine=engine,
         ) as components:
             answers = []
             for each in components:

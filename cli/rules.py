@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, Profiled, check_profile, datalog_errors, evaluate, heading, load_rules, selected, shorten
+from rosarch.cli.derivations import Component, Profiled, asked, check_profile, datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder, unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
@@ -55,6 +56,7 @@ def run(
     ] = None,
     packages: Packages = None,
     component: Component = None,
+    launches: Systems = None,
     profile: Profiled = False,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
@@ -68,11 +70,20 @@ def run(
 
     check_profile(profile, engine)
     with datalog_errors():
-        program = load_rules(files)
+        program = load_rules(files, systems=bool(launches))
         names = _wanted(program, files, relations or [])
         texts = []
-        with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
+        with asked(
+            folder,
+            packages,
+            component,
+            launches,
+            jobs=jobs,
+            timeout=timeout,
+            defines=defines,
+            cached=cached,
+            verbose=verbose,
+            engine=engine,
         ) as components:
             title = heading(components)
             for each in components:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -17,7 +17,7 @@ from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
     from rosarch.models.configuration import Configuration
-    from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.models.system.analysis import Launch, Surrounding, SystemAnalysis
     from rosarch.models.system.launches import Request, Surroundings
 
 Launches = Annotated[
@@ -35,6 +35,16 @@ PackagePath = Annotated[
     list[Path] | None,
     typer.Option(
         metavar="DIR", help="Where packages are looked for, besides DIR; may be repeated. By default ROS_PACKAGE_PATH.", show_default=False
+    ),
+]
+Systems = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--launch",
+        "-l",
+        metavar="'FILE... [NAME:=VALUE ...]'",
+        help="Ask about the system that these launch files start, not about components; `*` for every one that DIR has. May be repeated.",
+        show_default=False,
     ),
 ]
 Environment = Annotated[
@@ -59,39 +69,60 @@ class SystemInputs:
     cached: bool = True
 
 
+EVERY = "*"
+"""The launch files that no other includes."""
+
+
 def load_systems(inputs: SystemInputs, configuration: Configuration | None = None) -> SystemAnalysis:
     """Compose and check the systems of a workspace: those that the options name, or else the configuration, or else all."""
     from rosarch.models.system.analysis import analyze_systems
-    from rosarch.models.system.launches import LaunchWordError, given, unincluded
 
-    check_folder(inputs.folder)
-    check_engine(inputs.engine)
-    where = _surroundings(inputs, configuration)
     with progress() as report:
-        try:
-            requests = _requests(inputs, configuration)
-            launches = given(requests, where) if requests else unincluded(where)
-        except LaunchWordError as error:
-            raise InputError(str(error)) from None
-        analysis = analyze_systems(
-            inputs.folder,
-            launches,
-            library=tuple(map(check_folder, inputs.library or ())),
-            engine=inputs.engine.value,
-            jobs=inputs.jobs,
-            timeout=inputs.timeout,
-            defines=inputs.defines,
-            cache=extraction_cache(inputs.cached),
-            progress=report,
-        )
+        launches = _launches(inputs, configuration)
+        analysis = analyze_systems(inputs.folder, launches, progress=report, **_options(inputs))
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
     return analysis
 
 
+def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
+    """The launches that the options name, and what is known around them, for questions about the systems."""
+    from rosarch.models.system.analysis import surrounding
+
+    with progress() as report:
+        launches = _launches(inputs, None)
+        return surrounding(inputs.folder, launches, progress=report, **_options(inputs)), launches
+
+
+def _options(inputs: SystemInputs) -> dict[str, Any]:
+    return {
+        "library": tuple(map(check_folder, inputs.library or ())),
+        "engine": inputs.engine.value,
+        "jobs": inputs.jobs,
+        "timeout": inputs.timeout,
+        "defines": inputs.defines,
+        "cache": extraction_cache(inputs.cached),
+    }
+
+
+def _launches(inputs: SystemInputs, configuration: Configuration | None) -> list[Launch]:
+    from rosarch.models.system.launches import LaunchWordError, given, unincluded
+
+    check_folder(inputs.folder)
+    check_engine(inputs.engine)
+    where = _surroundings(inputs, configuration)
+    try:
+        requests = _requests(inputs, configuration)
+        return given(requests, where) if requests else unincluded(where)
+    except LaunchWordError as error:
+        raise InputError(str(error)) from None
+
+
 def _requests(inputs: SystemInputs, configuration: Configuration | None) -> list[Request]:
     from rosarch.models.system.launches import Request, parse_request
 
+    if list(inputs.launches or ()) == [EVERY]:
+        return []
     if inputs.launches or configuration is None:
         return list(map(parse_request, inputs.launches or ()))
     return [Request(choice.files, choice.arguments) for choice in configuration.launch]

@@ -77,7 +77,7 @@ def surrounding(
     cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> Surrounding:
-    """Analyse the components that `launches` start: those below `root`, and of others those of the library, looked for in `library` first."""
+    """Analyse the components that `launches` start: those below `root`, of others those of the library (that in `library` first)."""
     needed = _Needed(launches)
     diagnostics: list[Diagnostic] = [d for launch in launches for d in launch.composition.diagnostics()]
     options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache}

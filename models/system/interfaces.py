@@ -98,7 +98,7 @@ def _trait_value(writer: _Writer, component: str, kind: str, value: str) -> str:
 def library_rows(found: LibraryComponent) -> Rows:
     """The rows of a component of the library."""
     writer = _Writer()
-    component = f"{found.package}/{found.component}"
+    component = found.title
     writer.add("interface", component, found.package, found.component, found.kind, "library")
     for name in found.loads:
         writer.add("interface_loads", component, name)
