@@ -165,7 +165,7 @@ class _Composer:
         inner, here = self.passed(element, scope, conditions), state.here
         inner.filename, inner.lines = path, (*scope.lines, here)
         launch = None if state.unknowns.is_open(path) else self.parse(path)
-        state.includes.append(Include(path, path if launch else None, inner.lines, inner.conditions))
+        state.includes.append(Include(path, path if launch else None, inner.lines, inner.conditions, inner.passes_all))
         if launch is None:
             return
         names = list(inner.args)

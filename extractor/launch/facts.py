@@ -62,6 +62,8 @@ class _Writer:
         for include in composition.includes:
             place = include.lines[-1]
             self.add("included", self.place(place), self.path(place.path), self.path(include.file) if include.file else "")
+            if include.passes_all:
+                self.add("included_with_all", self.place(place))
         for passed in composition.passed:
             self.add("argument_passed", self.place(passed.include), passed.name, passed.value or "", self.place(passed.place))
         for remap in composition.remaps:

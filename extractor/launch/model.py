@@ -145,12 +145,13 @@ class World:
 
 @dataclass(frozen=True)
 class Include:
-    """A launch file that is included; `file` is None when it is not known or cannot be read."""
+    """A launch file that is included; `file` is None when it is not known or cannot be read. `passes_all` is the attribute `pass_all_args`."""
 
     text: str
     file: str | None
     lines: tuple[Place, ...]
     conditions: tuple[Condition, ...] = ()
+    passes_all: bool = False
 
 
 @dataclass(frozen=True)

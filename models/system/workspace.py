@@ -24,6 +24,7 @@ def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Co
     """Which of the programs and packages that launch files name there are, or are to be expected."""
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
+    absent |= {problem.subject for composition in compositions for problem in composition.problems}
     expected = {component.package for component in library.components}
     if absent - expected:
         expected |= _dependencies(root)

@@ -91,3 +91,12 @@ def test_rows(tmp_path: Path) -> None:
     assert rows["package_found"] == {("here", "workspace")}
     assert rows["argument_used"] == {(at, "a")}
     assert {row[1:] for row in rows["home_path"]} == {("arg", "/home/anna/x")}
+
+
+def test_an_include_that_passes_all(tmp_path: Path) -> None:
+    composition = composed(
+        tmp_path,
+        '<include file="$(dirname)/a.launch" pass_all_args="true"/>\n<include file="$(dirname)/a.launch"/>',
+        a_launch="<launch/>",
+    )
+    assert launch_rows(composition, tmp_path)["included_with_all"] == {("here/main.launch:2:1",)}
