@@ -145,7 +145,10 @@ class World:
 
 @dataclass(frozen=True)
 class Include:
-    """A launch file that is included; `file` is None when it is not known or cannot be read. `passes_all` is the attribute `pass_all_args`."""
+    """A launch file that is included; `file` is None when it is not known or cannot be read.
+
+    `passes_all` is the attribute `pass_all_args`.
+    """
 
     text: str
     file: str | None

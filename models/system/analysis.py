@@ -23,7 +23,7 @@ from rosarch.models.system.build import Rows, SystemRules, evaluate, merged, sys
 from rosarch.models.system.findings import findings
 from rosarch.models.system.interfaces import library_rows, model_rows
 from rosarch.models.system.model import SystemModel
-from rosarch.models.system.workspace import programs_named, workspace_rows
+from rosarch.models.system.workspace import programs_named, source_rows, workspace_rows
 
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
@@ -97,8 +97,9 @@ def surrounding(
         models += analyzed(None, lambda component: is_loaded(component, models) and not needed.is_needed(component)).models
     known = load(library)
     diagnostics += known.problems
-    around = workspace_rows(root, [launch.composition for launch in launches], programs, known)
-    interfaces = (*map(model_rows, models), *map(library_rows, needed.of(known, models)), around)
+    compositions = [launch.composition for launch in launches]
+    around = (workspace_rows(root, compositions, programs, known), source_rows(root, compositions, models))
+    interfaces = (*map(model_rows, models), *map(library_rows, needed.of(known, models)), *around)
     return Surrounding(root, interfaces, models, tuple(dict.fromkeys(diagnostics)))
 
 

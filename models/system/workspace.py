@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
@@ -9,9 +10,14 @@ from pathlib import Path
 from rosarch.extractor.files import read_file
 from rosarch.extractor.launch.model import Composition, PackageNamed, ProgramNamed
 from rosarch.library import Library
+from rosarch.models.component import ComponentModel
 
 Rows = dict[str, set[tuple[str, ...]]]
 _DEPENDENCY = re.compile(r"<\w*depend[^<>]*>\s*([^<\s]+)\s*</")
+
+_SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu", ".h", ".hh", ".hpp", ".hxx", ".cuh", ".ipp", ".inl", ".cfg")
+_TEXT_OR_COMMENT = re.compile(r'"((?:[^"\\\n]|\\.)*)"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_WORD = re.compile(r"\w+")
 
 
 def programs_named(compositions: Iterable[Composition]) -> set[tuple[str, str]]:
@@ -44,4 +50,38 @@ def _dependencies(root: Path) -> set[str]:
             found.update(_DEPENDENCY.findall(read_file(path).decode(errors="replace")))
         except OSError:
             continue  # where the package is read, that is reported
+    return found
+
+
+def source_rows(root: Path, compositions: Sequence[Composition], models: Sequence[ComponentModel]) -> Rows:
+    """Which of the last words of parameters' names the texts in the sources of components' packages say."""
+    wanted = {word for composition in compositions for setting in composition.params for word in _WORD.findall(setting.name)[-1:]}
+    said: dict[str, set[str]] = {}
+    rows: Rows = {}
+    for model in models:
+        for folder in sorted({_package_folder(root, source) for source in model.sources}):
+            if folder not in said:
+                said[folder] = _words_said(root / folder) & wanted
+            rows.setdefault("source_says", set()).update((f"{model.package}/{model.component}", word) for word in said[folder])
+    return rows
+
+
+def _package_folder(root: Path, source: str) -> str:
+    """The folder with a manifest that `source` lies in, relative to the root."""
+    folders = Path(source).parents
+    return str(next((folder for folder in folders if (root / folder / "package.xml").is_file()), folders[0]))
+
+
+def _words_said(folder: Path) -> set[str]:
+    """The words of all texts in the sources below a folder, comments left out."""
+    found: set[str] = set()
+    for here, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        for name in names:
+            if name.endswith(_SOURCES):
+                try:
+                    text = read_file(os.path.join(here, name)).decode(errors="replace")
+                except OSError:
+                    continue  # where it is analysed, that is reported
+                found.update(word for said in _TEXT_OR_COMMENT.findall(text) for word in _WORD.findall(said))
     return found

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.library import load
-from rosarch.models.system.workspace import programs_named, workspace_rows
+from rosarch.models.component import ComponentModel
+from rosarch.models.system.workspace import programs_named, source_rows, workspace_rows
 
 LAUNCH = """<launch><group if="false">
 <node pkg="robot" type="built" name="a"/><node pkg="robot" type="gone" name="b"/>
@@ -24,3 +25,16 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     rows = workspace_rows(tmp_path, [composition], {("robot", "built"), ("robot", "other")}, load())
     assert rows["program_built"] == {("robot", "built")}
     assert rows["package_expected"] == {("driver",), ("move_base",)}
+
+
+def test_words_of_sources(tmp_path: Path) -> None:
+    source = tmp_path / "robot" / "src" / "a.cpp"
+    source.parent.mkdir(parents=True)
+    (tmp_path / "robot" / "package.xml").write_text("<package><name>robot</name></package>")
+    source.write_text('nh.param("gains/speed", x); // "old"\n/* "older"\n */ "a\\"b//" rate')
+    (tmp_path / "robot" / "a.launch").write_text(
+        "<launch>" + "".join(f'<param name="{name}" value="1"/>' for name in ("a/speed", "old", "older", "rate", "speed/x")) + "</launch>"
+    )
+    composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
+    model = ComponentModel("robot", "driver", "robot", "node", None, ("robot/src/a.cpp",), (), ())
+    assert source_rows(tmp_path, [composition], [model]) == {"source_says": {("robot/driver", "speed")}}
