@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rosarch.cli.check_options import load_configuration
 from rosarch.cli.errors import FINDINGS
 from rosarch.cli.inputs import check_folder, load_analysis
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.systems import Launches, SystemInputs, load_systems
 from rosarch.cli.terminal import emit, show_diagnostics, show_note
 
 if TYPE_CHECKING:
@@ -50,6 +52,7 @@ def diff(
     old: Side,
     new: Side,
     packages: Packages = None,
+    launches: Launches = None,
     output_format: Annotated[DiffFormat, typer.Option("--format", help="The form of the report on stdout.")] = DiffFormat.text,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
@@ -58,16 +61,27 @@ def diff(
     cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
-    """Compare two folders or git revisions: ports, rates, reactions, states. Exits with 1 when something differs."""
+    """Compare two folders or git revisions: ports, rates, reactions, states, connections, findings. Exits with 1 when something differs.
+
+    With --package, only components are compared.
+    """
 
     def load(state: State) -> Snapshot:
+        from rosarch.extractor.manifest import facts_folder
         from rosarch.models.comparison import Snapshot
+        from rosarch.models.system.build import system_rules
 
         analysis = load_analysis(
             state.folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
         )
         show_diagnostics(analysis.diagnostics, verbose, state.base)
-        return Snapshot(analysis.models)
+        if packages or facts_folder(state.folder):
+            return Snapshot(analysis.models)
+        inputs = SystemInputs(
+            state.folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
+        )
+        composed = load_systems(inputs, load_configuration(state.folder, None, system_rules().checks))
+        return Snapshot(analysis.models, composed.systems, composed.findings)
 
     compare_states(old, new, output_format, load)
 
