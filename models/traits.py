@@ -18,6 +18,7 @@ TRAITS = {
     "changed_at_once": ("variable", "place", "place"),
     "call_blocks": ("port", "port", "place"),
     "names_nothing": ("place", "text", "port"),
+    "sends_frame": ("place", "text", "text"),
 }
 
 

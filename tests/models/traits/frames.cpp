@@ -1,0 +1,24 @@
+// expect: sends_frame 19 base_link ~base_frame
+// expect: sends_frame 20 odom 
+#include <string>
+#include <ros/ros.h>
+#include <tf/transform_broadcaster.h>
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "node");
+  ros::NodeHandle pnh("~");
+  std::string frame;
+  bool more;
+  pnh.param<std::string>("base_frame", frame, "base_link");
+  pnh.param("more", more, false);
+  tf::TransformBroadcaster broadcaster;
+  tf::Transform transform;
+  ros::Rate rate(10);
+  while (ros::ok()) {
+    // always, and only when asked to
+    broadcaster.sendTransform(tf::StampedTransform(transform, ros::Time::now(), "odom", frame));
+    broadcaster.sendTransform(tf::StampedTransform(transform, ros::Time::now(), "map", "odom"));
+    if (more) broadcaster.sendTransform(tf::StampedTransform(transform, ros::Time::now(), "map", "laser"));
+    rate.sleep();
+  }
+}
