@@ -19,6 +19,7 @@ from rosarch.extractor.workspace.manifests import quick_name
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _WORD = re.compile(r"[\w.+-]+")
+_PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _LINE_COMMENT = re.compile(r"#.*")
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
 
@@ -61,7 +62,9 @@ def _names_below(folder: str) -> frozenset[str]:
                     text = read_file(os.path.join(here, name)).decode(errors="replace")
                 except OSError:
                     continue  # where it is evaluated, that is reported
-                found.update(_WORD.findall(_LINE_COMMENT.sub("", text)))
+                text = _LINE_COMMENT.sub("", text)
+                project = _PROJECT.search(text)
+                found.update(_WORD.findall(text.replace("${PROJECT_NAME}", project[1]) if project else text))
     return frozenset(found)
 
 

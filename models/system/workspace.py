@@ -35,19 +35,19 @@ def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Co
     if absent - expected:
         expected |= _dependencies(root)
     return {
-        "program_built": {program for program in programs_named(compositions) if program in programs},
+        "program_built": set(programs),
         "package_expected": {(package,) for package in absent & expected},
     }
 
 
 def _dependencies(root: Path) -> set[str]:
-    """All that the manifests below `root` depend on."""
-    from rosarch.extractor.workspace.manifests import find_manifests
+    """All that the manifests below `root` depend on, and their own packages: of these, only ignored ones are not found."""
+    from rosarch.extractor.workspace.manifests import find_manifests, quick_name
 
     found: set[str] = set()
-    for path in find_manifests(root, []):
+    for path in find_manifests(root, [], ignored=True):
         try:
-            found.update(_DEPENDENCY.findall(read_file(path).decode(errors="replace")))
+            found.update(_DEPENDENCY.findall(read_file(path).decode(errors="replace")), filter(None, [quick_name(path)]))
         except OSError:
             continue  # where the package is read, that is reported
     return found

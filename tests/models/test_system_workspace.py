@@ -12,6 +12,7 @@ from rosarch.models.system.workspace import programs_named, source_rows, workspa
 LAUNCH = """<launch><group if="false">
 <node pkg="robot" type="built" name="a"/><node pkg="robot" type="gone" name="b"/>
 <node pkg="driver" type="x" name="c"/><node pkg="move_base" type="move_base" name="d"/><node pkg="control" type="x" name="e"/>
+<node pkg="off" type="x" name="f"/>
 </group></launch>"""
 
 
@@ -19,12 +20,15 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     folder = tmp_path / "robot"
     folder.mkdir()
     (folder / "package.xml").write_text('<package><name>robot</name><exec_depend version_gte="1">driver</exec_depend></package>')
+    (tmp_path / "off").mkdir()
+    (tmp_path / "off" / "package.xml").write_text("<package><name>off</name></package>")
+    (tmp_path / "off" / "CATKIN_IGNORE").touch()
     (folder / "a.launch").write_text(LAUNCH)
     composition = compose([folder / "a.launch"], files=Files(PackagePath([tmp_path])))
     assert programs_named([composition]) == {("robot", "built"), ("robot", "gone")}
     rows = workspace_rows(tmp_path, [composition], {("robot", "built"), ("robot", "other")}, load())
-    assert rows["program_built"] == {("robot", "built")}
-    assert rows["package_expected"] == {("driver",), ("move_base",)}
+    assert rows["program_built"] == {("robot", "built"), ("robot", "other")}
+    assert rows["package_expected"] == {("driver",), ("move_base",), ("off",)}
 
 
 def test_words_of_sources(tmp_path: Path) -> None:

@@ -40,15 +40,17 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     for name in ("elsewhere", "here"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "package.xml").write_text(MANIFEST.format(name))
-    (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(built a.cpp)  # was: renamed\n")
+    (tmp_path / "here" / "CMakeLists.txt").write_text(
+        "project(here)\nadd_executable(built a.cpp)  # was: renamed\nadd_executable(${PROJECT_NAME}_node b.cpp)"
+    )
     composition = composed(
         tmp_path,
         '<group if="false"><node pkg="here" type="built" name="a"/><node pkg="here" type="renamed" name="b"/>'
-        '<node pkg="here" type="run.py" name="c"/><node pkg="gone" type="x" name="d"/><node pkg="here" type="$(arg t)" name="e"/></group>',
+        '<node pkg="here" type="run.py" name="c"/><node pkg="gone" type="x" name="d"/><node pkg="here" type="here_node" name="f"/><node pkg="here" type="$(arg t)" name="e"/></group>',
         run_py="",
     )
     programs = [(named.type, named.mentioned) for named in composition.references if isinstance(named, ProgramNamed)]
-    assert programs == [("built", True), ("renamed", False), ("run.py", True)]
+    assert programs == [("built", True), ("renamed", False), ("run.py", True), ("here_node", True)]
     packages = {(named.package, named.folder) for named in composition.references if isinstance(named, PackageNamed)}
     assert packages == {("here", str(tmp_path / "here")), ("gone", None)}
 
