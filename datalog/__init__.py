@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from .errors import DatalogError, Diagnostic, Location
 from .facts import read_facts, write_facts
-from .program import Attribute, Program, RelationDecl, Result, load_declarations, load_program
+from .program import Attribute, Program, RelationDecl, Result, is_compiled, load_declarations, load_program
 
 if TYPE_CHECKING:
     from .near_misses import WhyNot, why_not, why_not_text
@@ -64,6 +64,7 @@ __all__ = [
     "explain",
     "explain_all",
     "folder_reader",
+    "is_compiled",
     "load_declarations",
     "load_program",
     "profile",

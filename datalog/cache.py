@@ -52,6 +52,11 @@ def table_file() -> Path | None:
     return folder / f"{engine_version()}.lark" if os.access(folder, os.W_OK) else None
 
 
+def known(paths: Sequence[Path], extra: str) -> bool:
+    """Whether a value is stored for a program, be it stale or not."""
+    return _entry(paths, extra).is_file()
+
+
 def load(paths: Sequence[Path], extra: str) -> Any | None:
     """The value stored for a program, or None when there is none or a file of it has changed."""
     try:

@@ -220,7 +220,7 @@ def load_program(
         raise DatalogError(f"numbers have 32 or 64 bits, not {bits}")
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
     reading = Reading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), tuple(Path(p) for p in include))
-    key = f"{extra_source}\0{reading!r}\0{bits}"
+    key = _cache_key(extra_source, reading, bits)
     program = cache.load(paths, key)
     if not isinstance(program, Program):
         from .sources import (  # what a cached program does without is imported when it is needed
@@ -240,6 +240,15 @@ def load_program(
         cache.store(paths, key, digests, program)
     program.functors = dict(functors or {})
     return program
+
+
+def is_compiled(path: Path) -> bool:
+    """Whether there is a compiled program of this file, which `load_program` takes unless a file has changed since."""
+    return cache.known([path], _cache_key("", Reading(False, ("RAM_DOMAIN_SIZE=32",), ()), 32))
+
+
+def _cache_key(extra_source: str, reading: Reading, bits: int) -> str:
+    return f"{extra_source}\0{reading!r}\0{bits}"
 
 
 def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -> Program:

@@ -23,21 +23,28 @@ _DIGEST_SIZE = hashlib.sha256().digest_size
 
 @lru_cache(maxsize=1)
 def extractor_version() -> str:
-    """A hash of everything but the input that facts depend on: this package with its headers, the schema, libclang, Python.
-
-    Of files it is names, sizes and times: reading them all would take longer than reading a small workspace.
-    """
+    """A hash of everything but the input that facts depend on: this package with its headers, the schema, libclang, Python."""
     import clang.native
 
     import rosarch.rules
 
-    folders = (Path(__file__).parent, *(Path(folder) / "schema" for folder in rosarch.rules.__path__), *map(Path, clang.native.__path__))
+    schemas = (Path(folder) / "schema" for folder in rosarch.rules.__path__)
+    return version_of((Path(__file__).parent, *schemas, *map(Path, clang.native.__path__)))
+
+
+def version_of(folders: Iterable[Path]) -> str:
+    """A hash of programs: of the files below folders, and of Python.
+
+    Of files it is names, sizes and times: reading them all would take longer than reading a small workspace.
+    """
     parts = [sys.version]
     for folder in folders:
-        for path in sorted(folder.rglob("*")):
-            if "__pycache__" not in path.parts:
-                stat = path.stat()
-                parts.append(f"{path} {stat.st_size} {stat.st_mtime_ns if path.is_file() else 0}")
+        for above, inner, names in os.walk(folder):
+            inner[:] = sorted(name for name in inner if name != "__pycache__")
+            for name in sorted(names):
+                path = os.path.join(above, name)
+                stat = os.stat(path)
+                parts.append(f"{path} {stat.st_size} {stat.st_mtime_ns}")
     return hash_of(parts)
 
 

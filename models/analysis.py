@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import gc
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosarch.datalog import Program, load_program, read_facts
+from rosarch.datalog import Program, is_compiled, load_program, read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest, rules_folder
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
+from rosarch.models.cache import ModelCache
 from rosarch.models.component import ComponentModel, Relations, build_model
 
 if TYPE_CHECKING:
-    from rosarch.extractor.pipeline import ComponentFacts, Progress
+    from rosarch.extractor.pipeline import ComponentFacts
+    from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
 
 COMPONENT_TIMEOUT = 300.0
@@ -42,6 +45,7 @@ class _StoredFacts:
     kind: str
     sources: tuple[str, ...]
     folder: Path
+    key: None = None
 
     def rows(self) -> Mapping[str, Iterable[tuple[Any, ...]]]:
         return read_facts(self.folder, schema())
@@ -49,7 +53,11 @@ class _StoredFacts:
 
 def component_program() -> Program:
     """The rules that derive a component's model."""
-    return load_program(rules_folder() / "component.dl")
+    return load_program(_rules())
+
+
+def _rules() -> Path:
+    return rules_folder() / "component.dl"
 
 
 def analyze(
@@ -66,13 +74,15 @@ def analyze(
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root`. See `extract` for the options."""
     start = time.perf_counter()
-    with meanwhile(component_program) as rules_compiled:
+    with meanwhile(component_program) if not is_compiled(_rules()) else nullcontext(lambda: None) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
 
         with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress, only=only) as extraction:
             extracted = time.perf_counter()
             rules_compiled()
-            models, failures = _evaluate(root.resolve().name, extraction.components, root, engine, jobs, progress)
+            system = root.resolve().name
+            kept = ModelCache(cache, system, engine) if cache else None
+            models, failures = _evaluate(system, extraction.components, root, engine, jobs, progress, kept)
             statistics = {
                 "components": len(models),
                 "extraction_seconds": extracted - start,
@@ -103,9 +113,39 @@ def _evaluate(
     engine: str,
     jobs: int | None,
     progress: Progress | None,
+    kept: ModelCache | None = None,
 ) -> tuple[tuple[ComponentModel, ...], list[Diagnostic]]:
     from rosarch.extractor.workspace import Diagnostic
 
+    models: list[ComponentModel] = []
+    failures: list[Diagnostic] = []
+    waiting = []
+    for component in components:
+        model = kept.load(_title(component), component.key) if kept else None
+        if model is None:
+            waiting.append(component)
+        else:
+            models.append(model)
+    for component, outcome in _derived(waiting, engine, jobs) if waiting else ():
+        if isinstance(outcome, Failure):
+            detail = f"{_title(component)} not analysed: {outcome.reason} ({outcome.detail})"
+            failures.append(Diagnostic("component", where, 1, 1, detail))
+        else:
+            models.append(build_model(system, component.name, component.package, component.kind, component.sources, outcome))
+            if kept:
+                kept.store(_title(component), component.key, models[-1])
+        if progress:
+            progress("components", len(models) + len(failures), len(components))
+    if kept and waiting:
+        kept.cache.trim()
+    models.sort(key=lambda model: (model.package, model.component))
+    return tuple(models), sorted(failures, key=str)
+
+
+def _derived(
+    components: Sequence[ComponentFacts | _StoredFacts], engine: str, jobs: int | None
+) -> Iterator[tuple[ComponentFacts | _StoredFacts, Relations | Failure]]:
+    """What the rules derive of each component, in worker processes."""
     program = component_program()
 
     def work(component: ComponentFacts | _StoredFacts) -> Relations:
@@ -113,15 +153,9 @@ def _evaluate(
         result = program.evaluate(component.rows(), engine=engine)
         return {name: result.rows(name) for name in result.names()}
 
-    models, failures = [], []
-    for done, (index, outcome) in enumerate(run_tasks(work, components, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT)):
-        component = components[index]
-        if isinstance(outcome, Failure):
-            detail = f"{component.package}/{component.name} not analysed: {outcome.reason} ({outcome.detail})"
-            failures.append(Diagnostic("component", where, 1, 1, detail))
-        else:
-            models.append(build_model(system, component.name, component.package, component.kind, component.sources, outcome))
-        if progress:
-            progress("components", done + 1, len(components))
-    models.sort(key=lambda model: (model.package, model.component))
-    return tuple(models), sorted(failures, key=str)
+    for index, outcome in run_tasks(work, components, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
+        yield components[index], outcome
+
+
+def _title(component: ComponentFacts | _StoredFacts) -> str:
+    return f"{component.package}/{component.name}"

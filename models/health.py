@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.pipeline import ComponentFacts, Progress, extract
+from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.units import Progress
 from rosarch.extractor.workspace import Diagnostic
 from rosarch.models.analysis import COMPONENT_TIMEOUT, component_program
 from rosarch.models.places import Place

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -35,6 +35,19 @@ class Missing:
     header: str
 
 
+@dataclass(frozen=True)
+class _Found:
+    """What an include leads to: a file to go on with, the folder to search for it beyond the usual ones, or what nothing provides."""
+
+    file: Path | None = None
+    folder: Path | None = None
+    missing: Missing | None = None
+
+
+_Folders = tuple[tuple[Path, ...], tuple[Path, ...]]
+"""Those that a source is compiled with, and those of installed headers."""
+
+
 @dataclass
 class Includes:
     """What one source includes, directly and through others; `made` are the folders of generated and absent headers.
@@ -43,7 +56,7 @@ class Includes:
     """
 
     made: list[Path] = field(default_factory=list)
-    files: list[Path] = field(default_factory=list)
+    files: Collection[Path] = ()
     missing: list[Missing] = field(default_factory=list)
     predictable: bool = True
 
@@ -64,6 +77,8 @@ class HeaderFinder:
         self._unpredictable: set[Path] = set()
         self._exists: dict[str, bool] = {}
         self._made: dict[str, Path | None] = {}
+        self._found: dict[tuple[_Folders, Path], list[_Found]] = {}
+        self._stamps: dict[Path, str] = {}
 
     def closure(self, source: Path, include_dirs: Sequence[Path], installed: Sequence[Path] = ()) -> Includes:
         """Find all that `source` includes, making what is generated or absent.
@@ -75,28 +90,34 @@ class HeaderFinder:
         extra: dict[Path, None] = {}
         seen = {source}
         queue = [source]
+        folders = (tuple(include_dirs), tuple(installed))
         while queue:
             file = queue.pop()
-            for line, name, quoted in self._includes_of(file):
-                found, folder = self._resolve(file, name, quoted, (include_dirs, installed), result, line)
-                if folder is not None:
-                    extra[folder] = None
-                if found is not None and found not in seen:
-                    seen.add(found)
-                    queue.append(found)
-        result.files = sorted(seen)
+            for found in self._found_in(file, folders):
+                if found.folder is not None:
+                    extra[found.folder] = None
+                if found.missing is not None:
+                    result.missing.append(found.missing)
+                if found.file is not None and found.file not in seen:
+                    seen.add(found.file)
+                    queue.append(found.file)
+        result.files = seen
         result.made = sorted(extra)
         result.predictable = self._unpredictable.isdisjoint(seen)
         return result
 
     def fingerprint(self, includes: Includes) -> str:
         """A hash of what `closure` found: which files, with what content, and what is missing; the same wherever the workspace lies."""
-        parts: list[str | bytes] = []
-        for path in includes.files:
-            parts += [self._name(path), self._digests.get(path, b"")]
+        parts = ["".join(sorted(map(self._stamp, includes.files)))]
         parts += [f"{self._name(missing.file)}:{missing.line} {missing.header}" for missing in includes.missing]
         parts += [self._name(folder) for folder in includes.made]
         return hash_of(parts)
+
+    def _stamp(self, path: Path) -> str:
+        """A hash of the name and the content of a file."""
+        if path not in self._stamps:
+            self._stamps[path] = hash_of([self._name(path), self._digests.get(path, b"")])
+        return self._stamps[path]
 
     def _name(self, path: Path) -> str:
         """A path relative to the workspace, to what is made for it, or to what rosarch brings."""
@@ -130,31 +151,34 @@ class HeaderFinder:
             known = self._exists[path] = os.path.isfile(path)
         return known
 
-    def _resolve(
-        self, file: Path, name: str, quoted: bool, folders: tuple[Sequence[Path], Sequence[Path]], result: Includes, line: int
-    ) -> tuple[Path | None, Path | None]:
-        """Return (file to go on with, folder to search for it beyond the usual ones)."""
+    def _found_in(self, file: Path, folders: _Folders) -> list[_Found]:
+        """What the includes of a file lead to; the same for all sources that look in the same folders."""
+        key = (folders, file)
+        if key not in self._found:
+            self._found[key] = [self._resolve(file, name, quoted, folders, line) for line, name, quoted in self._includes_of(file)]
+        return self._found[key]
+
+    def _resolve(self, file: Path, name: str, quoted: bool, folders: _Folders, line: int) -> _Found:
         if name.startswith("/"):
-            return (Path(name), None) if self._is_file(name) else (None, None)
+            return _Found(Path(name)) if self._is_file(name) else _Found()
         if quoted and self._is_file(beside := os.path.join(file.parent, name)):
-            return Path(os.path.normpath(beside)), None
+            return _Found(Path(os.path.normpath(beside)))
         for folder in folders[0]:
             if self._is_file(path := os.path.join(folder, name)):
-                return Path(os.path.normpath(path)), None
+                return _Found(Path(os.path.normpath(path)))
         for folder in SHIPPED_DIRS:
             if self._is_file(path := os.path.join(folder, name)):
-                return Path(path), None  # it may include messages in turn
+                return _Found(Path(path))  # it may include messages in turn
         made = self._generated(name)
         if made is not None:
-            return made, self.scratch / "messages"
+            return _Found(made, self.scratch / "messages")
         for folder in folders[1]:
             if self._is_file(path := os.path.join(folder, name)):
-                return Path(path), self._forward(name, Path(path))
+                return _Found(Path(path), self._forward(name, Path(path)))
         elsewhere = self._elsewhere(file, name)
         if elsewhere is not None:
-            return elsewhere, self._forward(name, elsewhere)
-        result.missing.append(Missing(file, line, name))
-        return None, self._absent(name)
+            return _Found(elsewhere, self._forward(name, elsewhere))
+        return _Found(None, self._absent(name), Missing(file, line, name))
 
     def _generated(self, name: str) -> Path | None:
         if name not in self._made:

@@ -27,7 +27,7 @@ from rosarch.models.system.workspace import programs_named, source_rows, workspa
 
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
-    from rosarch.extractor.pipeline import Progress
+    from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
 
 

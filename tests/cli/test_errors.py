@@ -261,15 +261,15 @@ def test_a_full_disk_ends_the_run(rosarch: Callable, workspace: Path, monkeypatc
     def full(*_arguments: object, **_options: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "/tmp/rosarch-x/y.unit")
 
-    monkeypatch.setattr("rosarch.extractor.pipeline.extract_unit", full)
+    monkeypatch.setattr("rosarch.extractor.units.extract_unit", full)
     outcome = rosarch("analyze", "ws", "--no-cache")
     assert (outcome.code, outcome.out) == (2, "")
     assert outcome.err == "rosarch: error: /tmp/rosarch-x/y.unit: cannot write (no space left on device)\n"
 
 
 def test_no_room_for_the_declarations(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosarch.extractor.pipeline.build_prelude", lambda _path: os.abort())
-    monkeypatch.setattr("rosarch.extractor.pipeline.PRELUDE_BYTES", 1 << 60)
+    monkeypatch.setattr("rosarch.extractor.units.build_prelude", lambda _path: os.abort())
+    monkeypatch.setattr("rosarch.extractor.units.PRELUDE_BYTES", 1 << 60)
     outcome = rosarch("analyze", "ws", "--no-cache")
     assert (outcome.code, outcome.out) == (2, "")
     assert re.search(r"^rosarch: error: .*/rosarch-\w+: cannot write \(no space left on device\)$", outcome.err, re.MULTILINE)

@@ -62,7 +62,7 @@ def test_a_second_run_reads_nothing_and_gives_the_same_facts(workspace: Path, tm
     def refuse(*_args: object, **_options: object) -> None:
         raise AssertionError("read again")
 
-    monkeypatch.setattr("rosarch.extractor.pipeline.extract_unit", refuse)
+    monkeypatch.setattr("rosarch.extractor.units.extract_unit", refuse)
     assert facts(workspace, cache) == first == facts(workspace, cache)
 
 

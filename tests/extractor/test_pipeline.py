@@ -139,16 +139,16 @@ def test_one_unreadable_source_costs_itself(root: Path) -> None:
 
 
 def test_a_crash_in_one_source_costs_itself(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rosarch.extractor import pipeline
+    from rosarch.extractor import units
 
-    real = pipeline.extract_unit
+    real = units.extract_unit
 
     def crash_on_extra(unit, *arguments, **options):  # type: ignore[no-untyped-def]
         if unit.source.name == "extra.cpp":
             os._exit(7)
         return real(unit, *arguments, **options)
 
-    monkeypatch.setattr(pipeline, "extract_unit", crash_on_extra)
+    monkeypatch.setattr(units, "extract_unit", crash_on_extra)
     with extract(root, jobs=1) as extraction:
         right, left = component(extraction, "right").rows(), component(extraction, "left").rows()
         assert set(right["source_failed"]) == {(file_key("robot/extra.cpp"), "crash")}
@@ -159,12 +159,12 @@ def test_a_crash_in_one_source_costs_itself(root: Path, monkeypatch: pytest.Monk
 
 
 def test_an_error_in_one_source_is_one_line(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rosarch.extractor import pipeline
+    from rosarch.extractor import units
 
     def fail(unit, *_arguments, **_options):  # type: ignore[no-untyped-def]
         raise ValueError("broken")
 
-    monkeypatch.setattr(pipeline, "extract_unit", fail)
+    monkeypatch.setattr(units, "extract_unit", fail)
     with extract(root, packages=["common"], jobs=1) as extraction:
         lines = [str(diagnostic).replace(f"{root}/", "") for diagnostic in extraction.diagnostics]
         assert [line.partition(", in ")[0] for line in lines] == [

@@ -1,0 +1,47 @@
+"""Component models of earlier runs, kept beside what was extracted: found by a hash of the facts and of all that makes models of them."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import rosarch.datalog
+from rosarch.extractor.cache import Cache, hash_of, version_of
+from rosarch.extractor.manifest import rules_folder
+from rosarch.models.component import ComponentModel
+
+
+@lru_cache(maxsize=1)
+def models_version() -> str:
+    """A hash of all but facts that models depend on: the rules, the engine, this package."""
+    return version_of((rules_folder(), *map(Path, rosarch.datalog.__path__), Path(__file__).parent))
+
+
+@dataclass(frozen=True)
+class ModelCache:
+    """The models of the components of `system` that `engine` derives."""
+
+    cache: Cache
+    system: str
+    engine: str
+
+    def load(self, component: str, facts: str | None) -> ComponentModel | None:
+        """The model of a component, found by the hash of its facts; None when there is none, or the facts have no hash."""
+        data = self.cache.load(self._key(component, facts)) if facts else None
+        if data is None:
+            return None
+        try:
+            model = pickle.loads(data)
+        except Exception:  # the checksum was right, so that it is another version's; whatever pickle then says
+            return None
+        return model if isinstance(model, ComponentModel) else None
+
+    def store(self, component: str, facts: str | None, model: ComponentModel) -> None:
+        """Keep a model, when its facts have a hash."""
+        if facts:
+            self.cache.store(self._key(component, facts), pickle.dumps(model, protocol=pickle.HIGHEST_PROTOCOL))
+
+    def _key(self, component: str, facts: str) -> str:
+        return hash_of(["model", models_version(), self.system, self.engine, component, facts])
