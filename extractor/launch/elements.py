@@ -258,7 +258,8 @@ def machine(state: State, element: Element, scope: Scope) -> None:
     Raises:
         LaunchError: it is refused.
     """
-    if state.conditions(element, scope) is None:
+    conditions = state.conditions(element, scope)
+    if conditions is None:
         return
     old = {name: state.text(element, name, scope) for name in ("ros-root", "ros-package-path", "ros-ip", "ros-hostname")}
     for name in filter(old.get, old):
@@ -279,6 +280,8 @@ def machine(state: State, element: Element, scope: Scope) -> None:
     content = (default != "never", address, loader, int(port or "22") if is_known(port or "") else port, user or None, password, timeout)
     if default == "true":
         state.default_machine = name
+    if scope.conditions or conditions:
+        return  # one of two alternatives, of which the other may declare it as well
     if state.machines.setdefault(name, content) != content:
         raise LaunchError("machine", name, f"machine `{name}` is declared twice, with different settings")
 

@@ -208,3 +208,9 @@ def test_input_cannot_pose_as_an_unknown(tmp_path: Path) -> None:
         **{f"/{name}": "\ufffd" for name in ("text", "entity", "file", "argument", "set", "yaml")},
         "/eval": "\ufffd" * 4,
     }
+
+
+def test_a_machine_in_both_of_two_alternatives(tmp_path: Path) -> None:
+    machine = '<group {}="$(env ROBOT)"><machine name="m" address="{}"/></group>'
+    composition = composed(tmp_path, machine.format("if", "a") + machine.format("unless", "b"))
+    assert {problem.kind for problem in composition.problems} == {"env"}
