@@ -25,7 +25,8 @@ Relations = Mapping[str, Iterable[Row]]
 class Port:
     """A place where a component meets others; the fields are those of `FORMAT.md`.
 
-    `unknown` tells why a name is not known, `in_namespace` that it begins with the namespace of the node though it looks absolute.
+    `unknown` tells why a name is not known, `in_namespace` where it has the namespace of the node: `first` (though it looks
+    absolute) or `inside`.
     """
 
     id: str
@@ -41,7 +42,7 @@ class Port:
     implicit: bool = False
     unknown: str | None = None
     guard: Formula = formula.TRUE
-    in_namespace: bool = False
+    in_namespace: str | None = None
 
 
 @dataclass(frozen=True)
@@ -123,7 +124,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
-    relative = {port for (port,) in relations["port_in_namespace"]}
+    relative = _first(relations["port_in_namespace"])
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
@@ -152,7 +153,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
                     False,
                     unknown.get(port),
                     guards.created(site, calls[port]),
-                    port in relative,
+                    relative.get(port),
                 ),
             )
         )
@@ -269,7 +270,7 @@ def _port_json(port: Port) -> dict[str, Any]:
     if port.unknown:
         data["unknown"] = port.unknown
     if port.in_namespace:
-        data["in_namespace"] = True
+        data["in_namespace"] = port.in_namespace
     return data
 
 
