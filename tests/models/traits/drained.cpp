@@ -1,4 +1,4 @@
-// expect: serves_callbacks 18
+// expect: serves_callbacks 21
 // expect: names_nothing 14 ~scan_topic /scan
 #include <string>
 #include <ros/ros.h>
@@ -15,5 +15,8 @@ int main(int argc, char** argv) {
   pnh.param<std::string>("path_topic", used, "/path");
   ros::Subscriber sub = nh.subscribe("/scan", 10, onScan);
   ros::Subscriber path = nh.subscribe(used, 10, onScan);
+  std::string space = ros::this_node::getNamespace();
+  pnh.param<std::string>("pose_topic", used, "/pose");
+  ros::Subscriber pose = nh.subscribe(space + used, 10, onScan);
   for (ros::Rate rate(5); ros::ok(); rate.sleep()) ros::spinOnce();
 }

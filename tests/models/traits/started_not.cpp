@@ -1,4 +1,4 @@
-// waits for subscribers; sends later; sends one part a round
+// waits for subscribers; sends later; sends one part a round; sends in one round
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 
@@ -14,6 +14,9 @@ int main(int argc, char** argv) {
   for (int i = 0; i < 3; ++i) {
     parts.publish(message);
     rate.sleep();
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (i == 1) parts.publish(message);
   }
   ros::spin();
 }
