@@ -17,15 +17,16 @@ from rosarch.cli.check_options import (
     Ignored,
     NewBaseline,
     Notes,
+    Talkative,
     Warnings,
     load_configuration,
     make_policy,
 )
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
 from rosarch.cli.inputs import check_folder
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, Verbose, parse_defines
+from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, parse_defines
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, load_systems
-from rosarch.cli.terminal import show_diagnostics
+from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
     from rosarch.extractor.suppressions import Suppression
@@ -54,10 +55,11 @@ def check(
     defines: Defines = None,
     timeout: Timeout = 60.0,
     cached: Cached = True,
-    verbose: Verbose = False,
+    verbose: Talkative = False,
 ) -> None:
     """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
     from rosarch.models.system.build import system_rules
+    from rosarch.reports.findings import scope_text
 
     check_folder(folder)
     destinations = parse_destinations(output_format, outputs)
@@ -69,7 +71,7 @@ def check(
     known = baseline or (Path(configuration.baseline) if configuration.baseline and write_baseline is None else None)
     inputs = SystemInputs(folder, launches, package_path, environment, libraries, engine, jobs, timeout, parse_defines(defines), cached)
     analysis = load_systems(inputs, configuration)
-    show_diagnostics(analysis.diagnostics, verbose)
+    show_remaining(analysis, folder, verbose)
     reported = judge(
         analysis.findings,
         policy,
@@ -79,7 +81,7 @@ def check(
         new_baseline=write_baseline,
         complete=not launches,
     )
-    write_reports(reported, destinations, folder)
+    write_reports(reported, destinations, folder, notes=verbose, scope=scope_text(analysis.systems))
     if reported.exit_code:
         raise typer.Exit(reported.exit_code)
 

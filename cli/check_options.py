@@ -54,6 +54,7 @@ NewBaseline = Annotated[
     Path | None,
     typer.Option("--write-baseline", parser=path_argument, metavar="FILE", help="Write what is found as a baseline.", show_default=False),
 ]
+Talkative = Annotated[bool, typer.Option("--verbose", "-v", help="Show notes in the text report, and every diagnostic.")]
 
 
 def load_configuration(folder: Path, file: Path | None, checks: Iterable[Check]) -> Configuration:

@@ -77,12 +77,12 @@ def judge(
     return apply_policy(findings, policy, suppressions, reported.baseline, checks=checks, complete=complete)
 
 
-def write_reports(reported: Reported, destinations: Destinations, folder: Path) -> None:
-    """Write all reports on the findings of the workspace `folder`."""
+def write_reports(reported: Reported, destinations: Destinations, folder: Path, *, notes: bool = True, scope: str = "") -> None:
+    """Write all reports on the findings of the workspace `folder`; see `Setting` for what those for people show."""
     from rosarch.extractor.files import folder_reader
     from rosarch.reports.findings import Setting, report_text
 
-    setting = Setting(folder_reader(folder), _seen_from_here(folder))
+    setting = Setting(folder_reader(folder), _seen_from_here(folder), notes=notes, scope=scope)
     for name, file in destinations.files:
         _write(file, report_text(name, reported, setting))
     for name in destinations.stdout:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rich.progress import TaskID
 
     from rosarch.extractor.workspace import Diagnostic
+    from rosarch.models.system.analysis import SystemAnalysis
 
 REFRESH_SECONDS = 0.1
 
@@ -46,6 +47,18 @@ def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool, base: Pat
     from rosarch.reports.diagnostics import diagnostics_text
 
     sys.stderr.write(diagnostics_text(diagnostics, base or Path.cwd(), complete=verbose))
+
+
+def show_remaining(analysis: SystemAnalysis, folder: Path, verbose: bool) -> None:
+    """Tell on stderr what of systems was not understood: all of it, or in short what no finding tells."""
+    from rosarch.reports.diagnostics import diagnostics_summary
+
+    if verbose:
+        return show_diagnostics(analysis.diagnostics, verbose)
+    told = {(folder.absolute() / step.place.path, step.place.line) for finding in analysis.findings for step in finding.evidence}
+    rest = [found for found in analysis.diagnostics if (found.path.absolute(), found.line) not in told]
+    sys.stderr.write(diagnostics_summary(rest, Path.cwd()))
+    return None
 
 
 def show_note(text: str) -> None:

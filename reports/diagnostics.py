@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rosarch.extractor.workspace import Diagnostic
 
 SHOWN = 20
+SUMMARY = 5
 
 
 def diagnostics_text(diagnostics: Iterable[Diagnostic], base: Path, *, complete: bool = False) -> str:
@@ -34,6 +35,21 @@ def diagnostics_text(diagnostics: Iterable[Diagnostic], base: Path, *, complete:
     tail = "" if len(shown) == total else f"; {len(shown)} shown, -v shows all"
     lines.append(f"{counted(total, 'diagnostic')}{tail}")
     return "\n".join(lines) + "\n"
+
+
+def diagnostics_summary(diagnostics: Iterable[Diagnostic], base: Path) -> str:
+    """A line for what was not understood the same way, the most frequent first; at most `SUMMARY` lines and how many there are."""
+    groups: dict[tuple[str, str], list[Diagnostic]] = {}
+    for diagnostic in diagnostics:
+        groups.setdefault((diagnostic.kind, diagnostic.message.partition("\n")[0]), []).append(diagnostic)
+    if not groups:
+        return ""
+    lines = []
+    for (_, message), found in sorted(groups.items(), key=lambda group: (-len(group[1]), group[0]))[:SUMMARY]:
+        lines.append(diagnostic_line(found[0], base) if len(found) == 1 else f"{printable(message)} ({len(found)} places)")
+    total = sum(map(len, groups.values()))
+    shortened = len(groups) > SUMMARY or total > len(groups)
+    return "\n".join([*lines, f"{counted(total, 'diagnostic')}{'; -v shows all' if shortened else ''}"]) + "\n"
 
 
 def diagnostic_line(diagnostic: Diagnostic, base: Path) -> str:

@@ -10,6 +10,7 @@ from importlib.metadata import version
 from rosarch.models.findings import SEVERITIES, Finding
 from rosarch.models.places import Place
 from rosarch.models.policy import Reported
+from rosarch.models.system.model import SystemModel
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
@@ -24,12 +25,15 @@ class Setting:
     """Where a report is read.
 
     `read` gives the text of a file of the workspace, or None. `folder` is the workspace as seen from where the reader stands, empty when
-    that is the workspace itself: people, editors and services find a file by the path that begins there.
+    that is the workspace itself: people, editors and services find a file by the path that begins there. `notes` tells whether people want
+    notes, `scope` in words what was checked.
     """
 
     read: Callable[[str], str | None] = field(default=lambda _path: None)
     folder: str = ""
     terminal: bool = False
+    notes: bool = True
+    scope: str = ""
 
     def path(self, path: str) -> str:
         """The path of a file of the workspace as the reader knows it."""
@@ -60,6 +64,15 @@ def some_systems(finding: Finding) -> list[str]:
     """The systems that have a finding, in words and printable; of many the first ones."""
     names = [printable(name) for name in finding.systems]
     return names if len(names) <= SYSTEMS else [*names[: SYSTEMS - 1], f"{len(names) - SYSTEMS + 1} more"]
+
+
+def scope_text(systems: Iterable[SystemModel]) -> str:
+    """How much was checked, and of how much nothing is known."""
+    systems = tuple(systems)
+    nodes = [node for system in systems for node in system.nodes]
+    unknown = sum(node.origin == "unknown" for node in nodes)
+    known = f", {unknown} of them without a model" if unknown else ""
+    return f"checked {counted(len(systems), 'system')} with {counted(len(nodes), 'node')}{known}"
 
 
 def severity_counts(findings: Iterable[Finding]) -> dict[str, int]:

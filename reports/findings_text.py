@@ -1,4 +1,8 @@
-"""Findings for people: each with its source line, the steps that lead to it, and what to change."""
+"""Findings for people: each with its source line, the steps that lead to it, and what to change.
+
+What repeats is said once: the source line of findings that share it, and the hint of a check. Notes, which are many and matter little, are
+only counted unless they are asked for or make the run fail.
+"""
 
 from __future__ import annotations
 
@@ -20,11 +24,18 @@ _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold cyan"}
 def findings_text(reported: Reported, setting: Setting) -> str:
     """A paragraph for each finding, by file and line, and a summary."""
     excerpts = Excerpts(setting.read)
+    told = [finding for finding in reported.shown if setting.notes or finding.severity != "note" or reported.policy.fails(finding)]
     lines: list[Text] = []
-    for finding in reported.shown:
-        lines += [*_finding(finding, excerpts, setting), Text()]
+    hinted: set[str] = set()
+    for before, finding in zip((None, *told), told, strict=False):
+        repeated = before is not None and setting.line(before.place) == setting.line(finding.place)
+        lines += [*_finding(finding, excerpts, setting, excerpted=not repeated, hint=finding.check.id not in hinted), Text()]
+        hinted.add(finding.check.id)
     worst = min((finding.severity for finding in reported.shown), key=list(_STYLES).index, default="")
-    lines.append(Text(summary_line(reported), style=_STYLES.get(worst, "bold green")))
+    hidden = "; -v shows the notes" if len(told) < len(reported.shown) else ""
+    lines.append(Text(f"{summary_line(reported)}{hidden}", style=_STYLES.get(worst, "bold green")))
+    if setting.scope:
+        lines.append(Text(setting.scope))
     if not setting.terminal:
         return "".join(f"{line.plain.rstrip()}\n" for line in lines)
     buffer = io.StringIO()
@@ -33,7 +44,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
     return buffer.getvalue()
 
 
-def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator[Text]:
+def _finding(finding: Finding, excerpts: Excerpts, setting: Setting, *, excerpted: bool, hint: bool) -> Iterator[Text]:
     """Headline, excerpt, the other steps with theirs, the hint, and the systems that have it."""
     width = max(len(str(step.place.line)) for step in finding.evidence)
     yield Text.assemble(
@@ -42,7 +53,7 @@ def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator
         printable(finding.message),
         (f"  [{printable(finding.check.id)}]", "dim"),
     )
-    shown: set[tuple[str, int]] = set()
+    shown = set() if excerpted else {(finding.place.path, finding.place.line)}
     for number, step in enumerate(finding.evidence):
         if number:
             text = f": {printable(step.text)}" if step.text else ""
@@ -50,7 +61,7 @@ def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator
         if (step.place.path, step.place.line) not in shown:
             yield from _excerpt(step, excerpts, width, finding.severity, labelled=not number)
             shown.add((step.place.path, step.place.line))
-    if finding.check.recommendation:
+    if finding.check.recommendation and hint:
         yield Text.assemble("  ", ("hint: ", "bold"), printable(" ".join(finding.check.recommendation.split())))
     if finding.systems:
         yield Text.assemble("  ", ("in: ", "bold"), ", ".join(some_systems(finding)))

@@ -27,7 +27,7 @@ def evaluated(state: State, call: XacroCall) -> tuple[str | None, tuple[Simulato
     expansion = run(call, state.files, state.resolver.environment, state.unknowns)
     state.spend(expansion.work)
     for problem in expansion.problems:
-        kind = "command" if problem.fatal else problem.kind
+        kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
     if expansion.document is None:
         return None, ()

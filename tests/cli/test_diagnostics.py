@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rosarch.extractor.workspace import Diagnostic
-from rosarch.reports.diagnostics import diagnostics_text
+from rosarch.reports.diagnostics import diagnostics_summary, diagnostics_text
 
 HERE = Path("/ws")
 
@@ -47,3 +47,22 @@ def test_only_the_first_line_of_a_long_message() -> None:
     assert diagnostics_text([Diagnostic("source", HERE / "b.cpp", 1, 1, "error\nmore\nmore")], HERE) == (
         "source: 1\n  b.cpp:1:1: error\n1 diagnostic\n"
     )
+
+
+def test_a_summary_has_a_line_for_each_message() -> None:
+    found = [
+        *cmake(3),
+        Diagnostic("source", HERE / "b.cpp", 1, 1, "crash"),
+        Diagnostic("launch-env", HERE / "a.launch", 2, 3, "`X` is not set"),
+    ]
+    assert diagnostics_summary(found, HERE) == (
+        "unknown command x (3 places)\na.launch:2:3: `X` is not set\nb.cpp:1:1: crash\n5 diagnostics; -v shows all\n"
+    )
+    assert diagnostics_summary(found[3:], HERE) == "a.launch:2:3: `X` is not set\nb.cpp:1:1: crash\n2 diagnostics\n"
+    assert diagnostics_summary([], HERE) == ""
+
+
+def test_a_summary_is_short() -> None:
+    many = [Diagnostic("source", HERE / "b.cpp", line, 1, f"message {line:02}") for line in range(1, 21)]
+    lines = diagnostics_summary(many, HERE).splitlines()
+    assert (len(lines), lines[0], lines[-1]) == (6, "b.cpp:1:1: message 01", "20 diagnostics; -v shows all")

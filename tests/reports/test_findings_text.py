@@ -7,12 +7,14 @@ from dataclasses import replace
 
 import pytest
 from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, nothing, one
-from handmade_findings import FULL, MISMATCH, finding
+from handmade_findings import CHECKS, FULL, MISMATCH, STYLE, finding
+from systems import node, small, system
 
 from rosarch.models.findings import Evidence
 from rosarch.models.places import Place
+from rosarch.models.policy import Policy, apply_policy
 from rosarch.reports.excerpts import WIDEST, Excerpts
-from rosarch.reports.findings import Setting
+from rosarch.reports.findings import Setting, scope_text
 from rosarch.reports.findings_text import findings_text
 
 
@@ -69,6 +71,48 @@ def test_a_line_is_shown_once() -> None:
         "  odom/src/odom.cpp:3: here again",
         "  hint: Use one type, or rename one topic.",
     ]
+
+
+def test_what_repeats_is_said_once() -> None:
+    first, second, third = (replace(FULL, message=message, evidence=FULL.evidence[:1]) for message in "abc")
+    third = replace(third, evidence=(Evidence("", Place("odom/src/odom.cpp", 4, 1)),))
+    reported = apply_policy([first, second, third], Policy(), checks=CHECKS)
+    assert findings_text(reported, HERE) == (
+        "odom/src/odom.cpp:3:13: error: a  [type-mismatch]\n"
+        '  3 |   sub_ = nh.subscribe("ticks", 10, &Odom::onTicks, this);\n'
+        "    |             ^~~~~~~~~ read as Float32\n"
+        "  hint: Use one type, or rename one topic.\n"
+        "  in: base.launch, sim.launch\n"
+        "\n"
+        "odom/src/odom.cpp:3:13: error: b  [type-mismatch]\n"
+        "  in: base.launch, sim.launch\n"
+        "\n"
+        "odom/src/odom.cpp:4:1: error: c  [type-mismatch]\n"
+        "  4 | }\n"
+        "    | ^\n"
+        "  in: base.launch, sim.launch\n"
+        "\n"
+        "3 findings: 3 errors\n"
+    )
+
+
+def test_notes_are_shown_when_they_are_asked_for_or_make_the_run_fail() -> None:
+    brief = replace(HERE, notes=False)
+    findings = [finding(STYLE, "bad style"), FULL]
+    reported = apply_policy(findings, Policy(), checks=CHECKS)
+    assert "note: bad style  [style]" in findings_text(reported, HERE)
+    assert "bad style" not in findings_text(reported, brief)
+    assert findings_text(reported, brief).splitlines()[-1] == "2 findings: 1 error, 1 note; -v shows the notes"
+    assert findings_text(one(finding(STYLE)), brief) == "1 finding: 1 note; -v shows the notes\n"
+    failing = apply_policy(findings, Policy(fail_on="note"), checks=CHECKS)
+    assert findings_text(failing, brief).splitlines()[-1] == "2 findings: 1 error, 1 note"
+
+
+def test_how_much_was_checked() -> None:
+    assert findings_text(nothing(), replace(HERE, scope=scope_text([small(), system([node("/a")])]))) == (
+        "no findings\nchecked 2 systems with 6 nodes, 1 of them without a model\n"
+    )
+    assert scope_text([system([node("/a")])]) == "checked 1 system with 1 node"
 
 
 def test_numbers_are_aligned() -> None:

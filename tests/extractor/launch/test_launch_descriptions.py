@@ -120,3 +120,12 @@ def test_worlds_that_nodes_and_included_files_are_given(tmp_path: Path) -> None:
         ("a.world", 2, ["liba.so"]),
         ("b.sdf", 3, ["libb.so"]),
     ]
+
+
+def test_an_absent_package_in_a_description_is_an_absent_package(tmp_path: Path) -> None:
+    found = composed(
+        tmp_path,
+        '<param name="d" command="xacro $(find here)/robot.urdf"/>',
+        robot_urdf='<robot xmlns:xacro="http://ros.org/wiki/xacro">\n  <xacro:include filename="$(find gone)/arm.xacro"/></robot>',
+    )
+    assert [(problem.kind, problem.subject) for problem in found.problems] == [("package", "gone")]
