@@ -57,6 +57,7 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result) -
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
     ports, ids = _ports(rows, result, places)
     opened = {node for (node,) in result.rows("node_open")}
+    hosts = {node for (node,) in result.rows("hosts")}
     instances = _grouped(result.rows("instance"))
     lines = _grouped(rows.get("started_at", ()))
     conditions = _grouped(rows.get("started_if", ()))
@@ -71,7 +72,7 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result) -
                 name=names[start],
                 package=package,
                 type=type_,
-                origin=origins[components[0]] if components else "unknown",
+                origin=origins[components[0]] if components else "library" if start in hosts else "unknown",
                 component=components[0] if components else None,
                 lines=tuple(places[place] for _, place in lines.get(start, [])),
                 ports=tuple(ports.get(start, ())),

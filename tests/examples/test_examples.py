@@ -14,7 +14,9 @@ import pytest
 from tests.examples.source_lines import making_line
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-NAMES = sorted(path.parent.name for path in EXAMPLES.glob("*/expected"))
+ALL = sorted(path.parent.name for path in EXAMPLES.glob("*/expected"))
+NAMES = sorted({path.parents[2].name for path in EXAMPLES.glob("*/expected/*/*.json")})
+SYSTEMS = sorted(path.parents[1].name for path in EXAMPLES.glob("*/expected/findings.txt"))
 
 BEHAVIOR = ("periodic", "reactive", "state_variables", "configuration", "transitions", "one_shot")
 
@@ -61,13 +63,13 @@ def test_models_are_the_same_with_souffle(name: str, rosarch: Callable, tmp_path
     agree(documents(tmp_path), expected_documents(name))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALL)
 def test_nothing_is_left_unsaid(name: str, rosarch: Callable) -> None:
     assert rosarch("analyze", EXAMPLES / name).err == ""
 
 
-def test_every_example_has_expected_models() -> None:
-    assert sorted(path.name for path in EXAMPLES.iterdir() if path.is_dir()) == NAMES
+def test_every_example_has_expected_models_or_findings() -> None:
+    assert sorted(path.name for path in EXAMPLES.iterdir() if path.is_dir()) == ALL == sorted({*NAMES, *SYSTEMS})
 
 
 def places(name: str) -> Iterator[tuple[dict[str, Any], list[str], int, re.Pattern[str]]]:

@@ -62,7 +62,7 @@ def test_every_clause_fires_in_some_case() -> None:
     """Those of `rules/system`, each alternative by itself, in one of the components that it is instantiated in."""
     collector = Collector(load_program([rules_folder() / "system.dl", *check_files()]))
     clauses = Counter(clause_of(rule.clause.location, rule.clause.head.name) for rule in collector.all)
-    for case in CASES:
+    for case in (*CASES, *CHECK_CASES):
         collector.add(program_of(case).evaluate({}, keep="all"))
     unfired = Counter(clause_of(clause.location, clause.relation) for clause in collector.coverage().unfired)
     assert [clause for clause, count in unfired.items() if "/system/" in clause and count == clauses[clause]] == []
