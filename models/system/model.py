@@ -32,8 +32,9 @@ class SystemNode:
     """A node that is started.
 
     `id` tells apart nodes of the same name. `component` is `package/name` of its model; `origin` tells where that is from: `source`,
-    `library`, or `unknown` when there is none; a host of nodelets, which has no ports to speak of, is known without one. `lines` lead from the launch file given to the `<node>`, `conditions` are those that
-    launch files leave open. `open` nodes may have more ports than are known.
+    `library`, or `unknown` when there is none; a host of nodelets, which has no ports to speak of, is known without one. `lines` lead from
+    the launch file given to the `<node>`, `conditions` are those that launch files leave open. `open` nodes may have more ports than are
+    known.
     """
 
     id: str
