@@ -70,7 +70,7 @@ def check(
     )
     known = baseline or (Path(configuration.baseline) if configuration.baseline and write_baseline is None else None)
     inputs = SystemInputs(folder, launches, package_path, environment, libraries, engine, jobs, timeout, parse_defines(defines), cached)
-    analysis = load_systems(inputs, configuration)
+    analysis = load_systems(inputs, configuration, required=True)
     show_remaining(analysis, folder, verbose)
     reported = judge(
         analysis.findings,

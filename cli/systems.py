@@ -73,12 +73,17 @@ EVERY = "*"
 """The launch files that no other includes."""
 
 
-def load_systems(inputs: SystemInputs, configuration: Configuration | None = None) -> SystemAnalysis:
-    """Compose and check the systems of a workspace: those that the options name, or else the configuration, or else all."""
+def load_systems(inputs: SystemInputs, configuration: Configuration | None = None, *, required: bool = False) -> SystemAnalysis:
+    """Compose and check the systems of a workspace: those that the options name, or else the configuration, or else all.
+
+    When some are `required`, a workspace without launch files is refused.
+    """
     from rosarch.models.system.analysis import analyze_systems
 
     with progress() as report:
         launches = _launches(inputs, configuration)
+        if required and not launches:
+            raise InputError(f"{inputs.folder}: no launch file below this folder")
         analysis = analyze_systems(inputs.folder, launches, progress=report, **_options(inputs))
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)

@@ -256,10 +256,10 @@ class Composition:
         return next((problem for problem in self.problems if problem.fatal and not problem.conditions), None)
 
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """The problems, as other parts of the extractor report theirs."""
+        """The problems, as other parts of the extractor report theirs, each in one line."""
         return tuple(
-            Diagnostic(f"launch-{problem.kind}", Path(problem.place.path), problem.place.line, problem.place.column, problem.message)
-            for problem in self.problems
+            Diagnostic(f"launch-{p.kind}", Path(p.place.path), p.place.line, p.place.column, p.message.replace("\n", "\\n"))
+            for p in self.problems
         )
 
 

@@ -33,16 +33,37 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
     """
     paths = list(paths)
     real = {path: os.path.realpath(path) for path in paths}
-    included: set[str] = set()
-    patterns: dict[str, None] = {}
+    included: dict[str, set[str]] = {}
+    matches: dict[str, set[str]] = {}
     for path in paths:
         composition = compose([path], files=files, environment=environment)
         written = {*(include.file or include.text for include in composition.includes), *_written(path, files)}
-        included |= {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
-        patterns.update(dict.fromkeys(sorted(name for name in written if "$(" in name)))
-    for pattern in filter(None, map(_pattern, patterns)):
-        included |= {name for name in real.values() if pattern.fullmatch(name)}
-    return [path for path in paths if real[path] not in included]
+        included[real[path]] = {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
+        for name in written:
+            if "$(" in name and name not in matches:
+                pattern = _pattern(name)
+                matches[name] = {other for other in real.values() if pattern.fullmatch(other)} if pattern else set()
+            included[real[path]] |= matches.get(name, set())
+    above = {name for names in included.values() for name in names}
+    found = {real[path] for path in paths} - above
+    reached = _reached(found, included)
+    for path in paths:  # those that include each other: the first stands for all
+        if real[path] not in reached:
+            found.add(real[path])
+            reached |= _reached([real[path]], included)
+    return [path for path in paths if real[path] in found]
+
+
+def _reached(names: Iterable[str], included: Mapping[str, set[str]]) -> set[str]:
+    """The files called `names`, and all that these include, directly or through others."""
+    reached: set[str] = set()
+    waiting = list(names)
+    while waiting:
+        name = waiting.pop()
+        if name not in reached:
+            reached.add(name)
+            waiting += included.get(name, ())
+    return reached
 
 
 def _pattern(name: str) -> re.Pattern[str] | None:

@@ -37,6 +37,22 @@ def test_top_level(tmp_path: Path) -> None:
     ]
 
 
+def test_files_that_include_each_other_are_started_from_the_first(tmp_path: Path) -> None:
+    includes = {
+        "above": ["ring_b"],
+        "one": ["two"],
+        "ring_a": ["ring_b"],
+        "ring_b": ["ring_a", "used"],
+        "two": ["one", "three"],
+        "self": ["self"],
+    }
+    for name in (*includes, "three", "used"):
+        lines = [f'<include file="$(dirname)/{other}.launch"/>' for other in includes.get(name, ())]
+        (tmp_path / f"{name}.launch").write_text(f"<launch>{''.join(lines)}</launch>")
+    found = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])), {})
+    assert [Path(path).stem for path in found] == ["above", "one", "self"]
+
+
 def started(args: str, *remaps: tuple[str, str]) -> NodeStart:
     place = Place("a.launch", 1)
     return NodeStart("p", "t", "n", "/", (place,), tuple(Remap(source, target, place) for source, target in remaps), args)
