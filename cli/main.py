@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli import analyze, check, diff, doctor, explain, export, extract, graph, includes, launch, library, query, rules, show
+from rosarch.cli import analyze, check, checks, diff, doctor, explain, export, extract, graph, includes, launch, library, query, rules, show
 from rosarch.cli.errors import run
 
 app = typer.Typer(
@@ -35,6 +35,7 @@ app.command("query")(query.query)
 app.command("explain")(explain.explain)
 app.command("why-not")(explain.why_not)
 app.add_typer(rules.app, name="rules")
+rules.app.command("checks")(checks.checks)
 
 
 def _print_version(wanted: bool) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from textwrap import dedent
 
 from rosarch.extractor.hints import hint
 from rosarch.extractor.manifest import rules_folder
@@ -70,7 +71,7 @@ def _fields(text: str, path: Path) -> Iterator[tuple[str, str]]:
             lines.append(line.removeprefix("//").removeprefix(" ").lstrip("|").removeprefix(" "))
             continue
         if name:
-            yield name, "\n".join(lines).strip()
+            yield name, dedent("\n".join(lines)).strip()
         name, lines = match[1], [(match[2] or "").removeprefix("|").strip()]
         if name not in FIELDS:
             raise CheckError(f"{path}:{number}:1: a check has no field `{name}`{hint(name, FIELDS)}")
@@ -78,7 +79,7 @@ def _fields(text: str, path: Path) -> Iterator[tuple[str, str]]:
             raise CheckError(f"{path}:{number}:1: the field `{name}` is there twice")
         seen.add(name)
     if name:
-        yield name, "\n".join(lines).strip()
+        yield name, dedent("\n".join(lines)).strip()
 
 
 def _step(line: str) -> tuple[str, str]:

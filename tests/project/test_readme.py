@@ -17,6 +17,7 @@ from rosarch.reports.machines import machines_text
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 CONSOLE = re.findall(r"```console\n\$ (rosarch [^\n]*)\n(.*?)```", README, re.DOTALL)
+DIAGRAMS = re.findall(r"```mermaid\n(.*?)```", README, re.DOTALL)
 SCRIPTS = re.findall(r"```sh\n(.*?)```", README, re.DOTALL)
 
 
@@ -33,7 +34,13 @@ def timeless(text: str) -> str:
 @pytest.mark.parametrize(("command", "output"), CONSOLE, ids=[command for command, _ in CONSOLE])
 def test_shown_output(command: str, output: str, rosarch: Callable) -> None:
     outcome = rosarch(*shlex.split(command)[1:])
-    assert (outcome.code, timeless(outcome.out), outcome.err) == (0, timeless(output), "")
+    found = re.search(r"^\d+ findings?: \d+ (error|warning)", output, re.MULTILINE) is not None
+    assert (outcome.code, timeless(outcome.out), outcome.err) == (int(found), timeless(output), "")
+
+
+def test_the_graph_is_that_of_the_example(rosarch: Callable) -> None:
+    (command,) = re.findall(r"^(rosarch show graph .* --format mermaid)$", README, re.MULTILINE)
+    assert [rosarch(*shlex.split(command)[1:]).out] == DIAGRAMS[:1]
 
 
 def test_machines_are_those_of_the_examples() -> None:
@@ -41,7 +48,7 @@ def test_machines_are_those_of_the_examples() -> None:
     docking, lamp = (json.loads((expected / f"{name}.json").read_text()) for name in ("docking", "dock_lamp"))
     shown = dict(CONSOLE)
     assert shown["rosarch show machine examples/docking_states docking"] == machines_text([build_machine(docking)], "text")
-    assert re.findall(r"```mermaid\n(.*?)```", README, re.DOTALL) == [machines_text([build_machine(docking)], "mermaid")]
+    assert DIAGRAMS[1:] == [machines_text([build_machine(docking)], "mermaid")]
     assert shown["rosarch show behavior examples/docking_states dock_lamp"] == behaviors_text([lamp])
 
 
