@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -15,6 +16,7 @@ def script() -> int:
     for number in (signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) is not signal.SIG_IGN:  # as `nohup` asks
             signal.signal(number, lambda number, _frame: sys.exit(128 + number))
+    gc.set_threshold(100_000)  # what is made is mostly kept until the end
     try:
         from rosarch.cli.main import main
 

@@ -23,15 +23,15 @@ def is_folder(words: Sequence[str]) -> bool:
 
 def compose_folder(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> dict[str, Composition]:
     """Compose each launch file below a folder that no other includes."""
-    from rosarch.extractor.launch import Files, PackagePath, compose, launch_files, top_level
+    from rosarch.extractor.launch import Files, PackagePath, launch_files, top_level
 
     folder = check_folder(Path(words[0]))
     variables = _variables(environment)
     files = Files(PackagePath(_package_path(package_path, [folder], variables)))
-    paths = top_level(launch_files(os.path.abspath(folder)), files, variables)
-    if not paths:
+    found = top_level(launch_files(os.path.abspath(folder)), files, variables)
+    if not found:
         raise InputError(f"{folder}: no launch file below this folder")
-    return {path: compose([path], files=files, environment=variables) for path in paths}
+    return found
 
 
 def compose_words(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> Composition:

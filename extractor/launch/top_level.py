@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .compose import compose
 from .files import Files
-from .model import LaunchError
+from .model import Composition, LaunchError
 from .xml_reader import XmlError, read_launch
 
 _SUFFIXES = (".launch", ".launch.xml")
@@ -26,8 +26,8 @@ def launch_files(folder: Path | str) -> list[str]:
     return found
 
 
-def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str] | None = None) -> list[str]:
-    """Those of `paths` that none of them includes: not with its default arguments, and not in a branch these leave out either.
+def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str] | None = None) -> dict[str, Composition]:
+    """Those of `paths` that none of them includes, composed: not with its default arguments, and not in a branch these leave out either.
 
     An unknown part of an included name (`$(arg base)/base.launch`) stands for any one name of a folder or file.
     """
@@ -35,8 +35,9 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
     real = {path: os.path.realpath(path) for path in paths}
     included: dict[str, set[str]] = {}
     matches: dict[str, set[str]] = {}
+    compositions: dict[str, Composition] = {}
     for path in paths:
-        composition = compose([path], files=files, environment=environment)
+        composition = compositions[path] = compose([path], files=files, environment=environment)
         written = {*(include.file or include.text for include in composition.includes), *_written(path, files)}
         included[real[path]] = {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
         for name in written:
@@ -51,7 +52,7 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
         if real[path] not in reached:
             found.add(real[path])
             reached |= _reached([real[path]], included)
-    return [path for path in paths if real[path] in found]
+    return {path: compositions[path] for path in paths if real[path] in found}
 
 
 def _reached(names: Iterable[str], included: Mapping[str, set[str]]) -> set[str]:

@@ -95,8 +95,8 @@ def _words(text: str) -> list[str]:
 def unincluded(where: Surroundings) -> list[Launch]:
     """A launch for each launch file of the workspace that no other includes."""
     files = where.files()
-    paths = top_level(launch_files(os.path.abspath(where.root)), files, where.variables())
-    return [_launch([path], {}, where, files) for path in paths]
+    found = top_level(launch_files(os.path.abspath(where.root)), files, where.variables())
+    return [Launch(_shown(path, where.root), (_shown(path, where.root),), composed, files.packages) for path, composed in found.items()]
 
 
 def _path(word: str, root: Path) -> str:
@@ -106,8 +106,8 @@ def _path(word: str, root: Path) -> str:
     raise LaunchWordError(f"{word}: no such launch file, neither here nor below {root}")
 
 
-def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: Surroundings, files: Files | None = None) -> Launch:
-    files = files or where.files()
+def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: Surroundings) -> Launch:
+    files = where.files()
     composition = compose(paths, arguments, files=files, environment=where.variables())
     words = (*(_shown(path, where.root) for path in paths), *(f"{name}:={value}" for name, value in arguments.items()))
     return Launch(" ".join(words), words, composition, files.packages)
