@@ -1,0 +1,236 @@
+"""Compositions as rows of `rules/schema/launch.dl`. Places are written `line:column` where the file is the launch file of the test."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from launch_builder import MANIFEST, composed
+
+from rosarch.datalog import load_declarations
+from rosarch.extractor.launch.facts import kind_and_text, launch_rows, library_name, started
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.scripts import MAX_FILES, script_rows
+from rosarch.extractor.launch.values import Binary
+from rosarch.extractor.manifest import rules_folder
+from rosarch.library import load
+from rosarch.models.system.workspace import workspace_rows
+
+Rows = dict[str, set[tuple[Any, ...]]]
+MAIN = "here/main.launch:"
+
+
+def short(rows: set[tuple[Any, ...]]) -> set[tuple[Any, ...]]:
+    return {tuple(cell.removeprefix(MAIN) if isinstance(cell, str) else cell for cell in row) for row in rows}
+
+
+def rows_of(folder: Path, content: str, **others: str) -> Rows:
+    found = launch_rows(composed(folder, content, **others), folder)
+    return {relation: short(rows) for relation, rows in found.items()}
+
+
+def test_a_node(tmp_path: Path) -> None:
+    rows = rows_of(tmp_path, '<group ns="arm">\n<node pkg="p" type="t" name="n"/>\n</group>')
+    assert rows["started"] == {("/arm/n", "p", "t")}
+    assert rows["started_name"] == {("/arm/n", "/arm/n", "/arm")}
+    assert rows["started_at"] == {("/arm/n", 0, "3:1")}
+    assert rows["place"] == {("3:1", "here/main.launch", 3, 1)}
+
+
+def test_names_of_the_command_line(tmp_path: Path) -> None:
+    rows = rows_of(
+        tmp_path,
+        '<node pkg="p" type="t" name="root"/>\n<node pkg="p" type="t" name="moved" args="__ns:=other __name:=ignored"/>\n'
+        '<node pkg="p" type="t" name="deep" args="__ns:=/a//b/"/>',
+    )
+    assert rows["started_name"] == {("/root", "/root", "/"), ("/other/moved", "/other/moved", "/other"), ("/a/b/deep", "/a/b/deep", "/a/b")}
+
+
+def test_arguments_parameters_and_remappings_of_the_command_line(tmp_path: Path) -> None:
+    rows = rows_of(
+        tmp_path,
+        '<node pkg="p" type="t" name="n" args="load \'two words\' scan:=/front//scan _rate:=5 _frame:=map --fast">\n'
+        '  <remap from="~cmd" to="cmd_vel/"/>\n</node>',
+    )
+    assert rows["started_argument"] == {("/n", 1, "load"), ("/n", 2, "two words"), ("/n", 3, "--fast")}
+    assert rows["param_set"] == {("/n/rate", "int", "5", "2:1"), ("/n/frame", "string", "map", "2:1")}
+    assert rows["started_remap"] == {("/n", "scan", "/front/scan", "2:1"), ("/n", "~cmd", "cmd_vel", "3:3")}
+
+
+def test_an_element_overrides_the_command_line(tmp_path: Path) -> None:
+    rows = rows_of(tmp_path, '<remap from="a" to="b"/>\n<node pkg="p" type="t" name="n" args="a:=c"/>')
+    assert rows["started_remap"] == {("/n", "a", "b", "2:1")}
+    assert rows["remap_written"] == {("2:1", "here/main.launch", "a", "b")}
+
+
+def test_a_remapping_that_no_node_follows(tmp_path: Path) -> None:
+    rows = rows_of(tmp_path, '<remap from="a//x" to="/b/"/>')
+    assert rows["remap_written"] == {("2:1", "here/main.launch", "a/x", "/b")}
+    assert "started_remap" not in rows
+
+
+def test_nodes_of_one_name(tmp_path: Path) -> None:
+    rows = rows_of(
+        tmp_path, '<arg name="x"/>\n<node pkg="p" type="a" name="n" if="$(arg x)"/>\n<node pkg="p" type="b" name="n" unless="$(arg x)"/>'
+    )
+    assert rows["started"] == {("/n", "p", "a"), ("/n#2", "p", "b")}
+    assert rows["started_name"] == {("/n", "/n", "/"), ("/n#2", "/n", "/")}
+    assert rows["started_if"] == {("/n", "if $(arg x)"), ("/n#2", "unless $(arg x)")}
+
+
+def test_a_chain_of_includes(tmp_path: Path) -> None:
+    rows = rows_of(
+        tmp_path,
+        '<include file="$(dirname)/part.launch" pass_all_args="true"/>\n<include file="$(dirname)/gone.launch"/>\n'
+        '<include file="$(dirname)/part.launch">\n  <arg name="name" value="b"/>\n</include>',
+        part_launch='<launch>\n<arg name="name" default="a"/>\n<node pkg="p" type="t" name="$(arg name)"/>\n</launch>',
+    )
+    part = "here/part.launch"
+    assert rows["included"] == {("2:1", "here/main.launch", part), ("3:1", "here/main.launch", ""), ("4:1", "here/main.launch", part)}
+    assert rows["included_with_all"] == {("2:1",)}
+    assert rows["started_at"] == {("/a", 0, "2:1"), ("/a", 1, f"{part}:3:1"), ("/b", 0, "4:1"), ("/b", 1, f"{part}:3:1")}
+    assert rows["argument_passed"] == {("4:1", "name", "b", "5:3")}
+    assert rows["argument_declared"] == {(part, "name", "default", "a", f"{part}:2:1")}
+    gone = "here/gone.launch"
+    assert {(*row[:3], row[4]) for row in rows["launch_problem"]} == {("3:1", "file", gone, "refused")}
+
+
+def test_declared_arguments(tmp_path: Path) -> None:
+    rows = rows_of(tmp_path, '<arg name="a"/>\n<arg name="b" default=""/>\n<arg name="c" value="1"/>')
+    assert rows["argument_declared"] == {
+        ("here/main.launch", "a", "", "", "2:1"),
+        ("here/main.launch", "b", "default", "", "3:1"),
+        ("here/main.launch", "c", "value", "1", "4:1"),
+    }
+
+
+def test_parameters_from_files_are_at_the_line_of_their_key(tmp_path: Path) -> None:
+    rows = rows_of(
+        tmp_path,
+        '<rosparam command="load" file="$(dirname)/p.yaml" ns="n"/>\n<rosparam>\nc: [1, a]\n</rosparam>',
+        p_yaml="# all\na: 1\nb:\n  deep: true\n",
+    )
+    source = "here/p.yaml"
+    assert rows["param_set"] == {
+        ("/n/a", "int", "1", f"{source}:2:1"),
+        ("/n/b/deep", "bool", "true", f"{source}:4:1"),
+        ("/c", "list", '[1, "a"]', "4:1"),
+    }
+    assert rows["param_source"] == {("/n/a", f"{source}:2:1", source), ("/n/b/deep", f"{source}:4:1", source)}
+
+
+def test_parameters_that_cannot_be_read(tmp_path: Path) -> None:
+    rows = rows_of(tmp_path, '<rosparam command="load" file="$(find gone)/p.yaml" ns="n"/>')
+    assert rows["params_unread"] == {("/n", "2:1")}
+    assert rows["launch_problem"] == {("2:1", "package", "gone", "package `gone` is not on the package path", "refused")}
+
+
+def test_what_is_only_warned_of(tmp_path: Path) -> None:
+    rows = rows_of(tmp_path, '<node pkg="p" type="t" name="n" surprise="1"/>')
+    assert {(row[1], row[4]) for row in rows["launch_problem"]} == {("unknown-attribute", "warned")}
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (True, ("bool", "true")),
+        (False, ("bool", "false")),
+        (3, ("int", "3")),
+        (0.5, ("double", "0.5")),
+        (None, ("none", "")),
+        ("a", ("string", "a")),
+        ("", ("string", "")),
+        ("$(env ROBOT)/x", ("unknown", "$(env ROBOT)/x")),
+        ([1, "é"], ("list", '[1, "\\u00e9"]')),
+        ({"a": 1}, ("map", '{"a": 1}')),
+        (Binary(b"x"), ("binary", "")),
+        ("x" * 5000, ("string", "x" * 4096)),
+    ],
+)
+def test_kinds_of_values(value: Any, expected: tuple[str, str]) -> None:
+    assert kind_and_text(value) == expected
+
+
+def test_plugins_of_robots(tmp_path: Path) -> None:
+    rows = rows_of(
+        tmp_path,
+        '<param name="robot_description" textfile="$(dirname)/robot.urdf"/>',
+        robot_urdf='<robot name="r">\n<gazebo>\n<plugin name="drive" filename="libdrive">\n<topic>cmd</topic>\n</plugin>\n</gazebo>\n</robot>',
+    )
+    ((plugin, file, place),) = rows["simulated_plugin"]
+    assert (file, place) == ("libdrive.so", "here/robot.urdf:3:1")
+    assert rows["plugin_element"] == {(plugin, "topic", "cmd")}
+
+
+def test_library_names() -> None:
+    assert [library_name(name) for name in (" lib/libx.so ", "libx")] == ["libx.so", "libx.so"]
+
+
+def test_files_outside_the_workspace_are_absolute(tmp_path: Path) -> None:
+    found = launch_rows(composed(tmp_path, '<node pkg="p" type="t" name="n"/>'), tmp_path / "elsewhere")
+    assert {row[1] for row in found["place"]} == {f"{tmp_path}/here/main.launch"}
+
+
+def test_what_is_started_with_which_words(tmp_path: Path) -> None:
+    found = composed(tmp_path, '<node pkg="nodelet" type="nodelet" name="n" args="load a/B manager x:=y"/>')
+    assert list(started(found)) == [("nodelet", "nodelet", ("load", "a/B", "manager"))]
+
+
+def test_scripts(tmp_path: Path) -> None:
+    composition = composed(
+        tmp_path,
+        '<node pkg="here" type="run.py" name="a"><remap from="left/scan" to="b"/><param name="max_speed" value="1"/></node>\n'
+        '<node pkg="here" type="tool" name="t"/>\n<node pkg="here" type="binary" name="c"/>\n<node pkg="gone" type="run.py" name="d"/>',
+        run_py="import rospy, helper\nrospy.Subscriber('scan')\n",
+        helper_py="rospy.get_param('~max_speed')\n",
+        tool="#!/usr/bin/env python3\nprint('left')\n",
+        binary="\x7fELF left scan",
+    )
+    rows = script_rows(composition, PackagePath([tmp_path]))
+    assert rows["script"] == {("here", "run.py"), ("here", "tool")}
+    assert rows["word_of_name"] == {("left/scan", "left"), ("left/scan", "scan"), ("/a/max_speed", "a"), ("/a/max_speed", "max_speed")}
+    both = {("scan",), ("max_speed",)}
+    assert rows["script_word"] == {("here", "run.py", word) for (word,) in both} | {
+        ("here", "tool", word) for (word,) in {*both, ("left",)}
+    }
+
+
+def test_no_scripts(tmp_path: Path) -> None:
+    composition = composed(tmp_path, '<node pkg="here" type="t" name="n"/>')
+    assert script_rows(composition, PackagePath([tmp_path])) == {"word_of_name": set()}
+
+
+def test_a_package_with_very_many_modules_is_read_in_part(tmp_path: Path) -> None:
+    composition = composed(tmp_path, '<node pkg="here" type="run.py" name="n"/><param name="word" value="1"/>', run_py="")
+    for number in range(MAX_FILES):
+        (tmp_path / "here" / f"a{number:03}.py").write_text("")
+    (tmp_path / "here" / "z.py").write_text("word")
+    assert script_rows(composition, PackagePath([tmp_path])).get("script", set()) == set()
+
+
+EVERYTHING = """<arg name="x"/><arg name="y" default="1"/>
+<include file="$(dirname)/part.launch" pass_all_args="true"><arg name="name" value="b"/></include>
+<rosparam file="$(find other)/p.yaml" ns="n"/><rosparam file="$(dirname)/p.yaml"/><param name="d" textfile="$(dirname)/robot.urdf"/>
+<node pkg="here" type="run.py" name="n" args="load _p:=1" if="$(arg x)"><remap from="a" to="b"/><param name="q" value="/home/anna/x"/></node>
+<node pkg="here" type="built" name="m"/><node pkg="here" type="mentioned" name="o"/><include file="$(find here)/gone.launch"/>"""
+
+
+def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
+    composition = composed(
+        tmp_path,
+        EVERYTHING,
+        part_launch='<launch><arg name="name"/></launch>',
+        p_yaml="a: 1\n",
+        robot_urdf='<robot name="r"><gazebo><plugin name="p" filename="p"><t>u</t></plugin></gazebo></robot>',
+        run_py="a",
+    )
+    (tmp_path / "here" / "package.xml").write_text(MANIFEST.format("here").replace("</package>", "<depend>other</depend></package>"))
+    (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\n")
+    filled = launch_rows(composition, tmp_path)
+    filled |= script_rows(composition, PackagePath([tmp_path]))
+    filled |= workspace_rows(tmp_path, [composition], {("here", "built")}, load())
+    declared = load_declarations(rules_folder() / "schema" / "launch.dl")
+    assert {name for name, rows in filled.items() if rows} == set(declared)
+    for name, rows in filled.items():
+        assert {len(row) for row in rows} == {len(declared[name].attributes)}, name
