@@ -14,7 +14,7 @@ from rosarch.extractor.manifest import rules_folder
 from rosarch.models.checks import check_files, read_checks
 from rosarch.models.findings import Check
 from rosarch.models.places import Place
-from rosarch.models.system.findings import evidence_of, shown_as
+from rosarch.models.system.findings import evidence_of, require_places, shown_as
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
 
 Rows = Mapping[str, Collection[tuple[Any, ...]]]
@@ -32,7 +32,9 @@ class SystemRules:
 def system_rules(more: tuple[Path, ...] = ()) -> SystemRules:
     """The rules of systems with all checks that ship, and files of the user's own."""
     files = check_files()
-    return SystemRules(load_program([rules_folder() / "system.dl", *files, *more]), read_checks(files))
+    program, checks = load_program([rules_folder() / "system.dl", *files, *more]), read_checks(files)
+    require_places(checks, program.relations)
+    return SystemRules(program, checks)
 
 
 def merged(parts: Iterable[Rows]) -> dict[str, set[tuple[Any, ...]]]:

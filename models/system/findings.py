@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from rosarch.datalog import Result
+from rosarch.models.checks import CheckError
 from rosarch.models.findings import Check, Evidence, Finding
 from rosarch.models.places import Place
 
@@ -26,6 +27,19 @@ def shown_as(type_: str) -> str:
 
 def _snake(type_: str) -> str:
     return _WORD.sub("_", type_).lower()
+
+
+def require_places(checks: Iterable[Check], relations: Collection[str]) -> None:
+    """Refuse a check whose findings would have no place.
+
+    Raises:
+        CheckError: `relations` do not tell where a column that a check shows lies.
+    """
+    for check in checks:
+        for column, _ in check.evidence:
+            relation = evidence_of(dict(check.columns)[column])
+            if relation not in relations:
+                raise CheckError(f"{check.path}:1:1: no relation `{relation}` tells the place of the column `{column}`")
 
 
 def findings(checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str) -> list[Finding]:
