@@ -23,7 +23,7 @@ from rosarch.models.system.build import Rows, SystemRules, evaluate, merged, sys
 from rosarch.models.system.findings import findings
 from rosarch.models.system.interfaces import library_rows, model_rows
 from rosarch.models.system.model import SystemModel
-from rosarch.models.system.workspace import programs_named, source_rows, workspace_rows
+from rosarch.models.system.workspace import programs_named, shared_rows, source_rows, workspace_rows
 
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
@@ -98,7 +98,7 @@ def surrounding(
     known = load(library)
     diagnostics += known.problems
     compositions = [launch.composition for launch in launches]
-    around = (workspace_rows(root, compositions, programs, known), source_rows(root, compositions, models))
+    around = (workspace_rows(root, compositions, programs, known), source_rows(root, compositions, models), shared_rows(models))
     interfaces = (*map(model_rows, models), *map(library_rows, needed.of(known, models)), *around)
     return Surrounding(root, interfaces, models, tuple(dict.fromkeys(diagnostics)))
 

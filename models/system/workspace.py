@@ -53,6 +53,14 @@ def _dependencies(root: Path) -> set[str]:
     return found
 
 
+def shared_rows(models: Sequence[ComponentModel]) -> Rows:
+    """Which components read parameters by absolute names, and below which name."""
+    read = {
+        (parameter.name, f"{model.package}/{model.component}") for model in models for parameter in model.params if parameter.op == "read"
+    }
+    return {"space_read": {(name.split("/")[1], component) for name, component in read if name.count("/") > 1 and name.startswith("/")}}
+
+
 def source_rows(root: Path, compositions: Sequence[Composition], models: Sequence[ComponentModel]) -> Rows:
     """Which of the last words of parameters' names the texts in the sources of components' packages say."""
     wanted = {word for composition in compositions for setting in composition.params for word in _WORD.findall(setting.name)[-1:]}
