@@ -23,6 +23,7 @@ from rosarch.cli.check_options import (
     make_policy,
 )
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
+from rosarch.cli.derivations import RuleFiles, datalog_errors
 from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, parse_defines
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, load_systems
@@ -50,6 +51,7 @@ def check(
     exit_zero: ExitZero = False,
     baseline: BaselineFile = None,
     write_baseline: NewBaseline = None,
+    rules: RuleFiles = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -63,13 +65,15 @@ def check(
 
     check_folder(folder)
     destinations = parse_destinations(output_format, outputs)
-    checks = system_rules().checks
+    with datalog_errors():
+        checks = system_rules(tuple(rules or ())).checks
     configuration = load_configuration(folder, config, checks)
     policy = make_policy(
         configuration, checks, errors=errors, warnings=warnings, notes=notes, ignored=ignored, fail_on=fail_on, exit_zero=exit_zero
     )
     known = baseline or (Path(configuration.baseline) if configuration.baseline and write_baseline is None else None)
-    inputs = SystemInputs(folder, launches, package_path, environment, libraries, engine, jobs, timeout, parse_defines(defines), cached)
+    extraction = (engine, jobs, timeout, parse_defines(defines), cached)
+    inputs = SystemInputs(folder, launches, package_path, environment, libraries, *extraction, rules)
     analysis = load_systems(inputs, configuration, required=True)
     show_remaining(analysis, folder, verbose)
     reported = judge(

@@ -36,12 +36,13 @@ Profiled = Annotated[bool, typer.Option("--profile", help="Tell on stderr which 
 
 @contextmanager
 def datalog_errors() -> Iterator[None]:
-    """Errors in rules, goals and queries are errors of the user's input."""
+    """Errors in rules, checks, goals and queries are errors of the user's input."""
     from rosarch.datalog import DatalogError
+    from rosarch.models.checks import CheckError
 
     try:
         yield
-    except DatalogError as error:
+    except (DatalogError, CheckError) as error:
         raise InputError(str(error)) from None
 
 

@@ -67,6 +67,7 @@ class SystemInputs:
     timeout: float = 60.0
     defines: Mapping[str, str] = field(default_factory=dict)
     cached: bool = True
+    rules: Sequence[Path] | None = None
 
 
 EVERY = "*"
@@ -84,7 +85,7 @@ def load_systems(inputs: SystemInputs, configuration: Configuration | None = Non
         launches = _launches(inputs, configuration)
         if required and not launches:
             raise InputError(f"{inputs.folder}: no launch file below this folder")
-        analysis = analyze_systems(inputs.folder, launches, progress=report, **_options(inputs))
+        analysis = analyze_systems(inputs.folder, launches, rules_of_own=inputs.rules or (), progress=report, **_options(inputs))
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
     return analysis

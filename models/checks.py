@@ -27,6 +27,11 @@ def check_files(folder: Path | None = None) -> list[Path]:
     return sorted((folder or rules_folder() / "checks").glob("*.dl"))
 
 
+def is_check(path: Path) -> bool:
+    """Whether a file of rules begins with the block of fields of a check."""
+    return _FIELD.match(path.read_text(encoding="utf-8", errors="replace")) is not None
+
+
 def read_check(path: Path) -> Check:
     """The check in a file.
 

@@ -107,6 +107,7 @@ def analyze_systems(
     root: Path,
     launches: Sequence[Launch],
     *,
+    rules_of_own: Sequence[Path] = (),
     library: Sequence[Path] = (),
     engine: str = "embedded",
     jobs: int | None = None,
@@ -115,10 +116,13 @@ def analyze_systems(
     cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> SystemAnalysis:
-    """Compose the nodes that `launches` start from their components, and check each system. See `surrounding` for the components."""
+    """Compose the nodes that `launches` start from their components, and check each system, with checks of the user's own as well.
+
+    See `surrounding` for the components.
+    """
     from rosarch.extractor.workspace import Diagnostic
 
-    rules = system_rules()
+    rules = system_rules(tuple(rules_of_own))
     shared = surrounding(
         root,
         launches,

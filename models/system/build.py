@@ -11,7 +11,7 @@ from typing import Any
 
 from rosarch.datalog import Program, Result, load_program
 from rosarch.extractor.manifest import rules_folder
-from rosarch.models.checks import check_files, read_checks
+from rosarch.models.checks import check_files, is_check, read_checks
 from rosarch.models.findings import Check
 from rosarch.models.places import Place
 from rosarch.models.system.findings import evidence_of, require_places, shown_as
@@ -30,9 +30,14 @@ class SystemRules:
 
 @lru_cache(maxsize=4)
 def system_rules(more: tuple[Path, ...] = ()) -> SystemRules:
-    """The rules of systems with all checks that ship, and files of the user's own."""
+    """The rules of systems with all checks that ship, and files of the user's own, some of which may be checks.
+
+    Raises:
+        CheckError: a check is not as it should be.
+    """
     files = check_files()
-    program, checks = load_program([rules_folder() / "system.dl", *files, *more]), read_checks(files)
+    program = load_program([rules_folder() / "system.dl", *files, *more])
+    checks = read_checks([*files, *filter(is_check, more)])
     require_places(checks, program.relations)
     return SystemRules(program, checks)
 

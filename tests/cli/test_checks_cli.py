@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rosarch.models.checks import check_files
+from rosarch.models.system.build import system_rules
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -69,3 +70,23 @@ def test_one_as_markdown(rosarch: Callable) -> None:
 def test_the_reference_is_up_to_date(rosarch: Callable) -> None:
     """Otherwise: rosarch rules checks --format markdown > docs/check-reference.md"""
     assert (ROOT / "docs/check-reference.md").read_text(encoding="utf-8") == rosarch("rules", "checks", "--format", "markdown").out
+
+
+def test_checks_of_ones_own(rosarch: Callable, tmp_path: Path) -> None:
+    check = (
+        (ROOT / "rules/checks/home-path-of-machine.dl")
+        .read_text(encoding="utf-8")
+        .replace("home-path-of-machine", "own-check")
+        .replace("home_path_of_machine", "own_check")
+    )
+    (tmp_path / "own-check.dl").write_text(check)
+    (tmp_path / "plain.dl").write_text(".decl plain(x: symbol)\n")
+    outcome = rosarch("rules", "checks", "own-check", "-r", tmp_path / "own-check.dl", "-r", tmp_path / "plain.dl")
+    assert (outcome.code, outcome.out.splitlines()[-1]) == (0, f"rules: {tmp_path}/own-check.dl")
+    (tmp_path / "own-check.dl").write_text(check.replace("// impact: low", "// impact: huge"))
+    system_rules.cache_clear()  # in one process a file of rules is read once
+    outcome = rosarch("rules", "checks", "-r", tmp_path / "own-check.dl")
+    assert (outcome.code, outcome.err) == (
+        2,
+        f"rosarch: error: {tmp_path}/own-check.dl:1:1: impact is `huge`, not one of high, medium, low\n",
+    )

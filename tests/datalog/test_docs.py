@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 import pytest
 
 import rosarch.datalog
+from rosarch.models.system.build import system_rules
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
@@ -62,3 +64,20 @@ def test_from_an_empty_file_to_an_explained_row(
         assert set(wanted) <= {re.sub(r"#\w{4}|\.dl:\d+", "", line) for line in actual}, command
         ran += 1
     assert ran == 4
+
+
+def test_a_check_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "examples").symlink_to(examples)
+    check = blocks("rules.md", "prolog")[-1]
+    (tmp_path / "old-position.dl").write_text(check)
+    shown = {block.partition("\n")[0]: block.partition("\n")[2] for block in blocks("rules.md", "") if "patrol_robot" in block}
+    for command, expected in shown.items():
+        done = rosarch(*shlex.split(command)[2:])
+        assert (done.code, done.out) == (int("old-position" in command), expected)
+    (error,) = (block for block in blocks("rules.md", "") if "old-position.dl:1:1" in block)
+    (tmp_path / "old-position.dl").write_text(check.replace("{length}", "{lenght}"))
+    system_rules.cache_clear()  # in one process a file of rules is read once
+    done = rosarch("check", "examples/patrol_robot", "--rules", "old-position.dl")
+    assert (done.code, done.err) == (2, error)
+    assert len(shown) == 2
