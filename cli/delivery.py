@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
+from rosarch.cli.check_options import load_configuration
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_output
 from rosarch.cli.systems import SystemInputs, load_systems
-from rosarch.cli.terminal import emit, show_diagnostics
+from rosarch.cli.terminal import emit, show_remaining
 
 if TYPE_CHECKING:
     from rosarch.models.system.model import SystemModel
@@ -25,9 +26,11 @@ Out = Annotated[
 
 
 def systems_of(inputs: SystemInputs, verbose: bool) -> Sequence[SystemModel]:
-    """The systems to show; what was not understood goes to stderr."""
-    analysis = load_systems(inputs)
-    show_diagnostics(analysis.diagnostics, verbose)
+    """The systems to show, of the launch files in the configuration when none are named; what was not understood goes to stderr."""
+    from rosarch.models.system.build import system_rules
+
+    analysis = load_systems(inputs, load_configuration(inputs.folder, None, system_rules().checks))
+    show_remaining(analysis, inputs.folder, verbose)
     return analysis.systems
 
 

@@ -117,6 +117,14 @@ def test_the_launch_section_of_the_configuration(ws: Path, rosarch: Callable) ->
     assert rosarch("check", ws, "--config", ws / "other.yml").out == "no findings\nchecked 1 system with 2 nodes\n"
 
 
+def test_graphs_are_of_what_the_configuration_starts(ws: Path, rosarch: Callable) -> None:
+    (ws / ".rosarch.yml").write_text("launch: [{files: [talker/robot.launch], arguments: {topic: [chatter]}}]\n")
+    outcome = rosarch("show", "graph", ws, "--format", "json", "--no-leaves")
+    (graph,) = json.loads(outcome.out)
+    assert (outcome.code, outcome.err, graph["system"]) == (0, "", "talker/robot.launch topic:=chatter")
+    assert [connector["names"] for connector in graph["connectors"]] == [["/chatter"]]
+
+
 def test_variables_of_the_environment(ws: Path, rosarch: Callable) -> None:
     launch = ws / "talker" / "robot.launch"
     launch.write_text(ROBOT.replace('default="other"', 'default="$(env ROBOT_TOPIC)"'))

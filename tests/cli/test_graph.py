@@ -23,7 +23,7 @@ def command(rosarch: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     """Run a command line where the workspace has `SYSTEMS`, or those that `--launch` names."""
     monkeypatch.chdir(tmp_path)
 
-    def load(inputs: SystemInputs) -> SystemAnalysis:
+    def load(inputs: SystemInputs, _configuration: object) -> SystemAnalysis:
         assert inputs.folder == Path("ws")
         return SystemAnalysis(tuple(s for s in SYSTEMS if not inputs.launches or s.name in inputs.launches), (), (), ())
 
