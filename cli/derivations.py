@@ -85,7 +85,7 @@ def selected(
     from rosarch.models.selection import SelectionError, select
 
     check_engine(engine)
-    variables = parse_defines(list(defines or ()))
+    variables = parse_defines(defines)
     check_folder(folder)
     try:
         with (
@@ -136,9 +136,7 @@ def asked(
     from rosarch.cli.systems import SystemInputs, load_surrounding
     from rosarch.models.selection import SelectedComponent
 
-    inputs = SystemInputs(
-        folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(list(defines or ())), cached=cached
-    )
+    inputs = SystemInputs(folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
     shared, found = load_surrounding(inputs)
     show_diagnostics(shared.diagnostics, verbose)
     yield [SelectedComponent(launch.name, "", folder, partial(shared.rows, launch)) for launch in found]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder
+from rosarch.cli.options import parse_environment
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch import Composition
@@ -81,13 +82,7 @@ def _arguments(words: Sequence[str]) -> tuple[dict[str, str], str | None]:
 
 def _variables(given: Sequence[str] | None) -> dict[str, str]:
     """The environment of this process, with the variables given. roslaunch does not run without ROS_MASTER_URI."""
-    variables = {"ROS_MASTER_URI": "http://localhost:11311", **os.environ}
-    for text in given or ():
-        name, equals, value = text.partition("=")
-        if not (name and equals):
-            raise InputError(f"--env {text}: not of the form NAME=VALUE")
-        variables[name] = value
-    return variables
+    return {"ROS_MASTER_URI": "http://localhost:11311", **os.environ, **parse_environment(given)}
 
 
 def _package_path(given: Sequence[Path] | None, default: list[Path], variables: dict[str, str]) -> list[Path]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import Enum
 from pathlib import Path
 from typing import Annotated
@@ -85,12 +86,22 @@ Libraries = Annotated[
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Show every diagnostic.")]
 
 
-def parse_defines(defines: list[str] | None) -> dict[str, str]:
-    """`K=V` texts as a mapping."""
+def parse_defines(defines: Iterable[str] | None) -> dict[str, str]:
+    """The variables of `--define`."""
+    return _pairs("--define", defines)
+
+
+def parse_environment(variables: Iterable[str] | None) -> dict[str, str]:
+    """The variables of `--env`."""
+    return _pairs("--env", variables)
+
+
+def _pairs(option: str, texts: Iterable[str] | None) -> dict[str, str]:
+    """`NAME=VALUE` texts as a mapping."""
     result = {}
-    for text in defines or ():
-        key, equals, value = text.partition("=")
-        if not (key and equals):
-            raise InputError(f"--define {text}: not of the form NAME=VALUE")
-        result[key] = value
+    for text in texts or ():
+        name, equals, value = text.partition("=")
+        if not (name and equals):
+            raise InputError(f"{option} {text}: not of the form NAME=VALUE")
+        result[name] = value
     return result

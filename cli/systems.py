@@ -12,7 +12,7 @@ import typer
 
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, extraction_cache
-from rosarch.cli.options import Engine
+from rosarch.cli.options import Engine, parse_environment
 from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
@@ -142,10 +142,6 @@ def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> 
     if configuration is not None:
         environment.update(configuration.environment)
         folders = [check_folder(Path(folder)) for folder in configuration.package_path] or folders
-    for text in inputs.environment or ():
-        name, equals, value = text.partition("=")
-        if not (name and equals):
-            raise InputError(f"--env {text}: not of the form NAME=VALUE")
-        environment[name] = value
+    environment.update(parse_environment(inputs.environment))
     given = [check_folder(folder) for folder in inputs.package_path or ()]
     return Surroundings(inputs.folder, (inputs.folder, *(given or folders)), environment)

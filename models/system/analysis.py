@@ -194,8 +194,6 @@ def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:
 
 
 def _packages_below(root: Path, names: Collection[str]) -> list[str]:
-    from rosarch.extractor.launch.packages import PackagePath
-
     known = PackagePath([os.path.abspath(root)]).packages
     return sorted(name for name in names if name in known)
 

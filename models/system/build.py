@@ -14,7 +14,7 @@ from rosarch.extractor.manifest import rules_folder
 from rosarch.models.checks import check_files, is_check, read_checks
 from rosarch.models.findings import Check
 from rosarch.models.places import Place
-from rosarch.models.system.findings import evidence_of, require_places, shown_as
+from rosarch.models.system.findings import evidence_of, grouped, require_places, shown_as
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
 
 Rows = Mapping[str, Collection[tuple[Any, ...]]]
@@ -65,9 +65,9 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result) -
     ports, ids = _ports(rows, result, places)
     opened = {node for (node,) in result.rows("node_open")}
     hosts = {node for (node,) in result.rows("hosts")}
-    instances = _grouped(result.rows("instance"))
-    lines = _grouped(rows.get("started_at", ()))
-    conditions = _grouped(rows.get("started_if", ()))
+    instances = grouped(result.rows("instance"))
+    lines = grouped(rows.get("started_at", ()))
+    conditions = grouped(rows.get("started_if", ()))
     names = {row[0]: row[1] for row in rows.get("started_name", ())}
     origins = {row[0]: row[4] for row in rows.get("interface", ())}
     nodes = []
@@ -89,13 +89,6 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result) -
         )
     inclusions = tuple(sorted((_inclusion(row, places) for row in rows.get("included", ())), key=lambda inclusion: inclusion.at))
     return SystemModel(name, tuple(launch), tuple(nodes), _connectors(result, ids, rows), inclusions)
-
-
-def _grouped(rows: Iterable[tuple[Any, ...]]) -> dict[Any, list[tuple[Any, ...]]]:
-    found: dict[Any, list[tuple[Any, ...]]] = defaultdict(list)
-    for first, *rest in sorted(rows):
-        found[first].append(tuple(rest))
-    return found
 
 
 def _inclusion(row: tuple[Any, ...], places: Mapping[str, Place]) -> Inclusion:
@@ -133,7 +126,7 @@ def _ports(rows: Rows, result: Result, places: Mapping[str, Place]) -> tuple[dic
 
 
 def _connectors(result: Result, ids: Mapping[Any, tuple[str, str]], rows: Rows) -> tuple[Connector, ...]:
-    types = _grouped(rows.get("interface_port_type", ()))
+    types = grouped(rows.get("interface_port_type", ()))
     found: dict[tuple[str, str], dict[str, set[tuple[str, str]]]] = {}
     passed: dict[tuple[str, str], set[str]] = defaultdict(set)
     for kind, name, side, port in result.rows("joins_connector"):

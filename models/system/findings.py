@@ -45,7 +45,7 @@ def require_places(checks: Iterable[Check], relations: Collection[str]) -> None:
 def findings(checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str) -> list[Finding]:
     """What the checks found in a system; `places` are those of the facts, by key."""
     known = set(result.names())
-    steps = {type_: _grouped(result.rows(evidence_of(type_))) for type_ in _types(checks) if evidence_of(type_) in known}
+    steps = {type_: grouped(result.rows(evidence_of(type_))) for type_ in _types(checks) if evidence_of(type_) in known}
     names: dict[str, dict[Any, str]] = {type_: dict(result.rows(shown_as(type_))) for type_ in _types(checks) if shown_as(type_) in known}
     found = []
     for check in checks:
@@ -67,7 +67,8 @@ def _types(checks: Sequence[Check]) -> set[str]:
     return {type_ for check in checks for _, type_ in check.columns}
 
 
-def _grouped(rows: Iterable[tuple[Any, ...]]) -> dict[Any, list[tuple[Any, ...]]]:
+def grouped(rows: Iterable[tuple[Any, ...]]) -> dict[Any, list[tuple[Any, ...]]]:
+    """The rest of each row by its first column, sorted."""
     found: dict[Any, list[tuple[Any, ...]]] = defaultdict(list)
     for first, *rest in sorted(rows, key=lambda row: row[1:]):
         found[first].append(tuple(rest))
