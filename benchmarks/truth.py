@@ -2,42 +2,25 @@
 
     benchmarks/truth.py TRUTH_DIR SYSTEMS_DIR --out MODELS_DIR
 
-TRUTH_DIR holds one folder of truth files per system, SYSTEMS_DIR the sources of each system under the same name. Only the packages
-that the truth names are analysed. The models go to MODELS_DIR/<system>/<package>/<component>.json; the table that is printed is that
-of the truth's own `score.py`, which is looked for beside TRUTH_DIR and above.
+TRUTH_DIR holds one folder of truth files per system, SYSTEMS_DIR the sources of each system under the same name. Only the components
+that the truth names are analysed, without caches; those that SYSTEMS_DIR does not have count as missed. The models go to
+MODELS_DIR/<system>/<package>/<component>.json. `rosarch score` does the same for users.
 """
 
 from __future__ import annotations
 
 import argparse
-import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
-import yaml
-
-from rosarch.models.analysis import analyze
-from rosarch.reports.json_models import write_models
-
-
-def wanted_packages(truth: Path) -> dict[str, set[str]]:
-    """The packages of each system that the truth files below `truth` name."""
-    wanted: dict[str, set[str]] = {}
-    for path in sorted(truth.rglob("*.yml")):
-        document = yaml.safe_load(path.read_text(encoding="utf-8"))
-        if isinstance(document, dict) and "component" in document:
-            wanted.setdefault(document.get("system", path.parent.name), set()).add(document["package"])
-    return wanted
-
-
-def find_scorer(truth: Path) -> Path:
-    """The nearest `score.py` in `truth` or above it."""
-    for folder in (truth, *truth.parents):
-        if (folder / "score.py").is_file():
-            return folder / "score.py"
-    raise SystemExit(f"{truth}: no score.py here or in a folder above")
+from rosarch.experiments.run import Runner
+from rosarch.experiments.single import run_single, subjects_of
+from rosarch.experiments.subjects import Extracting
+from rosarch.experiments.truth import read_truth
+from rosarch.models.analysis import component_program
+from rosarch.reports.json_models import write_document
+from rosarch.reports.scores import score_text
 
 
 def remove_models(folder: Path) -> None:
@@ -46,25 +29,8 @@ def remove_models(folder: Path) -> None:
         path.unlink()
 
 
-def analyze_systems(wanted: dict[str, set[str]], options: argparse.Namespace) -> Iterator[str]:
-    """Write the models of each system; yield a line of progress per system."""
-    for system, packages in wanted.items():
-        root = options.systems / system
-        remove_models(options.out / system)
-        if not root.is_dir():
-            yield f"{system}: no folder {root}, its components count as missed"
-            continue
-        start = time.perf_counter()
-        analysis = analyze(root, packages, engine=options.engine, jobs=options.jobs)
-        write_models(analysis.models, options.out / system)
-        for diagnostic in analysis.diagnostics:
-            if diagnostic.kind in ("component", "source", "workspace"):
-                yield str(diagnostic).partition("\n")[0]
-        yield f"{system}: {len(analysis.models)} components of {len(packages)} packages in {time.perf_counter() - start:.1f} s"
-
-
 def main() -> int:
-    """Analyse, then print the scorer's table."""
+    """Analyse, then print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("truth", type=Path)
     parser.add_argument("systems", type=Path)
@@ -73,11 +39,24 @@ def main() -> int:
     parser.add_argument("--jobs", type=int)
     parser.add_argument("--misses", action="store_true", help="list every missed and every extra element")
     options = parser.parse_args()
-    scorer = find_scorer(options.truth.resolve())
-    for line in analyze_systems(wanted_packages(options.truth), options):
-        print(line, file=sys.stderr)
-    command = [sys.executable, str(scorer), str(options.truth), str(options.out)]
-    return subprocess.run(command + ["--misses"] * options.misses, check=False).returncode
+    truths = read_truth(options.truth)
+    subjects = subjects_of(truths, options.systems, absent=True)
+    start = time.perf_counter()
+
+    def done(system: str, components: int) -> None:
+        print(f"{system}: {components} components after {time.perf_counter() - start:.1f} s", file=sys.stderr)
+
+    runner = Runner(options.engine, options.jobs)
+    run = run_single(truths, subjects, component_program(), Extracting(options.jobs), runner, absent=True, done=done)
+    for diagnostic in run.diagnostics:
+        if diagnostic.kind in ("component", "source", "workspace"):
+            print(str(diagnostic).partition("\n")[0], file=sys.stderr)
+    for system in {truth.system for truth in truths}:
+        remove_models(options.out / system)
+    for (system, _, _), model in run.models.items():
+        write_document(model, options.out / system)
+    print(score_text(run.score, listed=options.misses), end="")
+    return 0
 
 
 if __name__ == "__main__":

@@ -9,7 +9,24 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli import analyze, check, checks, diff, doctor, explain, export, extract, graph, includes, launch, library, query, rules, show
+from rosarch.cli import (
+    analyze,
+    check,
+    checks,
+    diff,
+    doctor,
+    explain,
+    export,
+    extract,
+    graph,
+    includes,
+    launch,
+    library,
+    query,
+    rules,
+    score,
+    show,
+)
 from rosarch.cli.errors import run
 
 app = typer.Typer(
@@ -30,6 +47,7 @@ app.command("diff")(diff.diff)
 app.command("launch")(launch.launch)
 app.command("check")(check.check)
 app.add_typer(library.app, name="library")
+app.command("score")(score.score)
 app.command("doctor")(doctor.doctor)
 app.command("query")(query.query)
 app.command("explain")(explain.explain)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -43,8 +43,13 @@ def component_schema() -> Any:
 def write_models(models: Iterable[ComponentModel], out: Path) -> None:
     """Write one document per component to `out`/<package>/<component>.json."""
     for model in models:
-        path = path_below(out, model.package, f"{model.component}.json")
-        write_whole(path, model_text(model).encode("utf-8", "backslashreplace"))
+        write_document(to_json(model), out)
+
+
+def write_document(model: Mapping[str, Any], out: Path) -> None:
+    """Write the document of a component, as above."""
+    path = path_below(out, model["package"], f"{model['component']}.json")
+    write_whole(path, _dump(model).encode("utf-8", "backslashreplace"))
 
 
 def _dump(data: object) -> str:

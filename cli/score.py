@@ -1,0 +1,142 @@
+"""`rosarch score`: how right the models of components are, by models that were written by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.derivations import RuleFiles, datalog_errors
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_engine, check_folder, check_output, extraction_cache, unwritable
+from rosarch.cli.options import Cached, Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
+from rosarch.cli.terminal import emit, progress, show_diagnostics
+from rosarch.extractor.files import file_name
+
+if TYPE_CHECKING:
+    from rosarch.experiments.single import SingleRun
+    from rosarch.experiments.truth import Truth
+
+TruthFolder = Annotated[
+    Path, typer.Argument(parser=path_argument, metavar="TRUTH", help="A folder with a YAML file per component.", show_default=False)
+]
+SystemsFolder = Annotated[
+    Path | None,
+    typer.Argument(
+        parser=path_argument,
+        metavar="[SYSTEMS]",
+        help="The folder that has each system of TRUTH, sources or facts, under its name; of one system, also that system's folder.",
+        show_default=False,
+    ),
+]
+Models = Annotated[
+    Path | None,
+    typer.Option("--models", parser=path_argument, metavar="DIR", help="Score the models in DIR; analyse nothing.", show_default=False),
+]
+Out = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        "-o",
+        parser=path_argument,
+        metavar="OUT",
+        help="Write each model to OUT/<system>/<package>/<component>.json.",
+        show_default=False,
+    ),
+]
+Absent = Annotated[
+    bool, typer.Option("--allow-absent", help="Count components that SYSTEMS does not have as missed, instead of refusing their truth.")
+]
+Misses = Annotated[bool, typer.Option("--misses", help="List every element that is missed or extra.")]
+
+
+class ScoreFormat(str, Enum):
+    """The formats of a score on stdout."""
+
+    text = "text"
+    markdown = "markdown"
+    latex = "latex"
+    csv = "csv"
+    json = "json"
+
+
+def score(
+    truth: TruthFolder,
+    systems: SystemsFolder = None,
+    models: Models = None,
+    out: Out = None,
+    misses: Misses = False,
+    absent: Absent = False,
+    rules: RuleFiles = None,
+    output_format: Annotated[ScoreFormat, typer.Option("--format", help="The report on stdout.")] = ScoreFormat.text,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    timeout: Timeout = 60.0,
+    cached: Cached = True,
+    verbose: Verbose = False,
+) -> None:
+    """Analyse the components that TRUTH is about and say how much of it was found, how much of what was found is true, and what agrees."""
+    from rosarch.experiments.single import score_models
+    from rosarch.experiments.truth import TruthError, read_truth
+    from rosarch.reports.scores import WRITERS
+
+    check_folder(truth)
+    if (systems is None) == (models is None):
+        raise InputError("name either the folder of the systems or, with --models, that of their models")
+    check_engine(engine)
+    if out:
+        check_output(out)
+    try:
+        truths = read_truth(truth)
+        if models is not None:
+            found = score_models(truths, check_folder(models))
+        else:
+            single = _analyzed(truths, check_folder(systems or Path()), rules, engine, jobs, timeout, cached, absent)
+            show_diagnostics(single.diagnostics, verbose)
+            if out:
+                _write(single, out)
+            found = single.score
+    except TruthError as error:
+        raise InputError(str(error)) from None
+    emit(WRITERS[output_format.value](found, misses))
+
+
+def _analyzed(
+    truths: Sequence[Truth],
+    folder: Path,
+    rules: Sequence[Path] | None,
+    engine: Engine,
+    jobs: int | None,
+    timeout: float,
+    cached: bool,
+    absent: bool,
+) -> SingleRun:
+    from rosarch.experiments.run import Runner
+    from rosarch.experiments.single import run_single, subjects_of
+    from rosarch.experiments.subjects import Extracting
+    from rosarch.experiments.variants import Variant
+    from rosarch.extractor.manifest import ManifestError
+
+    with datalog_errors():
+        program = Variant("", rules=tuple(rules or ())).program()
+    with progress() as report:
+        how = Extracting(jobs, timeout, extraction_cache(cached), report)
+        try:
+            return run_single(
+                truths, subjects_of(truths, folder, absent=absent), program, how, Runner(engine.value, jobs, progress=report), absent=absent
+            )
+        except ManifestError as error:
+            raise InputError(str(error)) from None
+
+
+def _write(single: SingleRun, out: Path) -> None:
+    from rosarch.reports.json_models import write_document
+
+    try:
+        for (system, _, _), model in single.models.items():
+            write_document(model, out / file_name(system))
+    except OSError as error:
+        raise unwritable(out, error) from None

@@ -1,0 +1,1 @@
+"""Ground truth, scores, and variants of the analysis compared over many subjects."""

@@ -1,0 +1,157 @@
+"""Evaluating configurations of the rules on the facts of subjects; what was evaluated before is taken from a cache."""
+
+from __future__ import annotations
+
+import gc
+import json
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import rosarch.datalog
+import rosarch.models
+from rosarch.datalog import Program
+from rosarch.datalog.values import ValueWriter
+from rosarch.experiments.comparison import Document
+from rosarch.experiments.subjects import Facts, OpenSubject, Rows
+from rosarch.extractor.cache import Cache, hash_of, version_of
+from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.models.analysis import COMPONENT_TIMEOUT
+from rosarch.models.component import build_model, to_json
+
+Row = tuple[str, str]
+"""A row as text and its place, `path:line` or ""."""
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """A way to analyse: `program` holds the rules of a variant, with its options."""
+
+    name: str
+    program: Program
+
+
+@dataclass(frozen=True)
+class Evaluated:
+    """What a configuration makes of a component: its model, the rows of relations that are put out, and the processor time it took."""
+
+    model: Document
+    rows: Mapping[str, tuple[Row, ...]]
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A component of a subject under a configuration."""
+
+    subject: OpenSubject
+    facts: Facts
+    configuration: Configuration
+
+    def key(self, engine: str) -> str:
+        """A hash of all that the result depends on."""
+        names = (self.subject.subject.name, self.facts.package, self.facts.name)
+        return hash_of(["experiment", _version(), engine, self.configuration.program.hash, *names, self.facts.digest])
+
+
+@dataclass(frozen=True)
+class Runner:
+    """How cells are evaluated. `progress` is told how many are done, of how many."""
+
+    engine: str = "embedded"
+    jobs: int | None = None
+    cache: Cache | None = None
+    progress: Callable[[str, int, int], None] | None = None
+
+    def run(self, cells: Sequence[Cell]) -> Iterator[tuple[Cell, Evaluated | Failure]]:
+        """What becomes of each cell, in no particular order; each is kept as soon as it is done."""
+        waiting = []
+        done = 0
+        for cell in cells:
+            known = self._load(cell)
+            if known is None:
+                waiting.append(cell)
+                continue
+            done += 1
+            yield cell, known
+        self._tell(done, len(cells))
+        for program in {id(cell.configuration.program): cell.configuration.program for cell in waiting}.values():
+            program.evaluate({})  # what workers share is made once, before they are forked
+
+        def work(index: int) -> bytes:
+            return _evaluate(waiting[index], self.engine)
+
+        for index, outcome in run_tasks(work, range(len(waiting)), jobs=self.jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
+            done += 1
+            self._tell(done, len(cells))
+            if isinstance(outcome, Failure):
+                yield waiting[index], outcome
+            else:
+                if self.cache:
+                    self.cache.store(waiting[index].key(self.engine), outcome)
+                yield waiting[index], _evaluated(outcome)
+        if self.cache and waiting:
+            self.cache.trim()
+
+    def _load(self, cell: Cell) -> Evaluated | None:
+        data = self.cache.load(cell.key(self.engine)) if self.cache else None
+        return _evaluated(data) if data is not None else None
+
+    def _tell(self, done: int, total: int) -> None:
+        if self.progress:
+            self.progress("components", done, total)
+
+
+def _evaluate(cell: Cell, engine: str) -> bytes:
+    """Evaluate a cell, as it is kept."""
+    gc.disable()  # rows hold no cycles, and a component's memory goes with its evaluation
+    facts = cell.facts.rows()
+    start = sum(os.times()[:4])  # of this process and those it starts: the time on the clock depends on what else runs
+    result = cell.configuration.program.evaluate(facts, engine=engine)
+    seconds = sum(os.times()[:4]) - start
+    found = {name: result.rows(name) for name in result.names()}
+    component = cell.facts
+    model = build_model(cell.subject.subject.name, component.name, component.package, component.kind, component.sources, found)
+    return json.dumps([to_json(model), _texts(cell.configuration.program, found, facts), seconds]).encode()
+
+
+def _evaluated(data: bytes) -> Evaluated:
+    model, rows, seconds = json.loads(data)
+    return Evaluated(model, {name: tuple((text, at) for text, at in found) for name, found in rows.items()}, seconds)
+
+
+def _texts(program: Program, found: Mapping[str, Sequence[tuple[Any, ...]]], facts: Rows) -> dict[str, list[Row]]:
+    """Rows as texts, each with the place of the first thing in it that has one."""
+    show = ValueWriter(program.types).show
+    files = {key: path for key, path in facts.get("source_file", ())}
+    nodes = {value for rows in found.values() for row in rows for value in _symbols(row)}
+    places = {node: f"{files[file]}:{line}" for node, file, line, _ in facts.get("location", ()) if node in nodes and file in files}
+    texts = {}
+    for name, rows in found.items():
+        types = [attribute.type for attribute in program.relations[name].attributes]
+        texts[name] = [
+            (
+                ", ".join(show(value, type_) for value, type_ in zip(row, types, strict=True)),
+                next((places[value] for value in _symbols(row) if value in places), ""),
+            )
+            for row in rows
+        ]
+    return texts
+
+
+def _symbols(value: Any) -> Iterator[str]:
+    """All texts in a value, in order."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from _symbols(part)
+
+
+@lru_cache(maxsize=1)
+def _version() -> str:
+    """A hash of all but facts and rules that results depend on: the engine, and what makes models of rows."""
+    return version_of((*map(Path, rosarch.datalog.__path__), *map(Path, rosarch.models.__path__), Path(__file__).parent))
