@@ -20,6 +20,7 @@ from rosarch.cli import (
     extract,
     graph,
     includes,
+    language_server,
     launch,
     library,
     query,
@@ -54,6 +55,7 @@ app.command("explain")(explain.explain)
 app.command("why-not")(explain.why_not)
 app.add_typer(rules.app, name="rules")
 rules.app.command("checks")(checks.checks)
+app.command("language-server")(language_server.language_server)
 
 
 def _print_version(wanted: bool) -> None:

@@ -74,6 +74,18 @@ def parse_text(text: str, path: str, report: Report, texts: dict[str, str] | Non
     return []
 
 
+def tokens(text: str) -> tuple[list[Token], list[Token]]:
+    """The tokens of a text, and its `///` lines; characters that begin no token are left out."""
+    lark, _, docs = _parser()
+    while True:
+        docs.clear()
+        try:
+            return list(lark.lex(text)), list(docs)
+        except UnexpectedCharacters as error:
+            at = error.pos_in_stream or 0
+            text = f"{text[:at]} {text[at + 1 :]}"
+
+
 # A line on which, by the usual layout, a new item starts.
 _ITEM_START = re.compile(r"^(?=\.[a-z_]+\s|[A-Za-z_?]|///)", re.MULTILINE)
 

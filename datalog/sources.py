@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeAlias
 
 from .errors import DatalogError, Diagnostic, Location, Report
 from .parser import parse_text
@@ -60,11 +61,19 @@ def read_text(path: Path, shown: str, included_at: Location | None, report: Repo
         return None
 
 
+Parse: TypeAlias = Callable[[str, str, Report, dict[str, str]], Sequence[Item]]
+_NOTHING: Mapping[str, str] = {}
+
+
 class _Loader:
-    def __init__(self, report: Report, sources: Sources, reading: Reading) -> None:
+    def __init__(
+        self, report: Report, sources: Sources, reading: Reading, edited: Mapping[str, str] = _NOTHING, parse: Parse = parse_text
+    ) -> None:
         self.report = report
         self.sources = sources
         self.reading = reading
+        self.edited = edited
+        self.parse_text = parse
 
     def parse_file(self, path: Path, shown: str, included_at: Location | None, entered: set[str]) -> list[Item]:
         """The items of a file with its includes spliced in; nothing when the file was already entered."""
@@ -72,7 +81,9 @@ class _Loader:
         if identity in entered:
             return []
         entered.add(identity)
-        text = read_text(path, shown, included_at, self.report)
+        text = self.edited.get(identity)
+        if text is None:
+            text = read_text(path, shown, included_at, self.report)
         return [] if text is None else self.parse(text, shown, entered)
 
     def parse(self, text: str, shown: str, entered: set[str]) -> list[Item]:
@@ -83,7 +94,7 @@ class _Loader:
             text = expand(text, shown, self.report, texts, macros=reading.macros, folders=reading.folders)
         self.sources.parsed[shown] = text
         try:
-            items = parse_text(text, shown, self.report, texts)
+            items = self.parse_text(text, shown, self.report, texts)
         except RecursionError:
             self.report.error(TOO_DEEP, deepest({shown: text}))
             return []
@@ -158,19 +169,21 @@ def collect(items: Sequence[Item], report: Report) -> Unit:
 
 
 def read_program(
-    paths: Sequence[Path], extra_source: str = "", reading: Reading | None = None
+    paths: Sequence[Path], extra_source: str = "", reading: Reading | None = None, *,
+    edited: Mapping[str, str] = _NOTHING, parse: Parse = parse_text,
 ) -> tuple[Unit, Sources, Report]:  # fmt: skip
     """Parse root files, everything they include, and `extra_source` after them.
 
     Each file is parsed once, wherever and however often it is included (souffle needs `.once` for that); within each component, once more.
+    `edited` are texts to take instead of files, by resolved path; `parse` may remember what it made of a text.
     """
     sources = Sources()
     report = Report(sources.texts)
-    loader = _Loader(report, sources, reading or Reading())
+    loader = _Loader(report, sources, reading or Reading(), edited, parse)
     items: list[Item] = []
     entered: set[str] = set()
     for path in paths:
-        if not path.is_file():
+        if not path.is_file() and str(path.resolve()) not in edited:
             raise DatalogError([Diagnostic(f"no such file: `{path}`")])
         items.extend(loader.parse_file(path, str(path), None, entered))
     if extra_source:
