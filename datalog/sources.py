@@ -168,6 +168,23 @@ def collect(items: Sequence[Item], report: Report) -> Unit:
     return unit
 
 
+@dataclass(slots=True)
+class ParseMemory:
+    """Parses texts, and gives the same items again for a text that a file had the last time."""
+
+    _last: dict[str, tuple[str, Sequence[Item], Report]] = field(default_factory=dict)
+
+    def __call__(self, text: str, shown: str, report: Report, texts: dict[str, str]) -> Sequence[Item]:
+        """The items of a text, with its errors in the report; as `parse_text`."""
+        known = self._last.get(shown)
+        if known is None or known[0] != text:
+            own = Report(texts)
+            known = self._last[shown] = text, parse_text(text, shown, own, texts), own
+        for diagnostic in known[2].errors:
+            report.error(diagnostic.message, diagnostic.location, diagnostic.hint)
+        return known[1]
+
+
 def read_program(
     paths: Sequence[Path], extra_source: str = "", reading: Reading | None = None, *,
     edited: Mapping[str, str] = _NOTHING, parse: Parse = parse_text,

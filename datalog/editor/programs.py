@@ -8,10 +8,8 @@ from pathlib import Path
 from typing import TypeAlias
 
 from ..errors import DatalogError, Diagnostic, Report
-from ..parser import parse_text
 from ..preparation import prepare
-from ..sources import TOO_DEEP, deepest, read_program, read_text
-from ..tree import Item
+from ..sources import TOO_DEEP, ParseMemory, deepest, read_program, read_text
 from .occurrences import Names, names_of
 
 Roots: TypeAlias = tuple[Path, ...]
@@ -40,13 +38,6 @@ class Checked:
         return sum(d.severity == "error" for d in self.diagnostics)
 
 
-@dataclass(slots=True)
-class _Parsed:
-    text: str
-    items: Sequence[Item]
-    found: Report
-
-
 class Programs:
     """The programs that edited files are part of. What did not change is not parsed again.
 
@@ -56,7 +47,7 @@ class Programs:
     def __init__(self, candidates: Candidates) -> None:
         self.candidates = candidates
         self.edited: dict[str, str] = {}
-        self._parsed: dict[str, _Parsed] = {}
+        self._parse = ParseMemory()
         self._names: dict[str, tuple[str, Names]] = {}
         self._roots: dict[Path, Roots] = {}
         self._checked: dict[Roots, Checked] = {}
@@ -118,16 +109,6 @@ class Programs:
         except RecursionError:
             errors.append(Diagnostic(TOO_DEEP, deepest(sources.parsed)))
         return Checked(roots, texts, (*errors, *report.warnings))
-
-    def _parse(self, text: str, shown: str, report: Report, texts: dict[str, str]) -> Sequence[Item]:
-        """Parse a text, or take the items of the last time."""
-        known = self._parsed.get(shown)
-        if known is None or known.text != text:
-            found = Report(texts)
-            known = self._parsed[shown] = _Parsed(text, parse_text(text, shown, found, texts), found)
-        for diagnostic in known.found.errors:
-            report.error(diagnostic.message, diagnostic.location, diagnostic.hint)
-        return known.items
 
     def text(self, path: Path) -> str:
         """The text of a file as it is being edited, or as it is on disk; empty when it cannot be read."""

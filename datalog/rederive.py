@@ -1,0 +1,155 @@
+"""Deriving again after an edit of the rules: only what the edit can reach, from the rows that were there before.
+
+Relations that no changed clause feeds keep their rows; the others become a program of their own, with the kept relations as its input.
+Nothing is approximated: the rows are those of the whole program. (Maintaining rows under changes of facts, as by Gupta, Mumick and
+Subrahmanian, 1993, is another matter: facts do not change here, rules do.)
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass, fields, is_dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from .components import instantiate
+from .errors import Location, Report
+from .preprocess import Reading
+from .program import Program, compile_unit
+from .semantics import check
+from .sources import ParseMemory, Sources, read_program
+from .strata import dependencies
+from .syntax import Directive, Relation, Unit
+
+HALF = 0.5  # of the clauses: from there on a slice saves nothing
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """What separates a program from the one whose rows are known.
+
+    `slice` derives the `affected` relations from rows of the others, `needed`; None when nothing is affected.
+    """
+
+    affected: frozenset[str]
+    needed: frozenset[str]
+    slice: Program | None
+
+
+class RuleHistory:
+    """The rules of a program while they are edited. Raises DatalogError when they are wrong, as `load_program` does."""
+
+    def __init__(self, roots: Sequence[Path], *, extra_source: str = "", reading: Reading | None = None, bits: int = 32) -> None:
+        self.roots = tuple(roots)
+        self.extra_source = extra_source
+        self.reading = reading
+        self.bits = bits
+        self._parse = ParseMemory()
+        self._base: Unit | None = None
+
+    def whole(self) -> Program:
+        """The whole program as it is now, from which edits are told apart from here on."""
+        unit, sources, report = self._read()
+        program = compile_unit(copy(unit), sources, report, self.bits)
+        self._base = unit
+        return program
+
+    def edit(self) -> Edit | None:
+        """What has changed since `whole`; None when so much is affected that the whole program is as good."""
+        unit, sources, report = self._read()
+        changed = None if self._base is None else _changed(self._base, unit)
+        if changed is None:
+            return None
+        declared = {r.name for r in unit.relations}
+        reads = dependencies(declared, (c for c in unit.clauses if c.head.name in declared)).reads
+        affected = _reached(changed, reads)
+        clauses = [c for c in unit.clauses if c.head.name in affected or c.head.name not in declared]
+        if len(clauses) > HALF * len(unit.clauses):
+            return None
+        check(replace(unit, clauses=clauses), report, self.bits)  # all that an edit can have broken
+        return _slice(unit, affected, reads, sources, report, self.bits) if affected else Edit(affected, frozenset(), None)
+
+    def _read(self) -> tuple[Unit, Sources, Report]:
+        unit, sources, report = read_program(self.roots, self.extra_source, self.reading, parse=self._parse)
+        return instantiate(unit, report), sources, report
+
+
+def _slice(
+    unit: Unit, affected: frozenset[str], reads: Mapping[str, set[str]], sources: Sources, report: Report, bits: int
+) -> Edit:  # fmt: skip
+    """The program of the affected relations, and what it needs of the others."""
+    relations = {r.name: r for r in unit.relations}
+    own = set(affected)
+    work = list(affected)
+    needed: set[str] = set()
+    while work:
+        for name in reads[work.pop()] - own:
+            if "inline" in relations[name].qualifiers:  # it has no rows: its clauses are needed
+                own.add(name)
+                work.append(name)
+            else:
+                needed.add(name)
+    at = Location("", 1, 1)
+    given = [replace(relations[name], qualifiers=frozenset(), choices=()) for name in sorted(needed)]
+    directives = [d for d in unit.directives if d.relation in own and d.kind == "limitsize"]
+    part = replace(
+        unit,
+        relations=[*given, *(relations[name] for name in relations if name in own)],
+        clauses=[c for c in unit.clauses if c.head.name in own],
+        directives=[*directives, *(Directive("input", name, (), at) for name in sorted(needed))],
+    )
+    return Edit(affected, frozenset(needed), compile_unit(part, sources, report, bits))
+
+
+def _changed(before: Unit, now: Unit) -> set[str] | None:
+    """The relations whose declaration, clauses or files differ; None when types, functors or pragmas do."""
+    general = ("types", "functors", "pragmas")
+    if any(_shape(getattr(before, part)) != _shape(getattr(now, part)) for part in general):
+        return None
+    changed = {name for part in ("relations", "directives") for name in _differing(getattr(before, part), getattr(now, part))}
+    old = {id(c) for c in before.clauses}
+    new = {id(c) for c in now.clauses}
+    gone = Counter(_shape(c) for c in before.clauses if id(c) not in new)
+    come = Counter(_shape(c) for c in now.clauses if id(c) not in old)
+    return changed | {shape[1][1] for shape in ((gone - come) + (come - gone))}
+
+
+def _differing(before: Iterable[Relation | Directive], now: Iterable[Relation | Directive]) -> Iterator[str]:
+    """The names of the relations whose declarations or directives are not the same."""
+    old, new = ({(_relation(item), _shape(_undocumented(item))) for item in items} for items in (before, now))
+    yield from (name for name, _ in old ^ new)
+
+
+def _relation(item: Relation | Directive) -> str:
+    return item.name if isinstance(item, Relation) else item.relation
+
+
+def _undocumented(item: Relation | Directive) -> Relation | Directive:
+    return replace(item, doc="") if isinstance(item, Relation) else item
+
+
+def _reached(changed: Collection[str], reads: Mapping[str, Collection[str]]) -> frozenset[str]:
+    """The relations that changed ones feed, and these themselves as far as they are still there."""
+    readers: dict[str, list[str]] = {}
+    for name, read in reads.items():
+        for other in read:
+            readers.setdefault(other, []).append(name)
+    found: set[str] = set()
+    work = list(changed)
+    while work:
+        name = work.pop()
+        if name not in found:
+            found.add(name)
+            work.extend(readers.get(name, ()))
+    return frozenset(found & set(reads))
+
+
+def _shape(node: Any) -> Any:
+    """A node, or a list of them, without places: equal for what is written alike."""
+    if isinstance(node, (tuple, list)):
+        return tuple(_shape(item) for item in node)
+    if is_dataclass(node):
+        return type(node).__name__, *(_shape(getattr(node, f.name)) for f in fields(node) if f.name != "location")
+    return node
