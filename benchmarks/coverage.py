@@ -24,7 +24,8 @@ from typing import Any
 
 from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.models.analysis import COMPONENT_TIMEOUT, component_program
+from rosarch.models.analysis import COMPONENT_TIMEOUT
+from rosarch.models.rule_sets import component_program
 
 SITE = re.compile(r"(?:\.|->)\s*(?:template\s+)?(advertise|subscribe|advertiseService|serviceClient)\s*[<(](?!\s*\))")
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)

@@ -23,6 +23,7 @@ from rosarch.cli.options import (
     parse_defines,
     path_argument,
 )
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
 Out = Annotated[
@@ -46,6 +47,9 @@ def analyze(
     output_format: Annotated[
         ModelFormat | None, typer.Option("--format", help="Report on stdout; a table by default, only its last line with --out.")
     ] = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     jobs: Jobs = None,
     defines: Defines = None,
     timeout: Timeout = 60.0,
@@ -57,7 +61,8 @@ def analyze(
     variables = parse_defines(defines)
     if out:
         check_output(out)
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cached=cached)
+    rules = parse_rules(own, variants, settings)
+    analysis = load_analysis(folder, packages, rules=rules, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cached=cached)
     if out:
         from rosarch.reports.json_models import write_models
 

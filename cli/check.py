@@ -23,9 +23,10 @@ from rosarch.cli.check_options import (
     make_policy,
 )
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
-from rosarch.cli.derivations import RuleFiles, datalog_errors
+from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, parse_defines
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, load_systems
 from rosarch.cli.terminal import show_remaining
 
@@ -51,7 +52,9 @@ def check(
     exit_zero: ExitZero = False,
     baseline: BaselineFile = None,
     write_baseline: NewBaseline = None,
-    rules: RuleFiles = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -60,13 +63,14 @@ def check(
     verbose: Talkative = False,
 ) -> None:
     """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
-    from rosarch.models.system.build import system_rules
+    from rosarch.models.rule_sets import system_rules
     from rosarch.reports.findings import scope_text
 
     check_folder(folder)
     destinations = parse_destinations(output_format, outputs)
+    rules = parse_rules(own, variants, settings)
     with datalog_errors():
-        checks = system_rules(tuple(rules or ())).checks
+        checks = system_rules(rules).checks
     configuration = load_configuration(folder, config, checks)
     policy = make_policy(
         configuration, checks, errors=errors, warnings=warnings, notes=notes, ignored=ignored, fail_on=fail_on, exit_zero=exit_zero

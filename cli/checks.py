@@ -8,8 +8,9 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import RuleFiles, datalog_errors, shorten
+from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.errors import InputError
+from rosarch.cli.rule_options import Rules, parse_rules
 from rosarch.cli.terminal import emit
 
 
@@ -25,17 +26,17 @@ def checks(
         list[str] | None,
         typer.Argument(metavar="[ID]...", help="Explain these checks; `*` for any text. Without one, list all.", show_default=False),
     ] = None,
-    rules: RuleFiles = None,
+    own: Rules = None,
     output_format: Annotated[CheckFormat, typer.Option("--format", help="The form of the text on stdout.")] = CheckFormat.text,
 ) -> None:
     """List the checks with their severity, or explain some: what each finds, why that is bad, an example, what to do."""
     from rosarch.extractor.hints import hint
+    from rosarch.models.rule_sets import system_rules
     from rosarch.models.suppressed import COMMENT_CHECKS
-    from rosarch.models.system.build import system_rules
     from rosarch.reports.checks import explanation_text, list_text, reference_markdown, sections_markdown
 
     with datalog_errors():
-        known = sorted((*system_rules(tuple(rules or ())).checks, *COMMENT_CHECKS), key=lambda check: check.id)
+        known = sorted((*system_rules(parse_rules(own)).checks, *COMMENT_CHECKS), key=lambda check: check.id)
     for pattern in patterns or ():
         if not any(fnmatchcase(check.id, pattern) for check in known):
             raise InputError(f"no check {pattern}{hint(pattern, [check.id for check in known])}")

@@ -27,7 +27,7 @@ Out = Annotated[
 
 def systems_of(inputs: SystemInputs, verbose: bool) -> Sequence[SystemModel]:
     """The systems to show, of the launch files in the configuration when none are named; what was not understood goes to stderr."""
-    from rosarch.models.system.build import system_rules
+    from rosarch.models.rule_sets import system_rules
 
     analysis = load_systems(inputs, load_configuration(inputs.folder, None, system_rules().checks))
     show_remaining(analysis, inputs.folder, verbose)

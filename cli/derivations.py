@@ -18,19 +18,13 @@ from rosarch.cli.terminal import progress, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program, Result
+    from rosarch.models.rule_sets import RuleSet
     from rosarch.models.selection import SelectedComponent
 
 Facts = Mapping[str, list[tuple[Any, ...]]]
 Component = Annotated[
     str | None, typer.Option("--component", "-c", metavar="NAME", help="Only this one: NAME or PACKAGE/NAME.", show_default=False)
 ]
-RuleFiles = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--rules", "-r", metavar="FILE", help="A file of rules of your own, beside rosarch's; may be repeated.", show_default=False
-    ),
-]
-
 Profiled = Annotated[bool, typer.Option("--profile", help="Tell on stderr which rules take the time.")]
 
 
@@ -39,23 +33,19 @@ def datalog_errors() -> Iterator[None]:
     """Errors in rules, checks, goals and queries are errors of the user's input."""
     from rosarch.datalog import DatalogError
     from rosarch.models.checks import CheckError
+    from rosarch.models.variants import RuleSetError
 
     try:
         yield
-    except (DatalogError, CheckError) as error:
+    except (DatalogError, CheckError, RuleSetError) as error:
         raise InputError(str(error)) from None
 
 
-def load_rules(files: Sequence[Path] | None, *, systems: bool = False) -> Program:
-    """The rules of a component or of a system, with files of the user's own."""
-    from rosarch.datalog import load_program
-    from rosarch.extractor.manifest import rules_folder
+def load_rules(rules: RuleSet, *, systems: bool = False) -> Program:
+    """The rules of a component or of a system."""
+    from rosarch.models.rule_sets import component_program, system_rules
 
-    if systems:
-        from rosarch.models.system.build import system_rules
-
-        return system_rules(tuple(files or ())).program
-    return load_program([rules_folder() / "component.dl", *(files or ())])
+    return system_rules(rules).program if systems else component_program(rules)
 
 
 def shorten(path: str) -> str:
@@ -117,6 +107,7 @@ def asked(
     component: str | None,
     launches: Sequence[str] | None,
     *,
+    rules: RuleSet,
     jobs: int | None,
     timeout: float,
     defines: Sequence[str] | None,
@@ -136,7 +127,9 @@ def asked(
     from rosarch.cli.systems import SystemInputs, load_surrounding
     from rosarch.models.selection import SelectedComponent
 
-    inputs = SystemInputs(folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
+    inputs = SystemInputs(
+        folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached, rules=rules
+    )
     shared, found = load_surrounding(inputs)
     show_diagnostics(shared.diagnostics, verbose)
     yield [SelectedComponent(launch.name, "", folder, partial(shared.rows, launch)) for launch in found]

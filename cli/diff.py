@@ -69,7 +69,7 @@ def diff(
     def load(state: State) -> Snapshot:
         from rosarch.extractor.manifest import facts_folder
         from rosarch.models.comparison import Snapshot
-        from rosarch.models.system.build import system_rules
+        from rosarch.models.rule_sets import system_rules
 
         analysis = load_analysis(
             state.folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached

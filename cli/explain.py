@@ -6,9 +6,10 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, RuleFiles, asked, datalog_errors, evaluate, heading, load_rules, shorten
+from rosarch.cli.derivations import Component, asked, datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit
 
@@ -30,7 +31,9 @@ def explain(
     packages: Packages = None,
     component: Component = None,
     launches: Systems = None,
-    rules: RuleFiles = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     depth: Depth = 4,
     show_rules: Annotated[bool, typer.Option("--show-rules", help="Print every rule under the row it derives.")] = False,
     most: Most = 1,
@@ -47,6 +50,7 @@ def explain(
 
     layout = Layout(depth=depth or None, rules=show_rules, shorten=shorten)
     with datalog_errors():
+        rules = parse_rules(own, variants, settings)
         program = load_rules(rules, systems=bool(launches))
         check_goal(program, goal)
         texts = []
@@ -55,6 +59,7 @@ def explain(
             packages,
             component,
             launches,
+            rules=rules,
             jobs=jobs,
             timeout=timeout,
             defines=defines,
@@ -81,7 +86,9 @@ def why_not(
     packages: Packages = None,
     component: Component = None,
     launches: Systems = None,
-    rules: RuleFiles = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -95,6 +102,7 @@ def why_not(
     from rosarch.datalog.prover import check_goal
 
     with datalog_errors():
+        rules = parse_rules(own, variants, settings)
         program = load_rules(rules, systems=bool(launches))
         check_goal(program, goal)
         with asked(
@@ -102,6 +110,7 @@ def why_not(
             packages,
             component,
             launches,
+            rules=rules,
             jobs=jobs,
             timeout=timeout,
             defines=defines,

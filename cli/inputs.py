@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
     from rosarch.extractor.workspace import Diagnostic
     from rosarch.models.analysis import Analysis
+    from rosarch.models.rule_sets import RuleSet
 
 
 def check_folder(folder: Path) -> Path:
@@ -90,6 +91,7 @@ def load_analysis(
     folder: Path,
     packages: Collection[str] | None,
     *,
+    rules: RuleSet | None = None,
     engine: Engine,
     jobs: int | None,
     timeout: float,
@@ -101,14 +103,16 @@ def load_analysis(
     check_engine(engine)
     with progress() as report:
         from rosarch.extractor.manifest import facts_folder
+        from rosarch.models.rule_sets import SHIPPED
 
         if facts_folder(folder):
-            return _load_facts(folder, packages, engine, jobs, report)
+            return _load_facts(folder, packages, rules or SHIPPED, engine, jobs, report)
         from rosarch.models.analysis import analyze
 
         analysis = analyze(
             folder,
             packages or None,
+            rules=rules or SHIPPED,
             engine=engine.value,
             jobs=jobs,
             timeout=timeout,
@@ -121,14 +125,19 @@ def load_analysis(
 
 
 def _load_facts(
-    folder: Path, packages: Collection[str] | None, engine: Engine, jobs: int | None, report: Callable[[str, int, int], None] | None
+    folder: Path,
+    packages: Collection[str] | None,
+    rules: RuleSet,
+    engine: Engine,
+    jobs: int | None,
+    report: Callable[[str, int, int], None] | None,
 ) -> Analysis:
     from rosarch.extractor.hints import hint
     from rosarch.extractor.manifest import ManifestError
     from rosarch.models.analysis import analyze_facts
 
     try:
-        analysis = analyze_facts(folder, engine=engine.value, jobs=jobs, progress=report)
+        analysis = analyze_facts(folder, rules=rules, engine=engine.value, jobs=jobs, progress=report)
     except ManifestError as error:
         raise InputError(str(error)) from None
     known = {model.package for model in analysis.models}

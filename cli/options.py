@@ -88,16 +88,16 @@ Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Show every diagn
 
 def parse_defines(defines: Iterable[str] | None) -> dict[str, str]:
     """The variables of `--define`."""
-    return _pairs("--define", defines)
+    return parse_pairs("--define", defines)
 
 
 def parse_environment(variables: Iterable[str] | None) -> dict[str, str]:
     """The variables of `--env`."""
-    return _pairs("--env", variables)
+    return parse_pairs("--env", variables)
 
 
-def _pairs(option: str, texts: Iterable[str] | None) -> dict[str, str]:
-    """`NAME=VALUE` texts as a mapping."""
+def parse_pairs(option: str, texts: Iterable[str] | None) -> dict[str, str]:
+    """`NAME=VALUE` texts as a mapping; the last of one name counts."""
     result = {}
     for text in texts or ():
         name, equals, value = text.partition("=")

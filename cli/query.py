@@ -6,8 +6,9 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, Profiled, RuleFiles, asked, check_profile, datalog_errors, evaluate, heading, load_rules
+from rosarch.cli.derivations import Component, Profiled, asked, check_profile, datalog_errors, evaluate, heading, load_rules
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit
 
@@ -21,7 +22,9 @@ def query(
     packages: Packages = None,
     component: Component = None,
     launches: Systems = None,
-    rules: RuleFiles = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     output_format: Annotated[ModelFormat, typer.Option("--format", help="The form of the answer on stdout.")] = ModelFormat.table,
     most: Most = None,
     profile: Profiled = False,
@@ -39,6 +42,7 @@ def query(
 
     check_profile(profile, engine)
     with datalog_errors():
+        rules = parse_rules(own, variants, settings)
         program = load_rules(rules, systems=bool(launches))
         check_query(program, text)
         with asked(
@@ -46,6 +50,7 @@ def query(
             packages,
             component,
             launches,
+            rules=rules,
             jobs=jobs,
             timeout=timeout,
             defines=defines,

@@ -12,6 +12,7 @@ from rosarch.cli.derivations import Component, Profiled, asked, check_profile, d
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder, unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit
 
@@ -28,9 +29,7 @@ Files = Annotated[
 @app.command("list")
 def list_rules(
     pattern: Annotated[str, typer.Argument(metavar="[PATTERN]", help="Only relations of this name; `*` for any text.")] = "*",
-    rules: Annotated[
-        list[Path] | None, typer.Option("--rules", "-r", metavar="FILE", help="Rules of your own; may be repeated.", show_default=False)
-    ] = None,
+    own: Rules = None,
     private: Annotated[bool, typer.Option("--private", help="Also those private to a file, whose names start with `_`.")] = False,
 ) -> None:
     """List relations with the place of their declaration and what they hold."""
@@ -38,7 +37,7 @@ def list_rules(
     from rosarch.datalog.relation_reference import list_text
 
     with datalog_errors():
-        entries = [e for e in reference(load_rules(rules)) if (private or not e.private) and fnmatchcase(e.name, pattern)]
+        entries = [e for e in reference(load_rules(parse_rules(own))) if (private or not e.private) and fnmatchcase(e.name, pattern)]
     if not entries:
         raise InputError(f"no relation {pattern}")
     emit(list_text(entries, shorten=shorten))
@@ -57,6 +56,9 @@ def run(
     packages: Packages = None,
     component: Component = None,
     launches: Systems = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     profile: Profiled = False,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
@@ -70,7 +72,8 @@ def run(
 
     check_profile(profile, engine)
     with datalog_errors():
-        program = load_rules(files, systems=bool(launches))
+        rules = parse_rules([*files, *(own or ())], variants, settings)
+        program = load_rules(rules, systems=bool(launches))
         names = _wanted(program, files, relations or [])
         texts = []
         with asked(
@@ -78,6 +81,7 @@ def run(
             packages,
             component,
             launches,
+            rules=rules,
             jobs=jobs,
             timeout=timeout,
             defines=defines,
@@ -143,7 +147,7 @@ def doc(
     from rosarch.datalog import reference, reference_text
 
     with datalog_errors():
-        text = reference_text(reference(load_rules(rules)), shorten=shorten, private=private)
+        text = reference_text(reference(load_rules(parse_rules(rules))), shorten=shorten, private=private)
     if out is None:
         emit(text)
         return

@@ -17,6 +17,7 @@ from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
     from rosarch.models.configuration import Configuration
+    from rosarch.models.rule_sets import RuleSet
     from rosarch.models.system.analysis import Launch, Surrounding, SystemAnalysis
     from rosarch.models.system.launches import Request, Surroundings
 
@@ -67,7 +68,7 @@ class SystemInputs:
     timeout: float = 60.0
     defines: Mapping[str, str] = field(default_factory=dict)
     cached: bool = True
-    rules: Sequence[Path] | None = None
+    rules: RuleSet | None = None
 
 
 EVERY = "*"
@@ -85,7 +86,7 @@ def load_systems(inputs: SystemInputs, configuration: Configuration | None = Non
         launches = _launches(inputs, configuration)
         if required and not launches:
             raise InputError(f"{inputs.folder}: no launch file below this folder")
-        analysis = analyze_systems(inputs.folder, launches, rules_of_own=inputs.rules or (), progress=report, **_options(inputs))
+        analysis = analyze_systems(inputs.folder, launches, progress=report, **_options(inputs))
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
     return analysis
@@ -101,7 +102,10 @@ def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
 
 
 def _options(inputs: SystemInputs) -> dict[str, Any]:
+    from rosarch.models.rule_sets import SHIPPED
+
     return {
+        "rules": inputs.rules or SHIPPED,
         "library": tuple(map(check_folder, inputs.library or ())),
         "engine": inputs.engine.value,
         "jobs": inputs.jobs,

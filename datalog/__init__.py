@@ -18,6 +18,7 @@ from .program import Attribute, Program, RelationDecl, Result, is_compiled, load
 
 if TYPE_CHECKING:
     from .near_misses import WhyNot, why_not, why_not_text
+    from .overrides import Overridden
     from .profiling import Profile, profile, profile_text
     from .proof_printer import Layout, proof_text
     from .proofs import Proof
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 
 _LATER = {
     "near_misses": ("WhyNot", "why_not", "why_not_text"),
+    "overrides": ("Overridden",),
     "profiling": ("Profile", "profile", "profile_text"),
     "proof_printer": ("Layout", "proof_text"),
     "proofs": ("Proof",),
@@ -51,6 +53,7 @@ __all__ = [
     "Diagnostic",
     "Layout",
     "Location",
+    "Overridden",
     "Profile",
     "Program",
     "Proof",

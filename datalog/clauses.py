@@ -5,13 +5,13 @@ A compiled program keeps the text of its files; they are parsed again here, once
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .clause_text import TOKEN
 from .errors import Location, Report
 from .inference import ClauseTypes
 from .parser import parse_text
@@ -136,16 +136,13 @@ def _read(program: Program) -> Rules:
     return Rules(unit, checked.relations, checked.types, tuple(map(tuple, checked.strata)), by_head)
 
 
-_TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/|[\w?]+(?:\.[\w?]+)+|\.|\s+', re.DOTALL)
-
-
 def _text(clause: Clause, lines: Mapping[str, list[str]]) -> str:
     """The clause as written, on one line and without comments: from where it starts to the dot that ends it."""
     at = clause.location
     rest = "\n".join(lines.get(at.path, [])[at.line - 1 : at.line + _LONGEST])[at.column - 1 :]
     parts: list[str] = []
     position = 0
-    for token in _TOKEN.finditer(rest):
+    for token in TOKEN.finditer(rest):
         parts.append(rest[position : token.start()])
         position = token.end()
         if token[0] == ".":

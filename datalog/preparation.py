@@ -21,7 +21,7 @@ def prepare(unit: Unit, report: Report, bits: int = 32) -> tuple[Checked, int]:
     """
     unit = instantiate(unit, report)
     unit.clauses = [ground_witnesses(c) for clause in unit.clauses for c in resolve_records(clause)]
-    excluded = {name for key, value in unit.pragmas if key == "inline-exclude" for name in value.split(",")}
+    excluded = {name for pragma in unit.pragmas if pragma.key == "inline-exclude" for name in pragma.value.split(",")}
     limits = {d.relation: int(n) for d in unit.directives if d.kind == "limitsize" and (n := dict(d.params).get("n", "")).isdigit()}
     unit.relations = [replace(r, limit=limits[r.name]) if r.name in limits else r for r in unit.relations]
     unit.relations = [r if _inlined(r, excluded) else replace(r, qualifiers=r.qualifiers - {"inline"}) for r in unit.relations]

@@ -26,11 +26,13 @@ class Reading:
 
     `preprocess`: texts with C preprocessor directives are expanded first, with `macros` (`NAME` or `NAME=VALUE`) defined.
     `folders`: where `.include` and `#include` look besides the folder of the including file.
+    `instead`: files, and others that an `.include` of them takes.
     """
 
     preprocess: bool = False
     macros: tuple[str, ...] = ()
     folders: tuple[Path, ...] = ()
+    instead: tuple[tuple[Path, Path], ...] = ()
 
 
 def expand(

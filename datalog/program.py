@@ -20,6 +20,7 @@ from .types import Types, build_types
 from .user_functors import Functors, FunctorUse, bind, functor_uses
 
 if TYPE_CHECKING:
+    from .overrides import Overridden
     from .sources import Sources
     from .syntax import Directive, Unit
 
@@ -97,6 +98,7 @@ class Program:
     pragmas: dict[str, str]
     functor_uses: dict[str, FunctorUse]
     bytecode: bytes
+    overridden: tuple[Overridden, ...] = ()
     functors: Functors = field(default_factory=dict)  # user-defined ones, as Python functions
     _functions: dict[str, Any] | None = None
 
@@ -207,19 +209,19 @@ class Program:
 
 def load_program(
     path: Path | str | Sequence[Path | str], *, extra_source: str = "", preprocess: bool = False, macros: Sequence[str] = (),
-    include: Sequence[Path | str] = (), bits: int = 32, functors: Functors | None = None,
+    include: Sequence[Path | str] = (), instead: Mapping[Path, Path] | None = None, bits: int = 32, functors: Functors | None = None,
 ) -> Program:  # fmt: skip
     """Parse, check and compile a program: one or more root files and what they include.
 
     `extra_source` is appended as if it were a last file. `preprocess` runs the C preprocessor over texts with its directives, with
-    `macros` (`NAME` or `NAME=VALUE`) defined; `include` are folders for `.include` and `#include`. `bits` is the width of numbers,
-    32 or 64. `functors` are the functions behind `.functor` declarations. Compiled programs are cached by the content of all files.
-    Raises DatalogError with every diagnostic.
+    `macros` (`NAME` or `NAME=VALUE`) defined; `include` are folders for `.include` and `#include`, and an `.include` of a file of `instead`
+    takes the file it is mapped to. `bits` is the width of numbers, 32 or 64. `functors` are the functions behind `.functor` declarations.
+    Compiled programs are cached by the content of all files. Raises DatalogError with every diagnostic.
     """
     if bits not in (32, 64):
         raise DatalogError(f"numbers have 32 or 64 bits, not {bits}")
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
-    reading = Reading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), tuple(Path(p) for p in include))
+    reading = _reading(preprocess, macros, tuple(Path(p) for p in include), instead, bits)
     key = _cache_key(extra_source, reading, bits)
     program = cache.load(paths, key)
     if not isinstance(program, Program):
@@ -242,9 +244,13 @@ def load_program(
     return program
 
 
-def is_compiled(path: Path) -> bool:
-    """Whether there is a compiled program of this file, which `load_program` takes unless a file has changed since."""
-    return cache.known([path], _cache_key("", Reading(False, ("RAM_DOMAIN_SIZE=32",), ()), 32))
+def is_compiled(paths: Sequence[Path], *, extra_source: str = "", instead: Mapping[Path, Path] | None = None) -> bool:
+    """Whether there is a compiled program of these files, which `load_program` takes unless a file has changed since."""
+    return cache.known(paths, _cache_key(extra_source, _reading(False, (), (), instead, 32), 32))
+
+
+def _reading(preprocess: bool, macros: Sequence[str], folders: tuple[Path, ...], instead: Mapping[Path, Path] | None, bits: int) -> Reading:
+    return Reading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), folders, tuple(sorted((instead or {}).items())))
 
 
 def _cache_key(extra_source: str, reading: Reading, bits: int) -> str:
@@ -275,9 +281,10 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -
         unit.directives,
         dict(sources.texts),
         dict(sources.parsed),
-        dict(unit.pragmas),
+        {pragma.key: pragma.value for pragma in unit.pragmas},
         functor_uses(unit, checked.types),
         bytecode,
+        sources.overridden,
     )
 
 

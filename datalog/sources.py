@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from .errors import DatalogError, Diagnostic, Location, Report
+from .overrides import Overridden, drop_overridden
 from .parser import parse_text
 from .preprocess import Reading, expand
 from .syntax import (
@@ -19,13 +20,14 @@ from .syntax import (
     Directive,
     FunctorDecl,
     Init,
+    Pragma,
     RecordDecl,
     Relation,
     SubsetDecl,
     UnionDecl,
     Unit,
 )  # fmt: skip
-from .tree import ComponentBody, Include, Item, Override, Pragma
+from .tree import ComponentBody, Include, Item, Override
 
 TOO_DEEP = "a term is nested too deeply"
 MANY_BRACKETS = 50  # nested; with fewer it is a chain of operators that is deep
@@ -38,6 +40,7 @@ class Sources:
 
     texts: dict[str, str] = field(default_factory=dict)
     parsed: dict[str, str] = field(default_factory=dict)
+    overridden: tuple[Overridden, ...] = ()
 
 
 def digest(text: str) -> str:
@@ -74,6 +77,7 @@ class _Loader:
         self.reading = reading
         self.edited = edited
         self.parse_text = parse
+        self.instead = {old.resolve(): new for old, new in reading.instead}
 
     def parse_file(self, path: Path, shown: str, included_at: Location | None, entered: set[str]) -> list[Item]:
         """The items of a file with its includes spliced in; nothing when the file was already entered."""
@@ -118,7 +122,8 @@ class _Loader:
         """The file that an `.include` names: beside the including file, or in one of the folders."""
         including = item.location.path
         beside = (Path() if including == EXTRA_SOURCE else Path(including).parent) / item.path
-        return next((p for p in (beside, *(f / item.path for f in self.reading.folders)) if p.is_file()), beside)
+        found = next((p for p in (beside, *(f / item.path for f in self.reading.folders)) if p.is_file()), beside)
+        return self.instead.get(found.resolve(), found) if self.instead else found
 
 
 _BRACKETS = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/|[\[({]|[\])}]', re.DOTALL)
@@ -160,7 +165,7 @@ def collect(items: Sequence[Item], report: Report) -> Unit:
             case Override():
                 unit.overrides.append(item.name)
             case Pragma():
-                unit.pragmas.append((item.key, item.value))
+                unit.pragmas.append(item)
             case FunctorDecl():
                 unit.functors.append(item)
             case _:
@@ -205,4 +210,6 @@ def read_program(
         items.extend(loader.parse_file(path, str(path), None, entered))
     if extra_source:
         items.extend(loader.parse(extra_source, EXTRA_SOURCE, entered))
-    return collect(items, report), sources, report
+    unit = collect(items, report)
+    sources.overridden = drop_overridden(unit, sources.parsed, report)
+    return unit, sources, report

@@ -283,6 +283,15 @@ class Init:
     location: Location
 
 
+@dataclass(frozen=True, slots=True)
+class Pragma:
+    """`.pragma "key" "value"`."""
+
+    key: str
+    value: str
+    location: Location
+
+
 @dataclass(slots=True)
 class Unit:
     """The declarations of a program, or of a component body."""
@@ -292,7 +301,7 @@ class Unit:
     clauses: list[Clause] = field(default_factory=list)
     directives: list[Directive] = field(default_factory=list)
     functors: list[FunctorDecl] = field(default_factory=list)
-    pragmas: list[tuple[str, str]] = field(default_factory=list)
+    pragmas: list[Pragma] = field(default_factory=list)
     components: list[Component] = field(default_factory=list)
     inits: list[Init] = field(default_factory=list)
     overrides: list[str] = field(default_factory=list)

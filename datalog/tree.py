@@ -37,6 +37,7 @@ from .syntax import (
     Negation,
     Nil,
     Number,
+    Pragma,
     Record,
     RecordDecl,
     Relation,
@@ -64,14 +65,6 @@ class Override:
     """`.override name` in a component."""
 
     name: str
-
-
-@dataclass(frozen=True, slots=True)
-class Pragma:
-    """`.pragma "key" "value"`."""
-
-    key: str
-    value: str
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -255,7 +248,7 @@ class TreeBuilder(Transformer[Token, list[Item]]):
         return FunctorDecl(token.value, params or (), result[0], self._at(token))
 
     def pragma(self, _: Token, key: Token, value: Token | None) -> Pragma:
-        return Pragma(self._text(key), self._text(value) if value is not None else "")
+        return Pragma(self._text(key), self._text(value) if value is not None else "", self._at(key))
 
     def include(self, _: Token, path: Token) -> Include:
         return Include(self._text(path), self._at(path))

@@ -7,16 +7,18 @@ import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosarch.datalog import Program, is_compiled, load_program, read_facts
+from rosarch.datalog import read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.facts import schema
-from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest, rules_folder
+from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.models.cache import ModelCache
 from rosarch.models.component import ComponentModel, Relations, build_model
+from rosarch.models.rule_sets import SHIPPED, RuleSet, component_program, is_loaded_soon, rules_digest
 
 if TYPE_CHECKING:
     from rosarch.extractor.pipeline import ComponentFacts
@@ -51,19 +53,11 @@ class _StoredFacts:
         return read_facts(self.folder, schema())
 
 
-def component_program() -> Program:
-    """The rules that derive a component's model."""
-    return load_program(_rules())
-
-
-def _rules() -> Path:
-    return rules_folder() / "component.dl"
-
-
 def analyze(
     root: Path,
     packages: Collection[str] | None = None,
     *,
+    rules: RuleSet = SHIPPED,
     engine: str = "embedded",
     jobs: int | None = None,
     timeout: float = 60.0,
@@ -72,17 +66,17 @@ def analyze(
     progress: Progress | None = None,
     only: Callable[[Component], bool] | None = None,
 ) -> Analysis:
-    """Analyse the components of `packages` (all by default) below `root`. See `extract` for the options."""
+    """Analyse the components of `packages` (all by default) below `root` by `rules`. See `extract` for the other options."""
     start = time.perf_counter()
-    with meanwhile(component_program) if not is_compiled(_rules()) else nullcontext(lambda: None) as rules_compiled:
+    with meanwhile(partial(component_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
 
         with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress, only=only) as extraction:
             extracted = time.perf_counter()
             rules_compiled()
             system = root.resolve().name
-            kept = ModelCache(cache, system, engine) if cache else None
-            models, failures = _evaluate(system, extraction.components, root, engine, jobs, progress, kept)
+            kept = ModelCache(cache, system, engine, rules_digest(rules)) if cache else None
+            models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept)
             statistics = {
                 "components": len(models),
                 "extraction_seconds": extracted - start,
@@ -91,7 +85,9 @@ def analyze(
             return Analysis(models, (*extraction.diagnostics, *failures), statistics, extraction.programs)
 
 
-def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None) -> Analysis:
+def analyze_facts(
+    folder: Path, *, rules: RuleSet = SHIPPED, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None
+) -> Analysis:
     """Analyse a folder of facts that `rosarch extract` wrote, or that of one of its packages or components.
 
     Raises `ManifestError` when the folder is stale or damaged.
@@ -100,7 +96,7 @@ def analyze_facts(folder: Path, *, engine: str = "embedded", jobs: int | None = 
     top = facts_folder(folder) or folder
     manifest = read_manifest(top)
     stored = [_StoredFacts(e.component, e.package, e.kind, e.sources, top / e.folder) for e in entries_below(manifest, top, folder)]
-    models, failures = _evaluate(Path(manifest.root).name, stored, folder, engine, jobs, progress)
+    models, failures = _evaluate(Path(manifest.root).name, stored, folder, rules, engine, jobs, progress)
     return Analysis(
         models, (*manifest.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}
     )
@@ -110,6 +106,7 @@ def _evaluate(
     system: str,
     components: Sequence[ComponentFacts | _StoredFacts],
     where: Path,
+    rules: RuleSet,
     engine: str,
     jobs: int | None,
     progress: Progress | None,
@@ -126,7 +123,7 @@ def _evaluate(
             waiting.append(component)
         else:
             models.append(model)
-    for component, outcome in _derived(waiting, engine, jobs) if waiting else ():
+    for component, outcome in _derived(waiting, rules, engine, jobs) if waiting else ():
         if isinstance(outcome, Failure):
             detail = f"{_title(component)} not analysed: {outcome.reason} ({outcome.detail})"
             failures.append(Diagnostic("component", where, 1, 1, detail))
@@ -143,10 +140,10 @@ def _evaluate(
 
 
 def _derived(
-    components: Sequence[ComponentFacts | _StoredFacts], engine: str, jobs: int | None
+    components: Sequence[ComponentFacts | _StoredFacts], rules: RuleSet, engine: str, jobs: int | None
 ) -> Iterator[tuple[ComponentFacts | _StoredFacts, Relations | Failure]]:
     """What the rules derive of each component, in worker processes."""
-    program = component_program()
+    program = component_program(rules)
 
     def work(component: ComponentFacts | _StoredFacts) -> Relations:
         gc.disable()  # rows hold no cycles, and a component's memory goes with its evaluation

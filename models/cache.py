@@ -21,11 +21,12 @@ def models_version() -> str:
 
 @dataclass(frozen=True)
 class ModelCache:
-    """The models of the components of `system` that `engine` derives."""
+    """The models of the components of `system` that `engine` derives; `rules` is a hash of rules other than those that ship."""
 
     cache: Cache
     system: str
     engine: str
+    rules: str = ""
 
     def load(self, component: str, facts: str | None) -> ComponentModel | None:
         """The model of a component, found by the hash of its facts; None when there is none, or the facts have no hash."""
@@ -44,4 +45,4 @@ class ModelCache:
             self.cache.store(self._key(component, facts), pickle.dumps(model, protocol=pickle.HIGHEST_PROTOCOL))
 
     def _key(self, component: str, facts: str) -> str:
-        return hash_of(["model", models_version(), self.system, self.engine, component, facts])
+        return hash_of(["model", models_version(), self.system, self.engine, self.rules, component, facts])

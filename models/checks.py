@@ -65,6 +65,25 @@ def read_checks(paths: Iterable[Path]) -> tuple[Check, ...]:
     return tuple(read_check(path) for path in paths)
 
 
+def require_unique(paths: Iterable[Path]) -> None:
+    """Refuse two checks with one id.
+
+    Raises:
+        CheckError: the second of two files claims an id.
+    """
+    seen: dict[str, Path] = {}
+    for path in paths:
+        for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+            match = _FIELD.fullmatch(line)
+            if match is None or match[1] != "id":
+                continue
+            id_ = (match[2] or "").strip()
+            if id_ in seen:
+                raise CheckError(f"{path}:{number}:1: there is a check `{id_}` already, in {seen[id_]}")
+            seen[id_] = path
+            break
+
+
 def _fields(text: str, path: Path) -> Iterator[tuple[str, str]]:
     """The fields at the head of a file; `|` or an indent continues one."""
     name, lines, seen = "", [""], set()

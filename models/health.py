@@ -12,8 +12,9 @@ from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.units import Progress
 from rosarch.extractor.workspace import Diagnostic
-from rosarch.models.analysis import COMPONENT_TIMEOUT, component_program
+from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.places import Place
+from rosarch.models.rule_sets import component_program
 
 SLOW = 2.0  # seconds for one source: beyond, a reader will want to know
 

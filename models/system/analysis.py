@@ -19,7 +19,8 @@ from rosarch.models.analysis import COMPONENT_TIMEOUT, Analysis, analyze
 from rosarch.models.component import ComponentModel
 from rosarch.models.findings import Finding
 from rosarch.models.places import Place
-from rosarch.models.system.build import Rows, SystemRules, evaluate, merged, system_model, system_rules
+from rosarch.models.rule_sets import SHIPPED, RuleSet, SystemRules, system_rules
+from rosarch.models.system.build import Rows, evaluate, merged, system_model
 from rosarch.models.system.findings import findings
 from rosarch.models.system.interfaces import library_rows, model_rows
 from rosarch.models.system.model import SystemModel
@@ -70,6 +71,7 @@ def surrounding(
     launches: Sequence[Launch],
     *,
     library: Sequence[Path] = (),
+    rules: RuleSet = SHIPPED,
     engine: str = "embedded",
     jobs: int | None = None,
     timeout: float = 60.0,
@@ -83,7 +85,7 @@ def surrounding(
     options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache}
 
     def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool]) -> Analysis:
-        found = analyze(root, packages, engine=engine, progress=progress, only=only, **options)
+        found = analyze(root, packages, rules=rules, engine=engine, progress=progress, only=only, **options)
         diagnostics.extend(found.diagnostics)
         return found
 
@@ -107,7 +109,7 @@ def analyze_systems(
     root: Path,
     launches: Sequence[Launch],
     *,
-    rules_of_own: Sequence[Path] = (),
+    rules: RuleSet = SHIPPED,
     library: Sequence[Path] = (),
     engine: str = "embedded",
     jobs: int | None = None,
@@ -116,17 +118,18 @@ def analyze_systems(
     cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> SystemAnalysis:
-    """Compose the nodes that `launches` start from their components, and check each system, with checks of the user's own as well.
+    """Compose the nodes that `launches` start from their components, and check each system, by `rules`.
 
     See `surrounding` for the components.
     """
     from rosarch.extractor.workspace import Diagnostic
 
-    rules = system_rules(tuple(rules_of_own))
+    checked = system_rules(rules)
     shared = surrounding(
         root,
         launches,
         library=library,
+        rules=rules,
         engine=engine,
         jobs=jobs,
         timeout=timeout,
@@ -137,7 +140,7 @@ def analyze_systems(
 
     def work(launch: Launch) -> tuple[SystemModel, list[Finding]]:
         gc.disable()
-        return _system(rules, launch, shared.rows(launch), engine)
+        return _system(checked, launch, shared.rows(launch), engine)
 
     systems: list[SystemModel] = []
     raised: list[Finding] = []

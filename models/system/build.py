@@ -4,42 +4,15 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
-from rosarch.datalog import Program, Result, load_program
-from rosarch.extractor.manifest import rules_folder
-from rosarch.models.checks import check_files, is_check, read_checks
-from rosarch.models.findings import Check
+from rosarch.datalog import Result
 from rosarch.models.places import Place
-from rosarch.models.system.findings import evidence_of, grouped, require_places, shown_as
+from rosarch.models.rule_sets import SystemRules
+from rosarch.models.system.findings import evidence_of, grouped, shown_as
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
 
 Rows = Mapping[str, Collection[tuple[Any, ...]]]
-
-
-@dataclass(frozen=True)
-class SystemRules:
-    """The rules of systems and the checks among them."""
-
-    program: Program
-    checks: tuple[Check, ...]
-
-
-@lru_cache(maxsize=4)
-def system_rules(more: tuple[Path, ...] = ()) -> SystemRules:
-    """The rules of systems with all checks that ship, and files of the user's own, some of which may be checks.
-
-    Raises:
-        CheckError: a check is not as it should be.
-    """
-    files = check_files()
-    program = load_program([rules_folder() / "system.dl", *files, *more])
-    checks = read_checks([*files, *filter(is_check, more)])
-    require_places(checks, program.relations)
-    return SystemRules(program, checks)
 
 
 def merged(parts: Iterable[Rows]) -> dict[str, set[tuple[Any, ...]]]:

@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 
 import rosarch.datalog
-from rosarch.models.system.build import system_rules
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
@@ -77,7 +76,6 @@ def test_a_check_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_pa
         assert (done.code, done.out) == (int("old-position" in command), expected)
     (error,) = (block for block in blocks("rules.md", "") if "old-position.dl:1:1" in block)
     (tmp_path / "old-position.dl").write_text(check.replace("{length}", "{lenght}"))
-    system_rules.cache_clear()  # in one process a file of rules is read once
     done = rosarch("check", "examples/patrol_robot", "--rules", "old-position.dl")
     assert (done.code, done.err) == (2, error)
     assert len(shown) == 2

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 
 from rosarch.models.places import Place
+from rosarch.models.rule_sets import system_rules
 from rosarch.models.system.analysis import SystemAnalysis, analyze_systems
-from rosarch.models.system.build import evaluate, merged, system_model, system_rules
+from rosarch.models.system.build import evaluate, merged, system_model
 from rosarch.models.system.launches import Surroundings, given, parse_request
 from rosarch.models.system.model import Connector, Inclusion
 

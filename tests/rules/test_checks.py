@@ -17,7 +17,8 @@ from rosarch.extractor.manifest import rules_folder
 from rosarch.models.checks import check_files, read_check
 from rosarch.models.findings import Finding
 from rosarch.models.places import Place
-from rosarch.models.system.build import SystemRules, evaluate
+from rosarch.models.rule_sets import SystemRules
+from rosarch.models.system.build import evaluate
 from rosarch.models.system.findings import findings
 
 HERE = Path(__file__).parent / "checks"

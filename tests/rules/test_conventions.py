@@ -12,6 +12,8 @@ from rosarch.datalog import RelationDecl, load_declarations
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import rules_folder
 from rosarch.extractor.pipeline import extract
+from rosarch.models.rule_sets import component_program, rule_set, system_rules
+from rosarch.models.variants import Decision, decisions
 
 RULES = rules_folder()
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -25,12 +27,22 @@ ELSEWHERE = {"source_failed": "tests/extractor/test_pipeline.py"}
 
 PROGRAMS = ("component.dl", "system.dl")
 CHECKS = sorted((RULES / "checks").glob("*.dl"))
+DECISIONS = decisions()
+VARIANTS = [(decision.name, variant.name) for decision in DECISIONS for variant in decision.variants]
 
 
 @lru_cache
 def declarations() -> dict[str, RelationDecl]:
-    """The relations of the rules of components and of systems, checks included."""
-    return {**load_declarations(RULES / "component.dl"), **load_declarations([RULES / "system.dl", *CHECKS])}
+    """The relations of the rules of components and of systems, checks and all variants included."""
+    found = {**load_declarations(RULES / "component.dl"), **load_declarations([RULES / "system.dl", *CHECKS])}
+    for name, variant in VARIANTS:
+        rules = rule_set(variants={name: variant})
+        found |= component_program(rules).relations if _decision(name).program == "component" else system_rules(rules).program.relations
+    return found
+
+
+def _decision(name: str) -> Decision:
+    return next(decision for decision in DECISIONS if decision.name == name)
 
 
 @lru_cache
@@ -51,6 +63,7 @@ PUBLIC = sorted(name for name in declarations() if not name.rpartition(".")[2].s
 
 def test_every_file_is_part_of_the_program() -> None:
     included = {path.resolve() for program in PROGRAMS for path in _included(RULES / program)} | {path.resolve() for path in CHECKS}
+    included |= {variant.path.resolve() for decision in DECISIONS for variant in decision.variants}
     assert sorted(path.relative_to(RULES).as_posix() for path in FILES if path.resolve() not in included) == []
 
 
@@ -59,6 +72,14 @@ def _included(path: Path) -> set[Path]:
     for name in re.findall(r'^\.include "([^"]+)"', path.read_text(encoding="utf-8"), re.MULTILINE):
         found |= _included(path.parent / name)
     return found
+
+
+@pytest.mark.parametrize("decision", DECISIONS, ids=lambda decision: decision.name)
+def test_every_decision_is_documented_and_has_two_answers(decision: Decision) -> None:
+    assert decision.doc.endswith(".")
+    assert decision.find(decision.default.stem) is not None
+    assert len(decision.variants) >= 2
+    assert [variant.name for variant in decision.variants if not variant.doc.endswith(".")] == []
 
 
 @pytest.mark.parametrize("name", PUBLIC)
