@@ -18,7 +18,7 @@ from rosarch.experiments.run import Runner
 from rosarch.experiments.single import run_single, subjects_of
 from rosarch.experiments.subjects import Extracting
 from rosarch.experiments.truth import read_truth
-from rosarch.models.analysis import component_program
+from rosarch.models.rule_sets import component_program
 from rosarch.reports.json_models import write_document
 from rosarch.reports.scores import score_text
 

@@ -9,16 +9,18 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.cli.derivations import RuleFiles, datalog_errors
+from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_engine, check_folder, check_output, extraction_cache, unwritable
 from rosarch.cli.options import Cached, Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 from rosarch.extractor.files import file_name
 
 if TYPE_CHECKING:
     from rosarch.experiments.single import SingleRun
     from rosarch.experiments.truth import Truth
+    from rosarch.models.rule_sets import RuleSet
 
 TruthFolder = Annotated[
     Path, typer.Argument(parser=path_argument, metavar="TRUTH", help="A folder with a YAML file per component.", show_default=False)
@@ -70,7 +72,9 @@ def score(
     out: Out = None,
     misses: Misses = False,
     absent: Absent = False,
-    rules: RuleFiles = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     output_format: Annotated[ScoreFormat, typer.Option("--format", help="The report on stdout.")] = ScoreFormat.text,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
@@ -94,6 +98,7 @@ def score(
         if models is not None:
             found = score_models(truths, check_folder(models))
         else:
+            rules = parse_rules(own, variants, settings)
             single = _analyzed(truths, check_folder(systems or Path()), rules, engine, jobs, timeout, cached, absent)
             show_diagnostics(single.diagnostics, verbose)
             if out:
@@ -107,7 +112,7 @@ def score(
 def _analyzed(
     truths: Sequence[Truth],
     folder: Path,
-    rules: Sequence[Path] | None,
+    rules: RuleSet,
     engine: Engine,
     jobs: int | None,
     timeout: float,
@@ -117,11 +122,11 @@ def _analyzed(
     from rosarch.experiments.run import Runner
     from rosarch.experiments.single import run_single, subjects_of
     from rosarch.experiments.subjects import Extracting
-    from rosarch.experiments.variants import Variant
     from rosarch.extractor.manifest import ManifestError
+    from rosarch.models.rule_sets import component_program
 
     with datalog_errors():
-        program = Variant("", rules=tuple(rules or ())).program()
+        program = component_program(rules)
     with progress() as report:
         how = Extracting(jobs, timeout, extraction_cache(cached), report)
         try:

@@ -6,8 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from rosarch.datalog import Program, load_program
-from rosarch.extractor.manifest import rules_folder
+from rosarch.datalog import Program
+from rosarch.models.rule_sets import component_program, find_options, rule_set
+from rosarch.models.variants import decisions
 
 Pairs = tuple[tuple[str, str], ...]
 
@@ -27,15 +28,15 @@ class Variant:
         return replace(self, name=name, options=(*self.options, *options))
 
     def program(self) -> Program:
-        """The rules of a component in this variant; DatalogError when they are wrong."""
-        return load_program([rules_folder() / "component.dl", *self.rules])
+        """The rules of a component in this variant; DatalogError or RuleSetError when they are wrong."""
+        return component_program(rule_set(self.rules, dict(self.decisions), dict(self.options)))
 
 
 def known_decisions() -> Mapping[str, tuple[str, ...]]:
     """The variants of each decision."""
-    return {}
+    return {decision.name: tuple(variant.name for variant in decision.variants) for decision in decisions()}
 
 
 def known_options() -> Mapping[str, Callable[[str], str]]:
     """The options; each with what tells why a value is not allowed, or ""."""
-    return {}
+    return {option.name: option.problem for option in find_options()}

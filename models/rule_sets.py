@@ -42,6 +42,10 @@ class Option:
     default: str
     allowed: tuple[str, ...]
 
+    def problem(self, value: str) -> str:
+        """Why the option cannot be `value`; empty when it can."""
+        return "" if value in self.allowed else f"the option `{self.name}` is one of {', '.join(self.allowed)}, not `{value}`"
+
 
 @dataclass(frozen=True)
 class SystemRules:
@@ -79,9 +83,8 @@ def _checked_options(rules: RuleSet, given: Mapping[str, str]) -> tuple[tuple[st
     for name, value in given.items():
         if name not in known:
             raise RuleSetError(f"there is no option `{name}`{hint(name, known)}")
-        allowed = known[name].allowed
-        if value not in allowed:
-            raise RuleSetError(f"the option `{name}` is one of {', '.join(allowed)}, not `{value}`")
+        if problem := known[name].problem(value):
+            raise RuleSetError(problem)
     return tuple(sorted((name, value) for name, value in given.items() if value != known[name].default))
 
 
