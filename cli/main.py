@@ -15,6 +15,7 @@ from rosarch.cli import (
     checks,
     diff,
     doctor,
+    experiment,
     explain,
     export,
     extract,
@@ -49,6 +50,7 @@ app.command("launch")(launch.launch)
 app.command("check")(check.check)
 app.add_typer(library.app, name="library")
 app.command("score")(score.score)
+app.command("experiment")(experiment.experiment)
 app.command("doctor")(doctor.doctor)
 app.command("query")(query.query)
 app.command("explain")(explain.explain)

@@ -21,6 +21,7 @@ from rosarch.extractor.cache import Cache, hash_of, version_of
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.component import build_model, to_json
+from rosarch.models.rule_sets import SHIPPED, RuleSet
 
 Row = tuple[str, str]
 """A row as text and its place, `path:line` or ""."""
@@ -28,10 +29,12 @@ Row = tuple[str, str]
 
 @dataclass(frozen=True)
 class Configuration:
-    """A way to analyse: `program` holds the rules of a variant, with its options."""
+    """A way to analyse: `program` is made of `rules`; rows of the relations in `kept` are kept."""
 
     name: str
     program: Program
+    kept: tuple[str, ...]
+    rules: RuleSet = SHIPPED
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,9 @@ class Cell:
     def key(self, engine: str) -> str:
         """A hash of all that the result depends on."""
         names = (self.subject.subject.name, self.facts.package, self.facts.name)
-        return hash_of(["experiment", _version(), engine, self.configuration.program.hash, *names, self.facts.digest])
+        return hash_of(
+            ["experiment", _version(), engine, self.configuration.program.hash, *self.configuration.kept, *names, self.facts.digest]
+        )
 
 
 @dataclass(frozen=True)
@@ -110,7 +115,7 @@ def _evaluate(cell: Cell, engine: str) -> bytes:
     gc.disable()  # rows hold no cycles, and a component's memory goes with its evaluation
     facts = cell.facts.rows()
     start = sum(os.times()[:4])  # of this process and those it starts: the time on the clock depends on what else runs
-    result = cell.configuration.program.evaluate(facts, engine=engine)
+    result = cell.configuration.program.evaluate(facts, engine=engine, keep=cell.configuration.kept)
     seconds = sum(os.times()[:4]) - start
     found = {name: result.rows(name) for name in result.names()}
     component = cell.facts

@@ -69,7 +69,7 @@ def run_single(
     for subject in subjects:
         with opened(subject, how, absent=absent) as found:
             diagnostics += found.diagnostics
-            cells = [Cell(found, facts, Configuration("", program)) for facts in found.components]
+            cells = [Cell(found, facts, Configuration("", program, tuple(program.outputs))) for facts in found.components]
             for cell, outcome in runner.run(cells):
                 title = f"{cell.facts.package}/{cell.facts.name}"
                 if isinstance(outcome, Failure):

@@ -1,0 +1,89 @@
+"""`rosarch experiment`: variants of the analysis compared on many systems."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.derivations import datalog_errors
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_engine, check_output, extraction_cache, read_input, unwritable
+from rosarch.cli.options import Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
+from rosarch.cli.terminal import emit, progress, show_diagnostics
+
+if TYPE_CHECKING:
+    from rosarch.reports.experiment import Report
+
+
+class ExperimentFormat(str, Enum):
+    """The formats of an experiment's report on stdout."""
+
+    text = "text"
+    markdown = "markdown"
+    latex = "latex"
+    csv = "csv"
+    json = "json"
+
+
+def experiment(
+    file: Annotated[
+        Path,
+        typer.Argument(parser=path_argument, metavar="FILE.yml", help="The subjects, their truth, and the variants.", show_default=False),
+    ],
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", "-o", parser=path_argument, metavar="OUT", help="Also write all tables to this folder.", show_default=False),
+    ] = None,
+    output_format: Annotated[ExperimentFormat, typer.Option("--format", help="The report on stdout.")] = ExperimentFormat.text,
+    most: Annotated[
+        int, typer.Option("--most", "-n", metavar="N", min=0, help="List no more elements that differ than this per pair.")
+    ] = 20,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    timeout: Timeout = 60.0,
+    cached: Annotated[bool, typer.Option("--cache/--no-cache", help="Keep facts and results, and go on where a run stopped.")] = True,
+    verbose: Verbose = False,
+) -> None:
+    """Run every variant on every subject: precision, recall and F1 with intervals, differences, whether these are chance, and the cost."""
+    from rosarch.datalog.cache import cache_folder
+    from rosarch.experiments.conduct import conduct
+    from rosarch.experiments.plan import PlanError, read_experiment
+    from rosarch.experiments.run import Runner
+    from rosarch.experiments.subjects import Extracting
+    from rosarch.experiments.truth import TruthError
+    from rosarch.extractor.cache import Cache
+    from rosarch.extractor.manifest import ManifestError
+    from rosarch.reports.experiment import Report, report_text
+
+    read_input(file)
+    check_engine(engine)
+    try:
+        with datalog_errors():
+            plan = read_experiment(file)
+        if out:
+            check_output(out)
+        with progress() as report:
+            kept = Cache(cache_folder() / "experiments") if cached else None
+            runner = Runner(engine.value, jobs, kept, report)
+            results, diagnostics = conduct(plan, Extracting(jobs, timeout, extraction_cache(cached), report), runner)
+    except (PlanError, TruthError, ManifestError) as error:
+        raise InputError(str(error)) from None
+    show_diagnostics(diagnostics, verbose)
+    found = Report(results)
+    if out:
+        _write(found, out)
+    emit(report_text(found, output_format.value, most))
+
+
+def _write(report: Report, out: Path) -> None:
+    from rosarch.extractor.cache import write_whole
+    from rosarch.reports.experiment import report_files
+
+    try:
+        for name, text in report_files(report).items():
+            write_whole(out / name, text.encode("utf-8", "backslashreplace"))
+    except OSError as error:
+        raise unwritable(out, error) from None

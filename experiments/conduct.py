@@ -1,0 +1,98 @@
+"""Conducting an experiment: every variant on every component of every subject."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Sequence
+from contextlib import ExitStack
+from importlib.metadata import version
+from typing import TYPE_CHECKING
+
+from rosarch.experiments.comparison import Comparison, compare
+from rosarch.experiments.plan import Experiment
+from rosarch.experiments.results import Component, Outcome, Results
+from rosarch.experiments.run import Cell, Configuration, Evaluated, Runner
+from rosarch.experiments.subjects import Extracting, OpenSubject, digest_of, opened
+from rosarch.experiments.truth import TruthError
+from rosarch.extractor.pool import Failure
+
+if TYPE_CHECKING:
+    from rosarch.extractor.workspace import Diagnostic
+
+
+def conduct(experiment: Experiment, how: Extracting, runner: Runner) -> tuple[Results, tuple[Diagnostic, ...]]:
+    """Extract the facts of all subjects, then evaluate what was not evaluated before; also what was not understood.
+
+    Raises:
+        TruthError: truth is of a component that there is not.
+        ManifestError: a folder of facts is stale or damaged.
+    """
+    configurations = experiment.variants
+    with ExitStack() as stack:
+        subjects = _opened(experiment, how, stack)
+        cells = [Cell(subject, facts, each) for subject in subjects for each in configurations for facts in subject.components]
+        evaluated: dict[tuple[str, Component], Evaluated | None] = {}
+        diagnostics = [diagnostic for subject in subjects for diagnostic in subject.diagnostics]
+        for cell, outcome in runner.run(cells):
+            component = _component(cell)
+            if isinstance(outcome, Failure):
+                diagnostics.append(_failed(cell, outcome))
+            evaluated[cell.configuration.name, component] = None if isinstance(outcome, Failure) else outcome
+    outcomes = {
+        each.name: {
+            _component(cell): _outcome(cell, evaluated[each.name, _component(cell)]) for cell in cells if cell.configuration is each
+        }
+        for each in configurations
+    }
+    return Results(experiment, outcomes, _provenance(experiment, configurations, subjects, runner.engine)), tuple(diagnostics)
+
+
+def _opened(experiment: Experiment, how: Extracting, stack: ExitStack) -> list[OpenSubject]:
+    found = []
+    problems = []
+    for subject in experiment.subjects:
+        try:
+            found.append(stack.enter_context(opened(subject, how)))
+        except TruthError as error:
+            problems.append(str(error))
+    if problems:
+        raise TruthError("\n".join(problems))
+    return found
+
+
+def _component(cell: Cell) -> Component:
+    return Component(cell.subject.subject.name, f"{cell.facts.package}/{cell.facts.name}")
+
+
+def _failed(cell: Cell, failure: Failure) -> Diagnostic:
+    from rosarch.extractor.workspace import Diagnostic
+
+    what = f"{_component(cell).title} not analysed as {cell.configuration.name}: {failure.reason} ({failure.detail})"
+    return Diagnostic("component", cell.subject.subject.folder, 1, 1, what)
+
+
+def _outcome(cell: Cell, evaluated: Evaluated | None) -> Outcome:
+    truth = next((t for t in cell.subject.subject.truths if t.title == _component(cell).title), None)
+    model = evaluated.model if evaluated else {}
+    comparison: Comparison = compare(truth.document if truth else {}, model)
+    return Outcome(evaluated, comparison, truth is not None)
+
+
+def _provenance(
+    experiment: Experiment, configurations: Sequence[Configuration], subjects: list[OpenSubject], engine: str
+) -> tuple[tuple[str, str], ...]:
+    """Versions, seeds and hashes: the same ones give the same results, but for the time they take."""
+    found = [
+        ("rosarch", version("rosarch")),
+        ("python", platform.python_version()),
+        ("engine", engine),
+        ("experiment", experiment.digest),
+        ("seed", str(experiment.seed)),
+        ("samples", str(experiment.samples)),
+    ]
+    found += [(f"rules of {each.name}", each.program.hash) for each in configurations]
+    for each in subjects:
+        found.append((f"facts of {each.subject.name}", digest_of([facts.digest for facts in each.components])))
+        if each.subject.truths:
+            found.append((f"truth of {each.subject.name}", digest_of([truth.digest for truth in each.subject.truths])))
+    return tuple(found)

@@ -1,0 +1,46 @@
+"""What `docs/experiments.md` shows is so."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import yaml
+
+from rosarch.experiments.truth import REQUIRED, read_truth
+
+ROOT = Path(__file__).resolve().parents[2]
+TEXT = (ROOT / "docs/experiments.md").read_text(encoding="utf-8")
+COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL) for line in block.splitlines()]
+YAML = re.findall(r"```yaml\n(.*?)```", TEXT, re.DOTALL)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_commands_run(command: str, rosarch: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+    outcome = rosarch(*shlex.split(command, comments=True)[1:])
+    assert (outcome.code, outcome.err) == (0, "")
+    assert outcome.out
+
+
+def test_the_truth_is_truth(tmp_path: Path) -> None:
+    (tmp_path / "truth.yml").write_text(YAML[0])
+    (truth,) = read_truth(tmp_path)
+    assert (truth.system, truth.title) == ("mobile_base", "base_driver/base_driver")
+    assert set(REQUIRED) - {"configuration"} <= set(truth.document)
+
+
+def test_the_experiment_is_the_example() -> None:
+    assert (ROOT / "examples/experiments/state_variables.yml").read_text() == YAML[1]
+
+
+def test_every_key_is_described(rosarch: Callable, tmp_path: Path) -> None:
+    (tmp_path / "e.yml").write_text("subjects: {}\nwrong: 1\n")
+    (known,) = re.findall(r"there are (.*)", rosarch("experiment", tmp_path / "e.yml").err)
+    described = re.findall(r"`(\w+)`", "".join(re.findall(r"^\| (`.*?) \|", TEXT, re.MULTILINE)))
+    assert sorted(described) == sorted(known.split(", "))
+    assert set(yaml.safe_load(YAML[1])) <= set(described)
