@@ -11,6 +11,7 @@ import typer
 
 from rosarch.cli import (
     analyze,
+    browse,
     check,
     checks,
     diff,
@@ -57,6 +58,7 @@ app.command("explain")(explain.explain)
 app.command("why-not")(explain.why_not)
 app.add_typer(rules.app, name="rules")
 rules.app.command("checks")(checks.checks)
+app.command("browse")(browse.browse)
 app.command("language-server")(language_server.language_server)
 
 

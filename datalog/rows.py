@@ -28,6 +28,11 @@ class RowStore:
         self._indexes: dict[tuple[str, tuple[int, ...]], Index] = {}
         self._given: dict[str, set[Row]] = {}
 
+    @property
+    def names(self) -> Collection[str]:
+        """The relations whose rows were kept."""
+        return self._names
+
     def rows(self, name: str) -> Collection[Row]:
         """The rows of a relation."""
         found = self._rows.get(name)

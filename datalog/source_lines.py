@@ -34,12 +34,13 @@ class SourceLines:
 
     def of(self, rows: Iterable[Row]) -> list[str]:
         """`path:line: text` of the first value of each row that has a place, sorted by place."""
-        found: dict[tuple[str, int], None] = {}
-        for row in rows:
-            place = next((self.places[value] for value in _plain(row) if value in self.places), None)
-            if place is not None:
-                found[self.paths.get(place[0], str(place[0])), place[1]] = None
-        return [self.line(*place) for place in sorted(found)]
+        places = {place for row in rows if (place := self.place(row))}
+        return [self.line(*place) for place in sorted(places)]
+
+    def place(self, row: Row) -> tuple[str, int] | None:
+        """The path and line of the first value of a row that has a place."""
+        found = next((self.places[value] for value in _plain(row) if value in self.places), None)
+        return (self.paths.get(found[0], str(found[0])), found[1]) if found else None
 
     def line(self, path: str, line: int) -> str:
         """One line of a source; only its place when the file cannot be read."""
