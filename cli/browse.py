@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from functools import partial
 
-from rosarch.cli.derivations import Component, RuleFiles, asked, datalog_errors, evaluate, load_rules
+from rosarch.cli.derivations import Component, asked, datalog_errors, evaluate, load_rules
 from rosarch.cli.errors import InputError
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import is_terminal
 
@@ -16,7 +17,9 @@ def browse(
     packages: Packages = None,
     component: Component = None,
     launches: Systems = None,
-    rules: RuleFiles = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -34,12 +37,14 @@ def browse(
     if not is_terminal():
         raise InputError("browse is for a terminal; rosarch query prints rows")
     with datalog_errors():
+        rules = parse_rules(own, variants, settings)
         program = load_rules(rules, systems=bool(launches))
         with asked(
             folder,
             packages,
             component,
             launches,
+            rules=rules,
             jobs=jobs,
             timeout=timeout,
             defines=defines,

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from rich.syntax import Syntax
 from rich.text import Text
@@ -65,7 +65,7 @@ class Robot:
 class SourceScreen(Screen[None]):
     """The source around a place."""
 
-    BINDINGS = [Binding("escape,q", "app.pop_screen", "back")]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q", "app.pop_screen", "back")]
 
     def __init__(self, robot: Robot, path: str, line: int) -> None:
         super().__init__()
@@ -88,7 +88,7 @@ class SourceScreen(Screen[None]):
 class ProofScreen(Screen[None]):
     """The proof of a row as a tree to open and close; a row leads to its source."""
 
-    BINDINGS = [Binding("escape,q", "app.pop_screen", "back"), Binding("s", "source", "source")]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q", "app.pop_screen", "back"), Binding("s", "source", "source")]
 
     def __init__(self, robot: Robot, proof: Proof) -> None:
         super().__init__()
@@ -164,7 +164,7 @@ class Browser(App[None]):
     #rule { height: auto; max-height: 10; padding: 0 1; border-top: solid $primary; }
     .title { background: $primary; padding: 0 1; }
     """
-    BINDINGS: list[BindingType] = [
+    BINDINGS: ClassVar[list[BindingType]] = [
         Binding("ctrl+r", "focus_on('#relation-filter')", "relations"),
         Binding("ctrl+f", "focus_on('#row-filter')", "filter rows"),
         Binding("enter", "prove", "proof", show=True),

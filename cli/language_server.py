@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rosarch.cli.errors import InputError
+
+if TYPE_CHECKING:
+    from rosarch.datalog.editor.programs import Entry
 
 
 def language_server() -> None:
@@ -18,13 +22,21 @@ def language_server() -> None:
     serve(version("rosarch"), entries)
 
 
-def entries(path: Path) -> list[tuple[Path, ...]]:
+def entries(path: Path) -> list[Entry]:
     """The programs that a rule file may be part of: one of rosarch's, one of them with it, itself, or with its neighbours."""
+    from rosarch.datalog.editor.programs import Entry
     from rosarch.extractor.manifest import rules_folder
-    from rosarch.models.checks import check_files
+    from rosarch.models.rule_sets import roots
+    from rosarch.models.variants import decisions
 
-    programs = [(rules_folder() / "component.dl",), (rules_folder() / "system.dl", *check_files())]
+    programs = {name: tuple(roots(name)) for name in ("component", "system")}
+    decision = next(
+        (d for d in decisions() if d.name == path.parent.name and path.parent.parent.name == d.default.parent.parent.name), None
+    )
+    if decision is not None:
+        return [Entry(programs[decision.program], ((decision.default, path),))]
     if path.is_relative_to(rules_folder()):
-        return programs
+        return [Entry(program) for program in programs.values()]
     beside = sorted(p for p in path.parent.glob("*.dl") if p != path)
-    return [*((*program, path) for program in programs), (path,), *((*program, path, *beside) for program in programs if beside)]
+    alone = [*((*program, path) for program in programs.values()), (path,)]
+    return [Entry(each) for each in (*alone, *((*program, path, *beside) for program in programs.values() if beside))]

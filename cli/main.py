@@ -29,6 +29,7 @@ from rosarch.cli import (
     rules,
     score,
     show,
+    watch,
 )
 from rosarch.cli.errors import run
 
@@ -58,6 +59,7 @@ app.command("explain")(explain.explain)
 app.command("why-not")(explain.why_not)
 app.add_typer(rules.app, name="rules")
 rules.app.command("checks")(checks.checks)
+app.command("watch")(watch.watch)
 app.command("browse")(browse.browse)
 app.command("language-server")(language_server.language_server)
 

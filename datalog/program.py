@@ -273,7 +273,7 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -
     for text in sources.parsed.values():
         content.update(text.encode("utf-8", "surrogateescape") + b"\0")
     return Program(
-        _declarations(unit, checked.types),
+        declarations(unit, checked.types),
         report.warnings,
         content.hexdigest()[:32],
         code,
@@ -288,7 +288,8 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -
     )
 
 
-def _declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:
+def declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:
+    """The relations of a syntax tree, in its order."""
     inputs = {d.relation for d in unit.directives if d.kind == "input"}
     outputs = {d.relation for d in unit.directives if d.kind in ("output", "printsize")}
     result: dict[str, RelationDecl] = {}
@@ -308,4 +309,4 @@ def load_declarations(path: Path | str | Sequence[Path | str]) -> Mapping[str, R
     unit = instantiate(unit, report)
     types = build_types(unit.types, report)
     report.raise_errors()
-    return _declarations(unit, types)
+    return declarations(unit, types)

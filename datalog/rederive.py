@@ -17,7 +17,7 @@ from typing import Any
 from .components import instantiate
 from .errors import Location, Report
 from .preprocess import Reading
-from .program import Program, compile_unit
+from .program import Program, RelationDecl, compile_unit, declarations
 from .semantics import check
 from .sources import ParseMemory, Sources, read_program
 from .strata import dependencies
@@ -30,21 +30,25 @@ HALF = 0.5  # of the clauses: from there on a slice saves nothing
 class Edit:
     """What separates a program from the one whose rows are known.
 
-    `slice` derives the `affected` relations from rows of the others, `needed`; None when nothing is affected.
+    `slice` derives the `affected` relations from rows of the others, `needed`; None when nothing is affected. `relations` are all that
+    are declared now.
     """
 
+    relations: Mapping[str, RelationDecl]
     affected: frozenset[str]
     needed: frozenset[str]
     slice: Program | None
 
 
 class RuleHistory:
-    """The rules of a program while they are edited. Raises DatalogError when they are wrong, as `load_program` does."""
+    """The rules of a program while they are edited. Raises DatalogError when they are wrong; parameters as of `load_program`."""
 
-    def __init__(self, roots: Sequence[Path], *, extra_source: str = "", reading: Reading | None = None, bits: int = 32) -> None:
+    def __init__(
+        self, roots: Sequence[Path], *, extra_source: str = "", instead: Mapping[Path, Path] | None = None, bits: int = 32
+    ) -> None:  # fmt: skip
         self.roots = tuple(roots)
         self.extra_source = extra_source
-        self.reading = reading
+        self.reading = Reading(instead=tuple(sorted((instead or {}).items())))
         self.bits = bits
         self._parse = ParseMemory()
         self._base: Unit | None = None
@@ -68,17 +72,19 @@ class RuleHistory:
         clauses = [c for c in unit.clauses if c.head.name in affected or c.head.name not in declared]
         if len(clauses) > HALF * len(unit.clauses):
             return None
-        check(replace(unit, clauses=clauses), report, self.bits)  # all that an edit can have broken
-        return _slice(unit, affected, reads, sources, report, self.bits) if affected else Edit(affected, frozenset(), None)
+        checked = check(replace(unit, clauses=clauses), report, self.bits)  # all that an edit can have broken
+        declared_now = declarations(unit, checked.types)
+        if not affected:
+            return Edit(declared_now, affected, frozenset(), None)
+        part, needed = _slice(unit, affected, reads)
+        return Edit(declared_now, affected, needed, compile_unit(part, sources, report, self.bits))
 
     def _read(self) -> tuple[Unit, Sources, Report]:
         unit, sources, report = read_program(self.roots, self.extra_source, self.reading, parse=self._parse)
         return instantiate(unit, report), sources, report
 
 
-def _slice(
-    unit: Unit, affected: frozenset[str], reads: Mapping[str, set[str]], sources: Sources, report: Report, bits: int
-) -> Edit:  # fmt: skip
+def _slice(unit: Unit, affected: frozenset[str], reads: Mapping[str, set[str]]) -> tuple[Unit, frozenset[str]]:
     """The program of the affected relations, and what it needs of the others."""
     relations = {r.name: r for r in unit.relations}
     own = set(affected)
@@ -100,7 +106,7 @@ def _slice(
         clauses=[c for c in unit.clauses if c.head.name in own],
         directives=[*directives, *(Directive("input", name, (), at) for name in sorted(needed))],
     )
-    return Edit(affected, frozenset(needed), compile_unit(part, sources, report, bits))
+    return part, frozenset(needed)
 
 
 def _changed(before: Unit, now: Unit) -> set[str] | None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.datalog import Overridden, Program, is_compiled, load_program
 from rosarch.extractor.hints import hint
@@ -16,6 +16,9 @@ from rosarch.models.findings import Check
 from rosarch.models.own_rules import own_files, own_programs
 from rosarch.models.system.findings import require_places
 from rosarch.models.variants import PROGRAMS, Decision, RuleSetError, decisions
+
+if TYPE_CHECKING:
+    from rosarch.datalog.rederive import RuleHistory
 
 
 @dataclass(frozen=True)
@@ -114,7 +117,8 @@ def _system_rules(rules: RuleSet, _stamp: tuple[int, ...]) -> SystemRules:
     return SystemRules(program, checks)
 
 
-def _roots(program: str, rules: RuleSet) -> list[Path]:
+def roots(program: str, rules: RuleSet = SHIPPED) -> list[Path]:
+    """The root files of the rules of components or of systems; what else there is they include."""
     checks = check_files() if program == "system" else []
     return [rules_folder() / f"{program}.dl", *checks, *_files(rules)[program]]
 
@@ -145,7 +149,14 @@ def _program(program: str, rules: RuleSet) -> Program:
 
 @lru_cache(maxsize=8)
 def _loaded(program: str, rules: RuleSet, _stamp: tuple[int, ...]) -> Program:
-    return load_program(_roots(program, rules), **_settings(rules))
+    return load_program(roots(program, rules), **_settings(rules))
+
+
+def rule_history(program: str, rules: RuleSet) -> RuleHistory:
+    """The rules of components or of systems while they are edited."""
+    from rosarch.datalog.rederive import RuleHistory
+
+    return RuleHistory(roots(program, rules), **_settings(rules))
 
 
 def _stamp(rules: RuleSet) -> tuple[int, ...]:
@@ -158,7 +169,7 @@ def _stamp(rules: RuleSet) -> tuple[int, ...]:
 
 def is_loaded_soon(rules: RuleSet) -> bool:
     """Whether the rules of components were compiled before, so that they need not be while sources are read."""
-    return is_compiled(_roots("component", rules), **_settings(rules))
+    return is_compiled(roots("component", rules), **_settings(rules))
 
 
 def find_options(rules: RuleSet = SHIPPED) -> tuple[Option, ...]:

@@ -9,18 +9,27 @@ from typing import TypeAlias
 
 from ..errors import DatalogError, Diagnostic, Report
 from ..preparation import prepare
+from ..preprocess import Reading
 from ..sources import TOO_DEEP, ParseMemory, deepest, read_program, read_text
 from .occurrences import Names, names_of
 
-Roots: TypeAlias = tuple[Path, ...]
-Candidates: TypeAlias = Callable[[Path], Sequence[Roots]]
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A program: its root files, and files that take the place of others that it includes, as for `load_program`."""
+
+    roots: tuple[Path, ...]
+    instead: tuple[tuple[Path, Path], ...] = ()
+
+
+Candidates: TypeAlias = Callable[[Path], Sequence[Entry]]
 
 
 @dataclass(frozen=True, slots=True)
 class Checked:
     """A program after its checks: the text of each of its files by resolved path, and what was found, errors first."""
 
-    roots: Roots
+    entry: Entry
     texts: Mapping[str, str]
     diagnostics: tuple[Diagnostic, ...]
 
@@ -41,7 +50,7 @@ class Checked:
 class Programs:
     """The programs that edited files are part of. What did not change is not parsed again.
 
-    `candidates` gives the root files with which a file may form a program, the likeliest first.
+    `candidates` gives the programs that a file may be part of, the likeliest first.
     """
 
     def __init__(self, candidates: Candidates) -> None:
@@ -49,8 +58,8 @@ class Programs:
         self.edited: dict[str, str] = {}
         self._parse = ParseMemory()
         self._names: dict[str, tuple[str, Names]] = {}
-        self._roots: dict[Path, Roots] = {}
-        self._checked: dict[Roots, Checked] = {}
+        self._entries: dict[Path, Entry] = {}
+        self._checked: dict[Entry, Checked] = {}
 
     def edit(self, path: Path, text: str) -> None:
         """Take this text instead of the file."""
@@ -60,23 +69,23 @@ class Programs:
     def close(self, path: Path) -> None:
         """Take the file again."""
         self.edited.pop(str(path), None)
-        self._roots.pop(path, None)
+        self._entries.pop(path, None)
         self._stale(path)
 
     def saved(self, path: Path) -> None:
         """A file has changed on disk: what it belongs to may have changed too."""
-        self._roots.clear()
+        self._entries.clear()
         self._stale(path)
 
     def _stale(self, path: Path) -> None:
         """Forget what the file is part of, and programs that are incomplete: they may lack just this file."""
-        self._checked = {roots: c for roots, c in self._checked.items() if not c.holds(path) and not c.errors}
+        self._checked = {entry: c for entry, c in self._checked.items() if not c.holds(path) and not c.errors}
 
     def program(self, path: Path) -> Checked:
         """The program that a file is part of: of those that could be meant, the one with the fewest errors."""
-        roots = self._roots.get(path)
-        if roots is not None:
-            return self.check(roots)
+        entry = self._entries.get(path)
+        if entry is not None:
+            return self.check(entry)
         best: Checked | None = None
         for candidate in self.candidates(path):
             found = self.check(candidate)
@@ -85,21 +94,22 @@ class Programs:
             if best is not None and not best.errors:
                 break
         if best is None:
-            best = self.check((path,))
-        self._roots[path] = best.roots
+            best = self.check(Entry((path,)))
+        self._entries[path] = best.entry
         return best
 
-    def check(self, roots: Roots) -> Checked:
+    def check(self, entry: Entry) -> Checked:
         """Check a program."""
-        if roots not in self._checked:
-            self._checked[roots] = self._check(roots)
-        return self._checked[roots]
+        if entry not in self._checked:
+            self._checked[entry] = self._check(entry)
+        return self._checked[entry]
 
-    def _check(self, roots: Roots) -> Checked:
+    def _check(self, entry: Entry) -> Checked:
         try:
-            unit, sources, report = read_program(roots, edited=self.edited, parse=self._parse)
+            reading = Reading(instead=entry.instead)
+            unit, sources, report = read_program(entry.roots, reading=reading, edited=self.edited, parse=self._parse)
         except DatalogError as error:
-            return Checked(roots, {}, tuple(error.diagnostics))
+            return Checked(entry, {}, tuple(error.diagnostics))
         texts = {_resolved(p): text for p, text in sources.texts.items()}
         errors = list(report.errors)
         try:
@@ -108,7 +118,7 @@ class Programs:
             errors += [d for d in error.diagnostics if d not in errors]
         except RecursionError:
             errors.append(Diagnostic(TOO_DEEP, deepest(sources.parsed)))
-        return Checked(roots, texts, (*errors, *report.warnings))
+        return Checked(entry, texts, (*errors, *report.warnings))
 
     def text(self, path: Path) -> str:
         """The text of a file as it is being edited, or as it is on disk; empty when it cannot be read."""

@@ -15,7 +15,7 @@ from pygls.lsp.server import LanguageServer
 from ..errors import Diagnostic
 from .answers import Answers, Place, Proposal, RenameError
 from .occurrences import Occurrence
-from .programs import Programs, Roots, includers
+from .programs import Entry, Programs, includers
 
 PAUSE = 0.15  # seconds without a keystroke before a program is checked
 _KINDS = {
@@ -41,7 +41,7 @@ class Position(Protocol):
 class RuleServer(LanguageServer):
     """A language server for rule files; `entries` gives the programs that a file may extend besides those of the open folders."""
 
-    def __init__(self, version: str, entries: Callable[[Path], Sequence[Roots]]) -> None:
+    def __init__(self, version: str, entries: Callable[[Path], Sequence[Entry]]) -> None:
         super().__init__("rosarch", version)
         self.entries = entries
         self.programs = Programs(self._candidates)
@@ -49,9 +49,9 @@ class RuleServer(LanguageServer):
         self._timer: asyncio.TimerHandle | None = None
         self._published: set[Path] = set()
 
-    def _candidates(self, path: Path) -> list[Roots]:
+    def _candidates(self, path: Path) -> list[Entry]:
         """The programs that a file may be part of: of files that include it, by itself, with what it extends."""
-        including: list[Roots] = [(file,) for file in includers(self.programs, path, self.answers.rule_files())]
+        including: list[Entry] = [Entry((file,)) for file in includers(self.programs, path, self.answers.rule_files())]
         return [*including, *self.entries(path)]
 
     def lines(self, path: Path) -> list[str]:
@@ -110,7 +110,7 @@ def uri_of(path: Path) -> str:
     return path.as_uri()
 
 
-def rule_server(version: str, entries: Callable[[Path], Sequence[Roots]]) -> RuleServer:
+def rule_server(version: str, entries: Callable[[Path], Sequence[Entry]]) -> RuleServer:
     """A server with all its features, to be started on a stream."""
     server = RuleServer(version, entries)
     _documents(server)
@@ -264,6 +264,6 @@ def _fix(server: RuleServer, uri: str, diagnostic: lsp.Diagnostic) -> lsp.CodeAc
     return lsp.CodeAction(f"Change to {name}", kind=lsp.CodeActionKind.QuickFix, diagnostics=[diagnostic], edit=edit)
 
 
-def serve(version: str, entries: Callable[[Path], Sequence[Roots]]) -> None:
+def serve(version: str, entries: Callable[[Path], Sequence[Entry]]) -> None:
     """Serve on stdin and stdout until the client ends; nothing else may write to stdout."""
     rule_server(version, entries).start_io()

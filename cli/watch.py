@@ -1,0 +1,187 @@
+"""`rosarch watch`: what the rules derive, again at every save."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.derivations import Component, asked, datalog_errors, shorten
+from rosarch.cli.errors import InputError
+from rosarch.cli.options import Cached, Defines, Engine, Input, Jobs, Packages, Timeout
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.systems import Systems
+from rosarch.cli.terminal import emit
+
+if TYPE_CHECKING:
+    from rosarch.datalog import RelationDecl
+    from rosarch.datalog.queries import Table
+    from rosarch.models.live import LiveRules, Update
+
+Tables = Mapping[str, Mapping[str, "Table"]]
+SETTLE = 50  # milliseconds in which nothing more is written, after which a save is complete
+
+
+def watch(
+    folder: Input,
+    files: Annotated[list[Path] | None, typer.Argument(metavar="[FILE]...", help="Files of rules of your own.", show_default=False)] = None,
+    relations: Annotated[
+        list[str] | None,
+        typer.Option("--relation", "-R", metavar="NAME", help="Show this relation; by default the `.output` of FILE.", show_default=False),
+    ] = None,
+    packages: Packages = None,
+    component: Component = None,
+    launches: Systems = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
+    jobs: Jobs = None,
+    defines: Defines = None,
+    timeout: Timeout = 60.0,
+    cached: Cached = True,
+) -> None:
+    """Print what rules derive and, whenever a rule or a source is saved, what that has changed. Ends with Ctrl-C."""
+    from rosarch.models.live import LiveRules
+    from rosarch.models.own_rules import own_files
+    from rosarch.models.rule_sets import rule_history
+
+    saves = _saves([folder, *(files or ()), *(own or ())])
+    before: Tables | None = None
+    while True:
+        try:
+            with datalog_errors():
+                rules = parse_rules([*(files or ()), *(own or ())], variants, settings)
+            with (
+                asked(
+                    folder, packages, component, launches, rules=rules, jobs=jobs, timeout=timeout, defines=defines, cached=cached,
+                    verbose=False, engine=Engine.embedded,
+                ) as components,
+                tempfile.TemporaryDirectory(prefix="rosarch-watch-") as scratch,
+            ):  # fmt: skip
+                live = LiveRules(components, rule_history("system" if launches else "component", rules), Path(scratch), jobs=jobs)
+                wanted = _Wanted(relations or [], own_files(rules.own))
+                before = _report(live, wanted, before, [])
+                for saved in saves:
+                    if any(path.suffix != ".dl" for path in saved):
+                        break
+                    before = _report(live, wanted, before, saved)
+                else:
+                    return
+        except InputError as error:  # what is wrong at the start is refused; later the next save may mend it
+            if before is None:
+                raise
+            _tell(f"rosarch: error: {error}")
+            if next(saves, None) is None:
+                return
+
+
+class _Wanted:
+    """The relations to show: those named, else the output of files, else all output."""
+
+    def __init__(self, names: Sequence[str], files: Iterable[Path]) -> None:
+        self.names = names
+        self.files = {str(path) for path in files}
+
+    def __call__(self, relations: Mapping[str, RelationDecl]) -> list[str]:
+        from rosarch.extractor.hints import hint
+
+        for name in self.names:
+            if name not in relations:
+                raise InputError(f"--relation {name}: no such relation{hint(name, relations)}")
+        outputs = [r for r in relations.values() if r.is_output]
+        return list(self.names) or [r.name for r in outputs if r.location.path in self.files] or [r.name for r in outputs]
+
+
+def _saves(paths: Sequence[Path]) -> Iterator[list[Path]]:
+    """What is saved below some paths or in rosarch's rules, a batch at a time, until Ctrl-C."""
+    try:
+        from watchfiles import DefaultFilter
+        from watchfiles import watch as changes
+    except ImportError as error:
+        raise InputError(f"watch needs {error.name}: pip install 'rosarch[interactive]'") from None
+    from rosarch.extractor.manifest import rules_folder
+
+    for path in paths:
+        if not path.exists():
+            raise InputError(f"{path}: no such file or folder")
+    watched = [rules_folder(), *paths]
+    batches = changes(*watched, watch_filter=DefaultFilter(), debounce=4 * SETTLE, step=SETTLE, raise_interrupt=False)
+    return (sorted({Path(path) for _, path in batch}) for batch in batches)
+
+
+def _report(live: LiveRules, wanted: _Wanted, before: Tables | None, saved: Sequence[Path]) -> Tables | None:
+    """Derive again, and print all at first, then what has changed; the tables from which the next change is told."""
+    try:
+        with datalog_errors():
+            update = live.derive(wanted)
+    except InputError as error:
+        if before is None:
+            raise
+        _tell(f"{_heading(saved)}\n{error}")
+        return before
+    for title, failure in update.failures.items():
+        _tell(f"rosarch: {title}: {failure}")
+    emit(_all(live, update) if before is None else f"{_heading(saved)}  {_effort(update)}\n{_changes(live, update, before)}")
+    return update.tables
+
+
+def _tell(text: str) -> None:
+    sys.stderr.write(text + "\n")
+    sys.stderr.flush()
+
+
+def _heading(saved: Sequence[Path]) -> str:
+    names = ", ".join(shorten(str(path)) for path in saved[:3]) + (", ..." if len(saved) > 3 else "")
+    return f"{time.strftime('%H:%M:%S')}  {names or 'sources'}"
+
+
+def _effort(update: Update) -> str:
+    count = "everything" if update.affected is None else f"{len(update.affected)} relation{'s' * (len(update.affected) != 1)}"
+    return f"{count} derived again, {update.seconds:.2f} s"
+
+
+def _all(live: LiveRules, update: Update) -> str:
+    from rosarch.datalog.queries import table_text
+
+    assert live.program is not None
+    parts = []
+    for title, tables in update.tables.items():
+        heading = f"== {title}\n" if len(update.tables) > 1 else ""
+        parts.append(heading + "\n".join(f"{name}\n{table_text(table, live.program)}" for name, table in tables.items()))
+    return "\n".join(parts)
+
+
+def _changes(live: LiveRules, update: Update, before: Tables) -> str:
+    """The rows that came and went."""
+    lines = []
+    for title, tables in update.tables.items():
+        own = []
+        for name, table in tables.items():
+            old = before.get(title, {}).get(name)
+            known = set(old.rows) if old else set()
+            now = set(table.rows)
+            if now != known:
+                own.append(f"{name}  {len(now)} row{'s' * (len(now) != 1)}")
+                own += [f"+ {text}" for text in _rows(live, table, now - known)]
+                own += [f"- {text}" for text in _rows(live, old, known - now)] if old else []
+        gone = [name for name in before.get(title, {}) if name not in tables]
+        own += [f"{name}  is no longer put out" for name in gone]
+        if own:
+            lines += [f"== {title}", *own] if len(update.tables) > 1 else own
+    return "".join(f"{line}\n" for line in lines or ["no row has changed"])
+
+
+def _rows(live: LiveRules, table: Table, rows: Iterable[tuple[object, ...]]) -> list[str]:
+    from dataclasses import replace
+
+    from rosarch.datalog.queries import table_cells
+
+    assert live.program is not None
+    chosen = set(rows)
+    part = replace(table, rows=tuple(row for row in table.rows if row in chosen))
+    return ["  ".join(cells) for cells in table_cells(part, live.program)]
