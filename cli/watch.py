@@ -109,9 +109,12 @@ def _saves(paths: Sequence[Path]) -> Iterator[list[Path]]:
     for path in paths:
         if not path.exists():
             raise InputError(f"{path}: no such file or folder")
-    watched = [rules_folder(), *paths]
-    batches = changes(*watched, watch_filter=DefaultFilter(), debounce=4 * SETTLE, step=SETTLE, raise_interrupt=False)
-    return (sorted({Path(path) for _, path in batch}) for batch in batches)
+    batches = changes(
+        rules_folder(), *paths, watch_filter=DefaultFilter(), debounce=4 * SETTLE, step=SETTLE, raise_interrupt=False,
+        rust_timeout=SETTLE, yield_on_timeout=True,
+    )  # fmt: skip
+    next(batches, None)  # from here on nothing is missed, whatever is done between two batches
+    return (sorted({Path(path) for _, path in batch}) for batch in batches if batch)
 
 
 def _report(live: LiveRules, wanted: _Wanted, before: Tables | None, saved: Sequence[Path]) -> Tables | None:
