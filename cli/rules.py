@@ -14,7 +14,7 @@ from rosarch.cli.inputs import check_folder, unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Systems
-from rosarch.cli.terminal import emit
+from rosarch.cli.terminal import emit, progress
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
@@ -132,6 +132,29 @@ def test(
         report = run_rule_tests(folder, default, engine=engine.value, progress=lambda outcome: emit(outcome_text(outcome)))
     emit(report_text(report, shorten=shorten, unfired=coverage))
     if not report.ok:
+        raise typer.Exit(1)
+
+
+@app.command("mutate")
+def mutate(
+    folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="The folder with the tests, at any depth.")] = Path(),
+    rules: Annotated[
+        list[Path] | None,
+        typer.Option("--rules", "-r", metavar="FILE", help="Only clauses of these files are changed.", show_default=False),
+    ] = None,
+    sample: Annotated[int | None, typer.Option("--sample", metavar="N", min=1, help="Only N mutants, chosen at random.")] = None,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="What the choice starts from.")] = 0,
+    jobs: Jobs = None,
+) -> None:
+    """Change rules a literal at a time and list the changes that no test below FOLDER notices. Exit code 1 when there are any."""
+    from rosarch.datalog.mutation import survivors_text
+    from rosarch.models.rule_mutation import judge_rules
+
+    check_folder(folder)
+    with datalog_errors(), progress() as report:
+        found = judge_rules(folder, rules or (), sample=sample, seed=seed, jobs=jobs, progress=report)
+    emit(survivors_text(found, shorten=shorten))
+    if any(not verdict.killed_by for verdict in found):
         raise typer.Exit(1)
 
 

@@ -1,0 +1,83 @@
+"""Mutants of the rules of components, judged by drop-in tests and by example workspaces, in worker processes."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
+from pathlib import Path
+
+from rosarch.datalog import Program
+from rosarch.datalog.mutation import Case, Mutant, MutationTest, Verdict, mutants
+from rosarch.datalog.rule_tests import EXPECTED, FACTS, PROGRAM, find_tests
+from rosarch.extractor.cache import Cache
+from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.models.analysis import COMPONENT_TIMEOUT
+from rosarch.models.rule_sets import component_program, rule_set
+from rosarch.models.selection import select
+
+Progress = Callable[[str, int, int], None]
+TASK = 20  # mutants of one relation that a worker judges at once
+
+
+def drop_in_cases(program: Program, folder: Path) -> Iterator[Case]:
+    """The tests below a folder that are about this program; each observes the relations it has expected rows of."""
+    for test in find_tests(folder):
+        if not (test / PROGRAM).is_file():
+            facts = program.read_facts(test / FACTS) if (test / FACTS).is_dir() else {}
+            result = program.evaluate(facts, keep="all")
+            observed = frozenset(path.stem for path in (test / EXPECTED).glob("*.csv"))
+            yield Case(str(test.relative_to(folder)), {name: result.rows(name) for name in result.names()}, observed)
+
+
+def workspace_cases(program: Program, workspace: Path, cache: Cache | None = None) -> Iterator[Case]:
+    """The components of a workspace whose models are known; each observes all that models are made from."""
+    inputs = set(program.inputs)
+    with select(workspace, cache=cache) as found:
+        for component in found.components:
+            facts = {name: list(rows) for name, rows in component.load().items() if name in inputs}
+            result = program.evaluate(facts, keep="all")
+            rows = {name: result.rows(name) for name in result.names()}
+            yield Case(f"{workspace.name}: {component.title}", rows, frozenset(program.outputs))
+
+
+def mutants_of(test: MutationTest, files: Sequence[Path], sample: int | None, seed: int) -> list[Mutant]:
+    """The mutants of clauses in some files, all by default; `sample` of them, chosen at random."""
+    own = {str(path.resolve()) for path in files}
+    found = [m for m in mutants(test.rules) if not own or str(Path(m.location.path).resolve()) in own]
+    if sample is None or sample >= len(found):
+        return found
+    chosen = random.Random(seed).sample(range(len(found)), sample)
+    return [found[i] for i in sorted(chosen)]
+
+
+def judge_all(
+    test: MutationTest, chosen: Sequence[Mutant], *, jobs: int | None = None, progress: Progress | None = None
+) -> list[Verdict]:  # fmt: skip
+    """The verdicts on mutants that are legal programs, in the order of the mutants. One on which a worker ends counts as killed."""
+    tasks = []
+    order = sorted(range(len(chosen)), key=lambda i: (chosen[i].rule.clause.head.name, i))
+    for _, group in groupby(order, key=lambda i: chosen[i].rule.clause.head.name):  # they share what reads their relation
+        same = list(group)
+        tasks += [same[at : at + TASK] for at in range(0, len(same), TASK)]
+
+    def work(indexes: list[int]) -> list[str | None]:
+        return [verdict.killed_by if (verdict := test.judge(chosen[i])) else None for i in indexes]
+
+    killed: dict[int, str | None] = {}
+    for done, (number, outcome) in enumerate(run_tasks(work, tasks, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT), 1):
+        answers = [outcome.reason] * len(tasks[number]) if isinstance(outcome, Failure) else outcome
+        killed.update(zip(tasks[number], answers, strict=True))
+        if progress is not None:
+            progress("mutants", done, len(tasks))
+    return [Verdict(chosen[i], found) for i, found in sorted(killed.items()) if found is not None]
+
+
+def judge_rules(
+    folder: Path, files: Sequence[Path], *,
+    sample: int | None = None, seed: int = 0, jobs: int | None = None, progress: Progress | None = None,
+) -> list[Verdict]:  # fmt: skip
+    """The verdicts of the tests below a folder on mutants of files of rules, or of all rules."""
+    program = component_program(rule_set(files))
+    test = MutationTest(program, list(drop_in_cases(program, folder)))
+    return judge_all(test, mutants_of(test, files, sample, seed), jobs=jobs, progress=progress)
