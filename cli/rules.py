@@ -135,6 +135,23 @@ def test(
         raise typer.Exit(1)
 
 
+@app.command("lint")
+def lint(
+    own: Annotated[
+        list[Path] | None,
+        typer.Argument(metavar="[PATH]...", help="Rules of your own; by default rosarch's are looked at.", show_default=False),
+    ] = None,
+) -> None:
+    """Tell what rules do not keep to: comments that say when a row holds, names, relations of no use. Exit code 1 if there is anything."""
+    from rosarch.models.rule_lint import lint_rules
+
+    with datalog_errors():
+        found = lint_rules(own or ())
+    emit("".join(f"{diagnostic.headline}\n" for diagnostic in found))
+    if found:
+        raise typer.Exit(1)
+
+
 @app.command("mutate")
 def mutate(
     folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="The folder with the tests, at any depth.")] = Path(),

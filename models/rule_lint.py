@@ -1,0 +1,35 @@
+"""The conventions of rules, asked of the shipped ones or of the user's own, in whichever program they are part of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rosarch.datalog.conventions import unconventional
+from rosarch.datalog.errors import Diagnostic
+from rosarch.extractor.manifest import rules_folder
+from rosarch.models.own_rules import own_files
+from rosarch.models.rule_sets import component_program, rule_set, system_rules
+from rosarch.models.system.findings import evidence_of, shown_as
+
+
+def lint_rules(own: Sequence[Path] = ()) -> list[Diagnostic]:
+    """What files of rules do not keep to, by place; by default those of rosarch.
+
+    Raises:
+        RuleSetError: a path that does not exist, or a file that fits no program.
+        CheckError: a check is not as it should be.
+        DatalogError: the rules are wrong.
+    """
+    rules = rule_set(own)
+    folder = rules_folder()
+    files = {str(path) for path in own_files(own)} if own else {str(path) for path in folder.rglob("*.dl")}
+    system = system_rules(rules)
+    types = {type_ for check in system.checks for _, type_ in check.columns}
+    shown = {check.relation for check in system.checks} | {name for type_ in types for name in (evidence_of(type_), shown_as(type_))}
+    options = {name for name in component_program(rules).relations if name.startswith("option")}
+    found = [
+        *unconventional(component_program(rules), files.__contains__, options),
+        *unconventional(system.program, files.__contains__, shown | options),
+    ]
+    return sorted(set(found), key=lambda diagnostic: diagnostic.location or ("", 0, 0))
