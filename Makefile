@@ -4,7 +4,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-PACKAGES := cli datalog experiments extractor library models reports rules
+PACKAGES := cli datalog expectations experiments extractor library models reports rules
 SOURCES := $(PACKAGES) tests benchmarks
 
 .PHONY: demo test lint format clean

@@ -27,6 +27,7 @@ from rosarch.cli import (
     library,
     query,
     rules,
+    rules_test,
     score,
     show,
     watch,
@@ -58,6 +59,7 @@ app.command("query")(query.query)
 app.command("explain")(explain.explain)
 app.command("why-not")(explain.why_not)
 app.add_typer(rules.app, name="rules")
+rules.app.command("test")(rules_test.test)
 rules.app.command("checks")(checks.checks)
 app.command("watch")(watch.watch)
 app.command("browse")(browse.browse)

@@ -110,31 +110,6 @@ def _wanted(program: Program, files: list[Path], relations: list[str]) -> list[s
     return found
 
 
-@app.command("test")
-def test(
-    folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="The folder with the tests, at any depth.")] = Path(),
-    rules: Annotated[
-        list[Path] | None,
-        typer.Option("--rules", "-r", metavar="FILE", help="Rules that the tests are about, beside rosarch's.", show_default=False),
-    ] = None,
-    coverage: Annotated[bool, typer.Option("--coverage/--no-coverage", help="List the clauses that never fired.")] = True,
-    engine: EngineChoice = Engine.embedded,
-) -> None:
-    """Run the tests below FOLDER: folders with facts/*.facts, expected/*.csv and, optionally, a program.dl. Exit code 1 when one fails."""
-    from rosarch.datalog.rule_tests import find_tests, outcome_text, report_text, run_rule_tests
-    from rosarch.extractor.manifest import rules_folder
-
-    check_folder(folder)
-    if not find_tests(folder):
-        raise InputError(f"{folder}: no tests; a test is a folder with facts/*.facts and expected/*.csv")
-    with datalog_errors():
-        default = [rules_folder() / "component.dl", *(rules or ())]
-        report = run_rule_tests(folder, default, engine=engine.value, progress=lambda outcome: emit(outcome_text(outcome)))
-    emit(report_text(report, shorten=shorten, unfired=coverage))
-    if not report.ok:
-        raise typer.Exit(1)
-
-
 @app.command("lint")
 def lint(
     own: Annotated[

@@ -65,24 +65,25 @@ class TestReport:
 
 def find_tests(folder: Path) -> list[Path]:
     """The folders of tests at or below a folder."""
-    return sorted(path.parent for path in folder.rglob(EXPECTED) if path.is_dir())
+    return sorted(path.parent for path in folder.rglob(EXPECTED) if next(path.glob("*.csv"), None) is not None)
 
 
 def run_rule_tests(
-    folder: Path, default: Sequence[Path], *, engine: str = "embedded", progress: Callable[[TestOutcome], None] | None = None
+    folder: Path, default: Sequence[Path] | Program, *, engine: str = "embedded", progress: Callable[[TestOutcome], None] | None = None
 ) -> TestReport:
-    """Run every test at or below a folder; `default` are the files of the program of tests without their own."""
+    """Run every test at or below a folder; `default` is the program of tests without their own, or its files."""
+    given = (Path(next(iter(default.sources))),) if isinstance(default, Program) else tuple(default)
     collectors: dict[tuple[Path, ...], Collector] = {}
     outcomes = []
     for case in find_tests(folder):
         own = case / PROGRAM
-        files = (own,) if own.is_file() else tuple(default)
+        files = (own,) if own.is_file() else given
         name = str(case.relative_to(folder)) if case != folder else folder.resolve().name
         reason = case / KNOWN_FAILURE
         known = reason.read_text(encoding="utf-8").strip() or "yes" if reason.is_file() else ""
         try:
             if files not in collectors:
-                collectors[files] = Collector(load_program(files))
+                collectors[files] = Collector(default if isinstance(default, Program) and files == given else load_program(files))
             outcome = TestOutcome(name, tuple(_run(case, collectors[files], engine)), known=known)
         except (DatalogError, OSError, UnicodeDecodeError) as error:
             outcome = TestOutcome(name, error=str(error), known=known)

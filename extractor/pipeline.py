@@ -96,14 +96,15 @@ def extract(
     cache: Cache | None = None,
     progress: Progress | None = None,
     only: Callable[[Component], bool] | None = None,
+    workspace: Workspace | None = None,
 ) -> Extraction:
     """Extract the facts of the components of `packages` (all by default) below `root`, or of those that `only` tells.
 
-    `timeout` is the limit in seconds for one source. `defines` are CMake cache variables. With a `cache`, only what has
-    changed since an earlier extraction is read again. Sources that fail and whatever else was not understood is in
-    `diagnostics`; nothing raises for bad input below `root`.
+    A `workspace` takes the place of what is discovered there. `timeout` is the limit in seconds for one source. `defines` are CMake cache
+    variables. With a `cache`, only what has changed since an earlier extraction is read again. Sources that fail and whatever else was
+    not understood is in `diagnostics`; nothing raises for bad input below `root`.
     """
-    workspace = discover(root, packages, defines=defines, timeout=timeout)
+    workspace = workspace or discover(root, packages, defines=defines, timeout=timeout)
     store = load_messages(workspace.packages)
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
@@ -114,7 +115,8 @@ def extract(
     units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
     extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
     extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
-    reader = UnitReader(workspace.root, HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name)), scratch, cache)
+    finder = HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name), searched=workspace.searched)
+    reader = UnitReader(workspace.root, finder, scratch, cache)
     reading = read_units(units, reader, jobs or default_jobs(), timeout, progress)
     extraction.seconds = reading.seconds
     extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str) if units else extraction.diagnostics

@@ -64,6 +64,29 @@ class Suppression:
     last: int
 
 
+@dataclass(frozen=True)
+class Comment:
+    """A comment with its marks, at `line` and `column`; it is about the lines `first` to `last`, and stands `beside` code or alone."""
+
+    text: str
+    line: int
+    column: int
+    first: int
+    last: int
+    beside: bool
+
+    def place(self, offset: int) -> tuple[int, int]:
+        """Line and column of an offset in the text."""
+        start = self.text.rfind("\n", 0, offset) + 1
+        return self.line + self.text.count("\n", 0, offset), offset - start + (1 if start else self.column)
+
+
+def comments(path: str, text: str) -> list[Comment]:
+    """All comments of a file, none of one whose kind is not understood."""
+    syntax = _syntax(path)
+    return [] if syntax is None else list(_Source(text, syntax).subjects())
+
+
 def has_suppressions(path: str) -> bool:
     """Whether a file is of a kind whose comments are understood."""
     return _syntax(path) is not None
@@ -116,6 +139,13 @@ class _Source:
                 line = self.line(mark.start())
                 column = mark.start() - self.starts[line - 1] + 1
                 yield Suppression(path, line, column, checks, reason, *self._subject(number))
+
+    def subjects(self) -> Iterator[Comment]:
+        """All comments with what they are about."""
+        for number, (start, end) in enumerate(self.comments):
+            line = self.line(start)
+            beside = self.before[number] >= self.starts[line - 1]
+            yield Comment(self.text[start:end], line, start - self.starts[line - 1] + 1, *self._subject(number), beside)
 
     def _subject(self, comment: int) -> tuple[int, int]:
         """The first and last line of what a comment is about: what stands before it on its line, else what comes next."""

@@ -64,14 +64,15 @@ class Includes:
 class HeaderFinder:
     """Resolves includes against a workspace; what has to be made is written below `scratch`.
 
-    `message_header` gives the text of a generated header by the name that code includes it by, else None.
+    `message_header` gives the text of a generated header by the name that code includes it by, else None. Headers that no folder of a
+    source has are looked for in all of the workspace when it is `searched`.
     """
 
-    def __init__(self, root: Path, scratch: Path, message_header: Callable[[str], str | None]) -> None:
+    def __init__(self, root: Path, scratch: Path, message_header: Callable[[str], str | None], *, searched: bool = True) -> None:
         self.root = root
         self.scratch = scratch
         self.message_header = message_header
-        self._by_name: dict[str, list[Path]] | None = None
+        self._by_name: dict[str, list[Path]] | None = None if searched else {}
         self._included: dict[Path, list[tuple[int, str, bool]]] = {}
         self._digests: dict[Path, bytes] = {}
         self._unpredictable: set[Path] = set()

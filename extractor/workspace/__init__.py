@@ -6,6 +6,7 @@
 from .components import components, programs, without_library
 from .discovery import discover
 from .graph import closure, include_path
+from .loose import loose_workspace
 from .model import Component, Configured, Diagnostic, Exports, Package, PluginClass, Target, Workspace
 
 __all__ = [
@@ -21,6 +22,7 @@ __all__ = [
     "components",
     "discover",
     "include_path",
+    "loose_workspace",
     "programs",
     "without_library",
 ]

@@ -121,12 +121,16 @@ class Package:
 
 @dataclass(frozen=True, eq=False)
 class Workspace:
-    """Packages below `root`. `selected` are the packages asked for; the others are there because those need them."""
+    """Packages below `root`. `selected` are the packages asked for; the others are there because those need them.
+
+    Headers that no include path leads to are `searched` in all folders below the root.
+    """
 
     root: Path
     packages: tuple[Package, ...]
     diagnostics: tuple[Diagnostic, ...] = ()
     selected: frozenset[str] = field(default_factory=frozenset)
+    searched: bool = True
 
     def package(self, name: str) -> Package | None:
         """The package called `name`."""

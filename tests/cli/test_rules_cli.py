@@ -153,7 +153,10 @@ def test_rules_test(rosarch: Run, tmp_path: Path) -> None:
     assert done.out.startswith("FAILED   case\n  r:\n    missing     3\n    unexpected  2\n")
     (tmp_path / "empty").mkdir()
     done = rosarch("rules", "test", tmp_path / "empty")
-    assert done.err == f"rosarch: error: {tmp_path}/empty: no tests; a test is a folder with facts/*.facts and expected/*.csv\n"
+    assert (
+        done.err
+        == f"rosarch: error: {tmp_path}/empty: no tests; a test is a source with comments `expect: ...`, or a folder with facts/*.facts and expected/*.csv\n"
+    )
 
 
 def test_rules_doc_and_list(rosarch: Run, tmp_path: Path) -> None:

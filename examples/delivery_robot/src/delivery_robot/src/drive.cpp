@@ -11,11 +11,11 @@ public:
   {
     private_nh_.param("max_speed", max_speed_, 0.8);
     private_nh_.param("publish_battery", publish_battery_, true);
-    private_nh_.param<std::string>("odom_topic", odom_topic_, "odom");
-    odometry_pub_ = nh_.advertise<nav_msgs::Odometry>("odom", 10);
+    private_nh_.param<std::string>("odom_topic", odom_topic_, "odom");  // expect: finding name-ignores-parameter
+    odometry_pub_ = nh_.advertise<nav_msgs::Odometry>("odom", 10);  // expect: publisher odom nav_msgs/Odometry
     battery_pub_ = nh_.advertise<std_msgs::Float32>("battery", 1, true);
-    command_sub_ = nh_.subscribe("cmd_vel", 1, &Drive::onCommand, this);
-    timer_ = nh_.createTimer(ros::Duration(0.05), &Drive::onTimer, this);
+    command_sub_ = nh_.subscribe("cmd_vel", 1, &Drive::onCommand, this);  // expect: subscriber cmd_vel callback=Drive::onCommand
+    timer_ = nh_.createTimer(ros::Duration(0.05), &Drive::onTimer, this);  // expect: periodic odom 20 Hz
   }
 
 private:

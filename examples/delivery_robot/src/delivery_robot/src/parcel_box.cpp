@@ -11,7 +11,7 @@ public:
     private_nh_.param("open_seconds", open_seconds_, 20.0);
     private_nh_.param<std::string>("door", door_, "");
     parcel_pub_ = nh_.advertise<delivery_msgs::Parcel>("parcel", 5);
-    open_server_ = nh_.advertiseService("open_boxes", &ParcelBox::onOpen, this);
+    open_server_ = nh_.advertiseService("open_boxes", &ParcelBox::onOpen, this);  // expect: service_server open_boxes
   }
 
 private:
@@ -20,7 +20,7 @@ private:
     ros::Duration(open_seconds_).sleep();
     delivery_msgs::Parcel parcel;
     parcel.door = door_;
-    parcel_pub_.publish(parcel);
+    parcel_pub_.publish(parcel);  // expect: reactive open_boxes -> parcel must
     response.success = true;
     return true;
   }

@@ -1,0 +1,133 @@
+"""`rosarch rules test`: what rules derive, against what sources and folders of facts expect."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from rosarch.cli.derivations import datalog_errors, shorten
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_engine, check_folder, extraction_cache, read_input
+from rosarch.cli.options import Cached, Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.systems import SystemInputs, load_surrounding, load_systems
+from rosarch.cli.terminal import emit, progress, show_diagnostics
+
+if TYPE_CHECKING:
+    from rosarch.datalog import Program
+    from rosarch.expectations.cases import Case
+    from rosarch.expectations.run import FileOutcome, Running
+    from rosarch.models.component import ComponentModel
+    from rosarch.models.findings import Finding
+    from rosarch.models.rule_sets import RuleSet
+
+
+def test(
+    paths: Annotated[
+        list[Path] | None,
+        typer.Argument(parser=path_argument, metavar="[PATH]...", help="C++ files, workspaces, folders of them; else the current one."),
+    ] = None,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
+    coverage: Annotated[
+        bool, typer.Option("--coverage/--no-coverage", help="List the clauses that never fired in tests that are folders of facts.")
+    ] = True,
+    engine: EngineChoice = Engine.embedded,
+    jobs: Jobs = None,
+    timeout: Timeout = 60.0,
+    cached: Cached = True,
+    verbose: Verbose = False,
+) -> None:
+    """Run the tests at and below each PATH; exit code 1 when one fails.
+
+    Tests are sources with comments `expect: ...`, and folders with facts/*.facts and expected/*.csv.
+    """
+    from rosarch.expectations.cases import find_cases
+    from rosarch.expectations.grammar import ExpectationError
+    from rosarch.expectations.run import Running
+
+    given = [_checked(path) for path in paths or [Path()]]
+    check_engine(engine)
+    rules = parse_rules(own, variants, settings)
+    try:
+        found = find_cases(given)
+        if not (found.cases or found.rules):
+            told = "a test is a source with comments `expect: ...`, or a folder with facts/*.facts and expected/*.csv"
+            raise InputError(f"{', '.join(map(str, given))}: no tests; {told}")
+        with datalog_errors(), progress() as report:
+
+            def systems(folder: Path) -> _Systems:
+                return _Systems(SystemInputs(folder, engine=engine, jobs=jobs, timeout=timeout, cached=cached, rules=rules), rules)
+
+            how = Running(rules, systems, engine.value, jobs, timeout, extraction_cache(cached), report)
+            met = _run_sources(found.cases, how, verbose)
+    except ExpectationError as error:
+        raise InputError(str(error)) from None
+    with datalog_errors():
+        passed = [_run_folder(folder, rules, engine, coverage) for folder in found.rules]
+    if not (met and all(passed)):
+        raise typer.Exit(1)
+
+
+def _checked(path: Path) -> Path:
+    if path.is_dir():
+        return check_folder(path)
+    read_input(path)
+    return path
+
+
+@dataclass(frozen=True)
+class _Systems:
+    """The systems of a workspace, as `rosarch check` has them with its configuration."""
+
+    inputs: SystemInputs
+    rules: RuleSet
+
+    @property
+    def program(self) -> Program:
+        from rosarch.models.rule_sets import system_rules
+
+        return system_rules(self.rules).program
+
+    def findings(self, _models: Sequence[ComponentModel]) -> Sequence[Finding]:
+        from rosarch.cli.check_options import load_configuration
+        from rosarch.models.rule_sets import system_rules
+
+        configuration = load_configuration(self.inputs.folder, None, system_rules(self.rules).checks)
+        return load_systems(self.inputs, configuration).findings
+
+    def rows(self) -> Sequence[dict[str, list[tuple[Any, ...]]]]:
+        shared, launches = load_surrounding(self.inputs)
+        return [{name: list(rows) for name, rows in shared.rows(launch).items()} for launch in launches]
+
+
+def _run_sources(cases: Sequence[Case], how: Running, verbose: bool) -> bool:
+    """Whether all expectations of sources are met."""
+    from rosarch.expectations.run import run_cases
+    from rosarch.reports.expectations import file_text, total_text
+
+    outcomes: list[FileOutcome] = []
+    for outcome in run_cases(cases, how):
+        show_diagnostics(outcome.diagnostics, verbose)
+        for file in outcome.files:
+            emit(file_text(file))
+        outcomes += outcome.files
+    if outcomes:
+        emit(total_text(outcomes))
+    return not any(outcome.unmet for outcome in outcomes)
+
+
+def _run_folder(folder: Path, rules: RuleSet, engine: Engine, coverage: bool) -> bool:
+    """Whether the tests below a folder that are facts and expected rows pass."""
+    from rosarch.datalog.rule_tests import outcome_text, report_text, run_rule_tests
+    from rosarch.models.rule_sets import component_program
+
+    program = component_program(rules)
+    report = run_rule_tests(folder, program, engine=engine.value, progress=lambda outcome: emit(outcome_text(outcome)))
+    emit(report_text(report, shorten=shorten, unfired=coverage))
+    return report.ok

@@ -1,0 +1,1 @@
+"""What a source says, in comments, that rosarch should find in it."""

@@ -1,0 +1,44 @@
+"""Where sources say what is expected of them: `expect: ...` and `expect-not: ...` at the start of a comment, or of a line of one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rosarch.extractor.suppressions import Comment, comments
+
+_MARK = re.compile(r"(?:^|(?<=\n))[ \t]*(?://+|/\*+|\*|\#+|<!--+)?[ \t]*(?P<word>expect(?P<negated>-not)?):(?:[ \t]+(?P<text>[^\n]*))?")
+_END = re.compile(r"[ \t\r]*(\*/|--\\?>)?[ \t\r]*$")
+
+
+@dataclass(frozen=True)
+class Marked:
+    """An expectation as it is written, at `path:line:column`; it must not hold when `negated`.
+
+    It is about the lines `first` to `last`; `beside` tells whether it stands behind code, on its line.
+    """
+
+    path: str
+    line: int
+    column: int
+    text: str
+    text_column: int
+    negated: bool
+    first: int
+    last: int
+    beside: bool
+
+
+def marked(path: str, text: str) -> Iterator[Marked]:
+    """The expectations in a text; which comments there are is told by the kind of file that `path` names."""
+    for comment in comments(path, text) if "expect" in text else ():
+        for match in _MARK.finditer(comment.text):
+            yield _marked(path, comment, match)
+
+
+def _marked(path: str, comment: Comment, match: re.Match[str]) -> Marked:
+    line, column = comment.place(match.start("word"))
+    told = _END.sub("", match["text"] or "").strip()
+    begin = comment.place(match.start("text"))[1] if match["text"] else column
+    return Marked(path, line, column, told, begin, match["negated"] is not None, comment.first, comment.last, comment.beside)

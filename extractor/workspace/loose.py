@@ -1,0 +1,27 @@
+"""Single source files as components, without any package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from .model import EXECUTABLE, SHARED, Package, Target, Workspace
+from .plugins import registrations
+
+
+def loose_workspace(root: Path, sources: Iterable[Path]) -> Workspace:
+    """A workspace in which each source below `root` is a package of its own: a library when it registers classes, else a program."""
+    packages = tuple(_package(root, source) for source in sources)
+    return Workspace(root, packages, selected=frozenset(package.name for package in packages), searched=False)
+
+
+def _package(root: Path, source: Path) -> Package:
+    name = loose_name(root, source)
+    kind = SHARED if registrations(source) else EXECUTABLE
+    target = Target(source.stem, source.stem, kind, name, source, 1, sources=(source,))
+    return Package(name, source.parent, source, targets=(target,))
+
+
+def loose_name(root: Path, source: Path) -> str:
+    """The name of the package that a single source is."""
+    return ".".join(source.relative_to(root).with_suffix("").parts)

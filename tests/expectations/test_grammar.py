@@ -1,0 +1,108 @@
+"""What expectations mean, where they stand, and what is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from rosarch.expectations.comments import Marked, marked
+from rosarch.expectations.grammar import Expectation, ExpectationError, parse
+
+
+def written(text: str, *, beside: bool = False) -> Marked:
+    return Marked("a.cpp", 3, 4, text, 12, False, 4, 4, beside)
+
+
+def meaning(text: str) -> tuple[str | None, dict[str, str]]:
+    found = parse(written(text))
+    return found.kind.name if found.kind else None, dict(found.wanted)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "wanted"),
+    [
+        ("publisher /cmd_vel", "publisher", {"name": "/cmd_vel"}),
+        ("publisher /cmd_vel geometry_msgs/Twist queue=10 latched", "publisher", {"name": "/cmd_vel", "type": "geometry_msgs/Twist", "queue": "10", "latched": "true"}),
+        ("publisher latched", "publisher", {"latched": "true"}),
+        ("publisher x type=a/B latched=false", "publisher", {"name": "x", "type": "a/B", "latched": "false"}),
+        ("service_server", "service_server", {}),
+        ("param ~rate = 10.0 op=read", "param", {"name": "~rate", "default": "10.0", "op": "read"}),
+        ("param ~name = \"a b\"", "param", {"name": "~name", "default": "a b"}),
+        ("periodic /odom 10 Hz mechanism=timer", "periodic", {"output": "/odom", "hz": "10", "mechanism": "timer"}),
+        ("periodic /odom 10Hz", "periodic", {"output": "/odom", "hz": "10"}),
+        ("reactive /scan -> /cmd_vel must", "reactive", {"input": "/scan", "output": "/cmd_vel", "must": "true"}),
+        ("reactive /scan -> /cmd_vel may if \"a && !b\"", "reactive", {"input": "/scan", "output": "/cmd_vel", "must": "false", "when": "a && !b"}),
+        ("one_shot /go 0.5 s", "one_shot", {"output": "/go", "after": "0.5"}),
+        ("deferred /scan -> /go variable=Node::last_", "deferred", {"input": "/scan", "output": "/go", "variable": "Node::last_"}),
+        ("state Node::on_ = false type=bool", "state", {"name": "Node::on_", "initial": "false", "type": "bool"}),
+        ("transition Node::on_ = true on /start if ready_", "transition", {"variable": "Node::on_", "value": "true", "trigger": "/start", "guard": "ready_"}),
+        ("transition Node::text_ = \"\\\"a\\\"\"", "transition", {"variable": "Node::text_", "value": '"a"'}),
+        ("finding topic-type-mismatch \"*battery*\" severity=error", "finding", {"check": "topic-type-mismatch", "message": "*battery*", "severity": "error"}),
+        ("component driver kind=nodelet", "component", {"name": "driver", "kind": "nodelet"}),
+    ],
+)  # fmt: skip
+def test_meaning(text: str, kind: str, wanted: dict[str, str]) -> None:
+    assert meaning(text) == (kind, wanted)
+
+
+@pytest.mark.parametrize(
+    "text", ["port(_)", '!port([_, "publisher", _])', "Count = count : { port(_) }, Count > 1", "own.relation(X), X != 1"]
+)
+def test_queries(text: str) -> None:
+    assert parse(written(text)) == Expectation(written(text), None, query=text)
+
+
+@pytest.mark.parametrize(
+    ("text", "error"),
+    [
+        ("publsher x", "3:12: unknown kind of element `publsher`, did you mean `publisher`?"),
+        ("reactive /scan", "3:26: reactive is written `reactive INPUT -> OUTPUT`"),
+        ("reactive /scan /cmd_vel", "3:35: reactive is written `reactive INPUT -> OUTPUT`"),
+        ("state x =", "3:21: state is written `state NAME = INITIAL`"),
+        ("publisher x colour=red", "3:24: publisher has no `colour`, there are name, type, queue, latched, callback, via, from_param, conditional, implicit, unknown"),
+        ("publisher x a/B latchd", "3:28: `latchd` is not understood here, did you mean `latched`?; publisher is written `publisher NAME TYPE`"),
+        ("transition x = 1 on", "3:29: nothing after `on`"),
+        ("", "3:4: nothing is expected here"),
+    ],
+)  # fmt: skip
+def test_what_is_refused(text: str, error: str) -> None:
+    with pytest.raises(ExpectationError) as caught:
+        parse(written(text))
+    assert str(caught.value) == f"a.cpp:{error}"
+
+
+def test_where_they_stand() -> None:
+    source = """// expect: publisher a
+int x;  // expect: publisher b
+/* expect: publisher c
+ * expect-not: publisher d */
+char text[] = "// expect: publisher e";
+// as they expect: nothing
+// expect: finding x-y
+
+int y;
+"""
+    found = [
+        (each.line, each.column, each.text, each.text_column, each.negated, each.first, each.beside) for each in marked("a.cpp", source)
+    ]
+    assert found == [
+        (1, 4, "publisher a", 12, False, 2, False),
+        (2, 12, "publisher b", 20, False, 2, True),
+        (3, 4, "publisher c", 12, False, 5, False),
+        (4, 4, "publisher d", 16, True, 5, False),
+        (7, 4, "finding x-y", 12, False, 9, False),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("a.launch", '<launch>\n  <node pkg="a"\n    type="b"/>  <!-- expect: finding c -->\n</launch>\n'),
+        ("a.yaml", "b:\n  - 1\n  - 2  # expect: finding c\n"),
+        ("CMakeLists.txt", "\n\nproject(a)  # expect: finding c\n"),
+        ("a.py", '\n"""# expect: no comment"""\nx = 1  # expect: finding c\n'),
+    ],
+)
+def test_other_kinds_of_files(path: str, text: str) -> None:
+    (found,) = marked(path, text)
+    assert (found.text, found.last, found.beside) == ("finding c", 3, True)
+    assert list(marked("notes.md", text)) == []
