@@ -14,6 +14,7 @@ from rosarch.cli import (
     browse,
     check,
     checks,
+    choices,
     diff,
     doctor,
     experiment,
@@ -25,6 +26,7 @@ from rosarch.cli import (
     language_server,
     launch,
     library,
+    new,
     query,
     rules,
     rules_test,
@@ -61,6 +63,8 @@ app.command("why-not")(explain.why_not)
 app.add_typer(rules.app, name="rules")
 rules.app.command("test")(rules_test.test)
 rules.app.command("checks")(checks.checks)
+app.command("options")(choices.options)
+app.add_typer(new.app, name="new")
 app.command("watch")(watch.watch)
 app.command("browse")(browse.browse)
 app.command("language-server")(language_server.language_server)

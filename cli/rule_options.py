@@ -43,15 +43,14 @@ Settings = Annotated[
 ]
 
 
-def parse_rules(
-    own: Sequence[Path] | None = None, variants: Sequence[str] | None = None, options: Sequence[str] | None = None, *, told: bool = True
-) -> RuleSet:
-    """The rules that the options name. What files of the user's own override is told on stderr, if `told`."""
-    from rosarch.models.rule_sets import overridden, rule_set
+def parse_rules(own: Sequence[Path] | None = None, variants: Sequence[str] | None = None, options: Sequence[str] | None = None) -> RuleSet:
+    """The rules that the options name, checked. What files of the user's own override is told on stderr."""
+    from rosarch.models.rule_sets import check_own, overridden, rule_set
 
     with datalog_errors():
         rules = rule_set(own or (), parse_pairs("--variant", variants), parse_pairs("--option", options))
-        for each in overridden(rules) if told else ():
+        check_own(rules)
+        for each in overridden(rules):
             where = dict.fromkeys(place.path for place in each.dropped)
             count = len(each.dropped)
             files = ", ".join(map(_shorten, where))

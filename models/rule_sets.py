@@ -172,6 +172,19 @@ def is_loaded_soon(rules: RuleSet) -> bool:
     return is_compiled(roots("component", rules), **_settings(rules))
 
 
+def check_own(rules: RuleSet) -> None:
+    """Load what files of the user's own are part of, so that what is wrong with them is said before anything is done.
+
+    Raises:
+        DatalogError, CheckError, RuleSetError: something is.
+    """
+    files = _files(rules)
+    if files["component"]:
+        component_program(rules)
+    if files["system"]:
+        system_rules(rules)
+
+
 def find_options(rules: RuleSet = SHIPPED) -> tuple[Option, ...]:
     """The options, by name; those of the user's own rules as well."""
     programs = [_program(program, rules) for program in PROGRAMS] if rules.own else [load_program(rules_folder() / "options.dl")]

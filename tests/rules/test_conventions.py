@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 
@@ -32,13 +33,21 @@ VARIANTS = [(decision.name, variant.name) for decision in DECISIONS for variant 
 
 
 @lru_cache
-def declarations() -> dict[str, RelationDecl]:
-    """The relations of the rules of components and of systems, checks and all variants included."""
-    found = {**load_declarations(RULES / "component.dl"), **load_declarations([RULES / "system.dl", *CHECKS])}
+def programs() -> list[Mapping[str, RelationDecl]]:
+    """The relations of the rules of components and of systems, checks included, with each of the variants."""
+    found = [load_declarations(RULES / "component.dl"), load_declarations([RULES / "system.dl", *CHECKS])]
     for name, variant in VARIANTS:
         rules = rule_set(variants={name: variant})
-        found |= component_program(rules).relations if _decision(name).program == "component" else system_rules(rules).program.relations
+        found.append(
+            component_program(rules).relations if _decision(name).program == "component" else system_rules(rules).program.relations
+        )
     return found
+
+
+@lru_cache
+def declarations() -> dict[str, RelationDecl]:
+    """All of them."""
+    return {name: declaration for program in programs() for name, declaration in program.items()}
 
 
 def _decision(name: str) -> Decision:
@@ -138,8 +147,8 @@ def test_private_relations_stay_in_their_file(name: str) -> None:
 def owners() -> dict[str, set[str]]:
     """The files that declare a private relation: one in each program at most."""
     found: dict[str, set[str]] = {}
-    for program in ([RULES / "component.dl"], [RULES / "system.dl", *CHECKS]):
-        for relation, declaration in load_declarations(program).items():
+    for program in programs():
+        for relation, declaration in program.items():
             if relation.startswith("_"):
                 found.setdefault(relation, set()).add(file_of(declaration))
     return found
