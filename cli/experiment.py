@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -15,6 +16,9 @@ from rosarch.cli.options import Engine, EngineChoice, Jobs, Timeout, Verbose, pa
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 if TYPE_CHECKING:
+    from rosarch.experiments.subjects import Subject
+    from rosarch.models.findings import Finding
+    from rosarch.models.rule_sets import RuleSet
     from rosarch.reports.experiment import Report
 
 
@@ -48,6 +52,8 @@ def experiment(
     verbose: Verbose = False,
 ) -> None:
     """Run every variant on every subject: precision, recall and F1 with intervals, differences, whether these are chance, and the cost."""
+    from rosarch.cli.check_options import load_configuration
+    from rosarch.cli.systems import SystemInputs, load_systems
     from rosarch.datalog.cache import cache_folder
     from rosarch.experiments.conduct import conduct
     from rosarch.experiments.plan import PlanError, read_experiment
@@ -56,6 +62,7 @@ def experiment(
     from rosarch.experiments.truth import TruthError
     from rosarch.extractor.cache import Cache
     from rosarch.extractor.manifest import ManifestError
+    from rosarch.models.rule_sets import system_rules
     from rosarch.reports.experiment import Report, report_text
 
     read_input(file)
@@ -68,7 +75,15 @@ def experiment(
         with progress() as report:
             kept = Cache(cache_folder() / "experiments") if cached else None
             runner = Runner(engine.value, jobs, kept, report)
-            results, diagnostics = conduct(plan, Extracting(jobs, timeout, extraction_cache(cached), report), runner)
+
+            def check(subject: Subject, rules: RuleSet) -> Sequence[Finding]:
+                inputs = SystemInputs(
+                    subject.folder, engine=engine, jobs=jobs, timeout=timeout, defines=subject.defines, cached=cached, rules=rules
+                )
+                configuration = load_configuration(subject.folder, None, system_rules(rules).checks)
+                return load_systems(inputs, configuration).findings
+
+            results, diagnostics = conduct(plan, Extracting(jobs, timeout, extraction_cache(cached), report), runner, check)
     except (PlanError, TruthError, ManifestError) as error:
         raise InputError(str(error)) from None
     show_diagnostics(diagnostics, verbose)

@@ -19,8 +19,7 @@ from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
-    from rosarch.expectations.cases import Case
-    from rosarch.expectations.run import FileOutcome, Running
+    from rosarch.expectations.run import CaseOutcome
     from rosarch.models.component import ComponentModel
     from rosarch.models.findings import Finding
     from rosarch.models.rule_sets import RuleSet
@@ -49,7 +48,7 @@ def test(
     """
     from rosarch.expectations.cases import find_cases
     from rosarch.expectations.grammar import ExpectationError
-    from rosarch.expectations.run import Running
+    from rosarch.expectations.run import Running, run_cases
 
     given = [_checked(path) for path in paths or [Path()]]
     check_engine(engine)
@@ -65,9 +64,10 @@ def test(
                 return _Systems(SystemInputs(folder, engine=engine, jobs=jobs, timeout=timeout, cached=cached, rules=rules), rules)
 
             how = Running(rules, systems, engine.value, jobs, timeout, extraction_cache(cached), report)
-            met = _run_sources(found.cases, how, verbose)
+            outcomes = list(run_cases(found.cases, how))
     except ExpectationError as error:
         raise InputError(str(error)) from None
+    met = _tell(outcomes, verbose)
     with datalog_errors():
         passed = [_run_folder(folder, rules, engine, coverage) for folder in found.rules]
     if not (met and all(passed)):
@@ -106,20 +106,15 @@ class _Systems:
         return [{name: list(rows) for name, rows in shared.rows(launch).items()} for launch in launches]
 
 
-def _run_sources(cases: Sequence[Case], how: Running, verbose: bool) -> bool:
-    """Whether all expectations of sources are met."""
-    from rosarch.expectations.run import run_cases
+def _tell(outcomes: Sequence[CaseOutcome], verbose: bool) -> bool:
+    """Whether all expectations of sources are met, and which are not."""
     from rosarch.reports.expectations import file_text, total_text
 
-    outcomes: list[FileOutcome] = []
-    for outcome in run_cases(cases, how):
+    for outcome in outcomes:
         show_diagnostics(outcome.diagnostics, verbose)
-        for file in outcome.files:
-            emit(file_text(file))
-        outcomes += outcome.files
-    if outcomes:
-        emit(total_text(outcomes))
-    return not any(outcome.unmet for outcome in outcomes)
+    files = [file for outcome in outcomes for file in outcome.files]
+    emit("".join([*map(file_text, files), *([total_text(files)] if files else [])]))
+    return not any(file.unmet for file in files)
 
 
 def _run_folder(folder: Path, rules: RuleSet, engine: Engine, coverage: bool) -> bool:

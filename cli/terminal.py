@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from rosarch.models.system.analysis import SystemAnalysis
 
 REFRESH_SECONDS = 0.1
+_reports: list[Callable[[str, int, int], None]] = []
+"""What is told of progress at the moment: a terminal has room for one display."""
 
 
 def emit(text: str) -> None:
@@ -70,7 +72,10 @@ def show_note(text: str) -> None:
 
 @contextmanager
 def progress() -> Iterator[Callable[[str, int, int], None] | None]:
-    """A progress bar per stage when stderr is a terminal, else nothing."""
+    """A progress bar per stage when stderr is a terminal, else nothing. Within another one, that is used."""
+    if _reports:
+        yield _reports[-1]
+        return
     if not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         yield None
         return
@@ -92,4 +97,8 @@ def progress() -> Iterator[Callable[[str, int, int], None] | None]:
                 shown = time.monotonic()
                 bars.refresh()
 
-        yield report
+        _reports.append(report)
+        try:
+            yield report
+        finally:
+            _reports.pop()

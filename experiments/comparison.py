@@ -20,6 +20,8 @@ Names = dict[tuple[str, Any], Key]
 
 CATEGORIES = ("ports", "params", "periodic", "reactive", "state variables", "transitions")
 HIT, EXTRA, MISSED, OPTIONAL = "hit", "extra", "missed", "optional"
+FINDINGS = "findings"
+"""The category of what checks find in the systems of a subject."""
 _UNKNOWN = "?"
 _IMPLICIT: Key = ("implicit", "")
 _TRUTH, _FOUND = "truth", "found"

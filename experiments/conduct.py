@@ -3,25 +3,32 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
-from rosarch.experiments.comparison import Comparison, compare
+from rosarch.experiments.comparison import EXTRA, FINDINGS, HIT, MISSED, OPTIONAL, Comparison, Element, Key, compare
 from rosarch.experiments.plan import Experiment
 from rosarch.experiments.results import Component, Outcome, Results
 from rosarch.experiments.run import Cell, Configuration, Evaluated, Runner
-from rosarch.experiments.subjects import Extracting, OpenSubject, digest_of, opened
+from rosarch.experiments.subjects import Extracting, OpenSubject, Subject, digest_of, opened
 from rosarch.experiments.truth import TruthError
 from rosarch.extractor.pool import Failure
+from rosarch.models.findings import Finding
+from rosarch.models.rule_sets import RuleSet
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Diagnostic
 
 
-def conduct(experiment: Experiment, how: Extracting, runner: Runner) -> tuple[Results, tuple[Diagnostic, ...]]:
+Check = Callable[[Subject, RuleSet], Sequence[Finding]]
+
+
+def conduct(experiment: Experiment, how: Extracting, runner: Runner, check: Check) -> tuple[Results, tuple[Diagnostic, ...]]:
     """Extract the facts of all subjects, then evaluate what was not evaluated before; also what was not understood.
+
+    `check` makes the findings in the systems of a subject.
 
     Raises:
         TruthError: truth is of a component that there is not.
@@ -44,6 +51,9 @@ def conduct(experiment: Experiment, how: Extracting, runner: Runner) -> tuple[Re
         }
         for each in configurations
     }
+    for subject in experiment.subjects:
+        for each in configurations if subject.checked else ():
+            outcomes[each.name][Component(subject.name, "")] = _findings(subject, check(subject, each.rules))
     return Results(experiment, outcomes, _provenance(experiment, configurations, subjects, runner.engine)), tuple(diagnostics)
 
 
@@ -76,6 +86,19 @@ def _outcome(cell: Cell, evaluated: Evaluated | None) -> Outcome:
     model = evaluated.model if evaluated else {}
     comparison: Comparison = compare(truth.document if truth else {}, model)
     return Outcome(evaluated, comparison, truth is not None)
+
+
+def _findings(subject: Subject, found: Sequence[Finding]) -> Outcome:
+    """Findings against those that are true; a note may be there or not."""
+    elements: dict[Key, Element] = {}
+    for each in found:
+        key = (each.check.id, str(each.place))
+        true = subject.findings is not None and key in subject.findings
+        verdict = HIT if true else OPTIONAL if each.severity == "note" else EXTRA
+        elements[key] = Element(f"{each.check.id}: {each.message}", str(each.place), verdict)
+    for check, at in sorted((subject.findings or frozenset()) - elements.keys()):
+        elements[check, at] = Element(check, at, MISSED)
+    return Outcome(Evaluated({}, {}, 0.0), Comparison({FINDINGS: elements}), subject.findings is not None)
 
 
 def _provenance(

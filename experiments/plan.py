@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -16,7 +17,7 @@ from rosarch.experiments.subjects import Subject
 from rosarch.experiments.truth import Truth, TruthError, read_truth
 from rosarch.extractor.files import read_file
 from rosarch.extractor.hints import hint
-from rosarch.extractor.manifest import content_hash
+from rosarch.extractor.manifest import content_hash, facts_folder
 from rosarch.models.own_rules import own_files
 from rosarch.models.plain_yaml import YamlError, YamlReader, compose
 from rosarch.models.rule_sets import SHIPPED, RuleSet, component_program, find_options, rule_set
@@ -27,6 +28,7 @@ MAX_SAMPLES = 1_000_000
 MAX_CONFIGURATIONS = 256
 DEFAULT = "default"
 
+_FINDING = re.compile(r"(?P<at>[^:]+:\d+)(?::\d+)?: .*\[(?P<check>[\w-]+)\]")
 _Named = list[tuple[str, RuleSet]]
 
 
@@ -95,11 +97,14 @@ class _Reader(YamlReader):
             "options": lambda node: node,
             "compare": lambda node: node,
             "relations": lambda node: node,
+            "findings": lambda node: self.choice(node, ("true", "false")) == "true",
         }
         parts = dict(self.known_keys(root, known, "key"))
         if isinstance(root, yaml.MappingNode) and "subjects" not in parts:
             self.problem(root, "an experiment without `subjects`")
-        subjects = self._subjects(parts["subjects"], parts.get("truth") or ()) if "subjects" in parts else ()
+        subjects = (
+            self._subjects(parts["subjects"], parts.get("truth") or (), checked=parts.get("findings", False)) if "subjects" in parts else ()
+        )
         chosen = parts.get("variants") or ((DEFAULT, SHIPPED),)
         options = self._values(parts["options"], [rules for _, rules in chosen]) if "options" in parts else {}
         variants = self._combined(root, chosen, options)
@@ -154,8 +159,8 @@ class _Reader(YamlReader):
                 self.truths[path] = ()
         return self.truths[path]
 
-    def _subjects(self, node: yaml.Node, shared: Iterable[Truth]) -> tuple[Subject, ...]:
-        """`NAME: FOLDER`, or a map of `folder`, `truth`, `packages` and `defines`."""
+    def _subjects(self, node: yaml.Node, shared: Iterable[Truth], *, checked: bool) -> tuple[Subject, ...]:
+        """`NAME: FOLDER`, or a map of `folder`, `truth`, `packages`, `defines` and `findings`."""
         found = []
         for key, value in self.pairs(node):
             if isinstance(value, yaml.MappingNode):
@@ -163,6 +168,7 @@ class _Reader(YamlReader):
                     "folder": self._folder,
                     "truth": self._truth,
                     "packages": self.texts,
+                    "findings": self._findings,
                     "defines": lambda node: {key.value: self.text(value, empty=True) or "" for key, value in self.pairs(node)},
                 }
                 parts = dict(self.known_keys(value, known, "key of a subject"))
@@ -172,11 +178,35 @@ class _Reader(YamlReader):
                 parts = {"folder": self._folder(value)}
             truths = parts["truth"] if "truth" in parts else tuple(truth for truth in shared if truth.system == key.value)
             folder = parts.get("folder")
-            if folder is not None:
-                found.append(Subject(key.value, folder, truths, parts.get("packages", ()), parts.get("defines", {})))
+            findings = parts.get("findings")
+            if folder is not None and (checked or findings is not None) and facts_folder(folder):
+                self.problem(key, f"the systems of `{key.value}` cannot be checked: {folder} has facts, not sources")
+            elif folder is not None:
+                more = (parts.get("packages", ()), parts.get("defines", {}), checked or findings is not None, findings)
+                found.append(Subject(key.value, folder, truths, *more))
         if not found and not self.problems:
             self.problem(node, "no subjects")
         return tuple(found)
+
+    def _findings(self, node: yaml.Node) -> frozenset[tuple[str, str]] | None:
+        """A file with a line for each finding, as `rosarch check` prints it: `path:line[:col]: message  [check]`."""
+        text = self.text(node)
+        if text is None:
+            return None
+        path = self.folder / text
+        try:
+            lines = read_file(path).decode("utf-8").splitlines()
+        except (OSError, UnicodeDecodeError) as error:
+            self.problem(node, f"{path}: cannot be read ({(getattr(error, 'strerror', None) or 'not UTF-8 text').lower()})")
+            return None
+        found = set()
+        for number, line in enumerate(lines, 1):
+            match = _FINDING.fullmatch(line)
+            if match:
+                found.add((match["check"], match["at"]))
+            elif line.strip():
+                self.problems.append(f"{path}:{number}:1: not of the form `path:line: message  [check]`")
+        return frozenset(found)
 
     def _variants(self, node: yaml.Node) -> tuple[tuple[str, RuleSet], ...]:
         return tuple((key.value, self._variant(value)) for key, value in self.pairs(node))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
-from rosarch.experiments.comparison import CATEGORIES, MISSED, Comparison, Counts
+from rosarch.experiments.comparison import CATEGORIES, FINDINGS, MISSED, Comparison, Counts
 from rosarch.experiments.plan import Experiment
 from rosarch.experiments.run import Evaluated
 from rosarch.experiments.statistics import holm, intervals, p_value, total
@@ -30,7 +30,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Component:
-    """A component of a subject."""
+    """A component of a subject, or, without a title, the systems of one."""
 
     subject: str
     title: str
@@ -45,13 +45,20 @@ class Results:
     provenance: tuple[tuple[str, str], ...]
 
     def counts(self, variant: str, category: str) -> list[Counts]:
-        """Of each component that there is truth about."""
-        return [outcome.comparison.counts(category) for outcome in self.outcomes[variant].values() if outcome.judged]
+        """Of each component that there is truth about; of findings, of each such subject."""
+        own = (outcome for outcome in self.outcomes[variant].values() if outcome.judged and category in outcome.comparison.elements)
+        return [outcome.comparison.counts(category) for outcome in own]
+
+    @property
+    def categories(self) -> tuple[str, ...]:
+        """Those that there is truth about."""
+        found = [outcome.comparison.elements for outcome in next(iter(self.outcomes.values())).values() if outcome.judged]
+        return tuple(category for category in (*CATEGORIES, FINDINGS) if any(category in elements for elements in found))
 
     @property
     def judged(self) -> int:
         """How many components there is truth about."""
-        return sum(outcome.judged for outcome in next(iter(self.outcomes.values())).values())
+        return len(self.counts(next(iter(self.outcomes)), CATEGORIES[0]))
 
 
 @dataclass(frozen=True)
@@ -99,11 +106,9 @@ class Difference:
 
 def figures(results: Results) -> list[Figure]:
     """Of each variant and category; none without truth."""
-    if not results.judged:
-        return []
     found = []
     for variant in results.outcomes:
-        for category in CATEGORIES:
+        for category in results.categories:
             counts = results.counts(variant, category)
             sampled = intervals(counts, tuple(FIGURES.values()), samples=results.experiment.samples, seed=_seed(results, category))
             whole = total(counts)
@@ -114,11 +119,9 @@ def figures(results: Results) -> list[Figure]:
 
 def tests(results: Results) -> list[Test]:
     """Of each pair of variants, category and figure."""
-    if not results.judged:
-        return []
     found = []
     for one, other in results.experiment.pairs:
-        for category in CATEGORIES:
+        for category in results.categories:
             before, after = results.counts(one, category), results.counts(other, category)
             for name, figure in FIGURES.items():
                 p = p_value(before, after, figure, samples=results.experiment.samples, seed=_seed(results, category))
@@ -149,7 +152,7 @@ def element_differences(results: Results) -> Iterator[Difference]:
     """The elements of models that one of two variants has and the other has not."""
     for one, other in results.experiment.pairs:
         for component, before, after in _both(results, one, other):
-            for category in CATEGORIES:
+            for category in before.comparison.elements:
                 sides = [
                     {key: element for key, element in outcome.comparison.elements[category].items() if element.verdict != MISSED}
                     for outcome in (before, after)

@@ -26,7 +26,8 @@ Rows = Mapping[str, Iterable[tuple[Any, ...]]]
 class Subject:
     """A system: its folder, and the truth about components of it.
 
-    Only the components that there is truth of are analysed, without truth those of `packages`, or all.
+    Only the components that there is truth of are analysed, without truth those of `packages`, or all. If it is `checked`, so are its
+    systems; `findings` are the errors and warnings that are true of these, each the id of the check and `path:line`.
     """
 
     name: str
@@ -34,6 +35,8 @@ class Subject:
     truths: tuple[Truth, ...] = ()
     packages: tuple[str, ...] = ()
     defines: Mapping[str, str] = field(default_factory=dict)
+    checked: bool = False
+    findings: frozenset[tuple[str, str]] | None = None
 
     def wants(self, package: str, component: str) -> bool:
         """Whether a component is analysed."""

@@ -7,7 +7,7 @@ from collections import Counter
 from dataclasses import asdict
 from typing import Any
 
-from rosarch.experiments.comparison import CATEGORIES, EXTRA, HIT, OPTIONAL
+from rosarch.experiments.comparison import EXTRA, HIT, OPTIONAL
 from rosarch.experiments.results import (
     DECIDING,
     FIGURES,
@@ -50,7 +50,7 @@ class Report:
                 cells += [value, f"[{interval[0]:.3f}, {interval[1]:.3f}]" if interval else None]
             rows.append(tuple(cells))
         columns = tuple(column for figure in FIGURES for column in (figure, "95 %"))
-        title = f"Elements of {self.results.judged} components, with 95 % intervals over components"
+        title = f"Elements of {self.results.judged} components, with 95 % intervals over components (of findings: over subjects)"
         return Table(title, ("variant", "category", "truth", "found", "extra", *columns), tuple(rows))
 
     def figures_in_full(self) -> Table:
@@ -112,9 +112,10 @@ class Report:
         """Rows and processor time of each variant."""
         rows = []
         for variant, outcomes in self.results.outcomes.items():
-            done = [outcome.evaluated for outcome in outcomes.values() if outcome.evaluated]
+            own = [outcome.evaluated for component, outcome in outcomes.items() if component.title]
+            done = [evaluated for evaluated in own if evaluated]
             count = sum(len(found) for each in done for found in each.rows.values())
-            rows.append((variant, len(done), len(outcomes) - len(done), count, sum(each.seconds for each in done)))
+            rows.append((variant, len(done), len(own) - len(done), count, sum(each.seconds for each in done)))
         return Table("Cost: processor time of evaluating the rules", ("variant", "components", "failed", "rows", "seconds"), tuple(rows))
 
     def components_table(self) -> Table:
@@ -123,7 +124,7 @@ class Report:
         for variant, outcomes in self.results.outcomes.items():
             for component, outcome in outcomes.items():
                 seconds = outcome.evaluated.seconds if outcome.evaluated else None
-                for category in CATEGORIES if outcome.judged else ():
+                for category in outcome.comparison.elements if outcome.judged else ():
                     counts = outcome.comparison.counts(category)
                     cells = (variant, component.subject, component.title, category, counts.hit + counts.missed, counts.hit, counts.extra)
                     rows.append((*cells, seconds))

@@ -42,7 +42,7 @@ def plan(tmp_path: Path, workspace: Path) -> Callable[[str], Path]:
 def test_the_example(rosarch: Callable, tmp_path: Path) -> None:
     done = rosarch("experiment", EXPERIMENT, "-o", tmp_path, "--most", "1")
     assert (done.code, done.err) == (0, "")
-    assert done.out.startswith("Elements of 7 components, with 95 % intervals over components\n")
+    assert done.out.startswith("Elements of 7 components, with 95 % intervals over components (of findings: over subjects)\n")
     figures = {(row["variant"], row["category"]): row for row in table(tmp_path / "figures.csv")}
     assert len(figures) == 18
     for category in ("ports", "params", "periodic", "reactive", "state variables", "transitions"):
@@ -210,3 +210,67 @@ def test_wrong_rules_and_truth(plan: Callable, rosarch: Callable, tmp_path: Path
     expected = f"{tmp_path}/truth/talker.yml:1:12: no component talker/walker in {tmp_path}/ws, did you mean `talker`?"
     assert (done.code, done.out, done.err) == (2, "", f"rosarch: error: {expected}\n")
     assert list((tmp_path / "out").iterdir()) == []
+
+
+CHECK = """// id: old-position
+// title: Position that may be old
+// help: A node reads odometry from a queue of several messages.
+// impact: medium
+// confidence: medium
+// description: The oldest message comes first.
+// scenario:
+// |   nh.subscribe("odom", 50, onOdometry);
+// recommendation: Use a queue of one message.
+// message: {sub} reads {topic} from a queue of {length} messages
+// at: sub
+
+/// `sub` reads odometry on `topic` from a queue of `length` messages, more than one. Must.
+.decl old_position(sub: NodePort, topic: symbol, length: number)
+
+old_position(Sub, Topic, Length) :-
+    joins_connector("topic", Topic, "sink", Sub), node_port_type(Sub, "nav_msgs/Odometry"),
+    Sub = [_, Model, _], interface_port_queue(Model, Length), Length > 1.
+"""
+
+
+def test_findings(rosarch: Callable, tmp_path: Path) -> None:
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    (tmp_path / "old-position.dl").write_text(CHECK)
+    path = tmp_path / "e.yml"
+    systems = {
+        name: f"{{folder: examples/{name}, findings: examples/{name}/expected/findings.txt}}" for name in ("patrol_robot", "delivery_robot")
+    }
+    told = "".join(f"  {name}: {value}\n" for name, value in systems.items())
+    path.write_text(f"subjects:\n{told}variants: {{default: {{}}, more: {{rules: old-position.dl}}}}\nrelations: []\n")
+    done = rosarch("experiment", path, "-o", tmp_path / "out", "--format", "csv")
+    assert done.code == 0, done.err
+    figures = {row["variant"]: row for row in table(tmp_path / "out/figures.csv") if row["category"] == "findings"}
+    assert [figures["default"][name] for name in ("truth", "found", "extra")] == ["15", "15", "0"]
+    assert [figures["more"][name] for name in ("truth", "found", "extra")] == ["15", "15", "1"]
+    (gained,) = table(tmp_path / "out/differences.csv")
+    assert (gained["change"], gained["kind"], gained["subject"], gained["component"], gained["truth"]) == (
+        "gained",
+        "findings",
+        "patrol_robot",
+        "",
+        "not true",
+    )
+    assert gained["what"] == "old-position: /patrol reads /odom from a queue of 5 messages"
+    assert gained["at"] == "src/patrol_robot/src/patrol.cpp:15"
+
+
+def test_wrong_findings(plan: Callable, rosarch: Callable, tmp_path: Path) -> None:
+    (tmp_path / "findings.txt").write_text("a.cpp:3: warning: what  [a-check]\n\nnothing\n")
+    done = rosarch("experiment", plan("subjects: {ws: {folder: ws, findings: findings.txt}}\n"))
+    assert (done.code, done.err) == (2, f"rosarch: error: {tmp_path}/findings.txt:3:1: not of the form `path:line: message  [check]`\n")
+    done = rosarch("experiment", plan("subjects: {ws: {folder: ws, findings: none.txt}}\n"))
+    assert (done.code, done.err) == (
+        2,
+        f"rosarch: error: {tmp_path}/e.yml:1:39: {tmp_path}/none.txt: cannot be read (no such file or directory)\n",
+    )
+    assert rosarch("extract", tmp_path / "ws", "-o", tmp_path / "facts").code == 0
+    done = rosarch("experiment", plan("subjects: {ws: facts}\nfindings: true\n"))
+    assert (done.code, done.err) == (
+        2,
+        f"rosarch: error: {tmp_path}/e.yml:1:12: the systems of `ws` cannot be checked: {tmp_path}/facts has facts, not sources\n",
+    )
