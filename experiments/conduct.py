@@ -16,7 +16,7 @@ from rosarch.experiments.subjects import Extracting, OpenSubject, Subject, diges
 from rosarch.experiments.truth import TruthError
 from rosarch.extractor.pool import Failure
 from rosarch.models.findings import Finding
-from rosarch.models.rule_sets import RuleSet
+from rosarch.models.rule_sets import RuleSet, system_rules
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Diagnostic
@@ -114,8 +114,12 @@ def _provenance(
         ("samples", str(experiment.samples)),
     ]
     found += [(f"rules of {each.name}", each.program.hash) for each in configurations]
+    if any(each.subject.checked for each in subjects):
+        found += [(f"rules of systems of {each.name}", system_rules(each.rules).program.hash) for each in configurations]
     for each in subjects:
         found.append((f"facts of {each.subject.name}", digest_of([facts.digest for facts in each.components])))
         if each.subject.truths:
             found.append((f"truth of {each.subject.name}", digest_of([truth.digest for truth in each.subject.truths])))
+        if each.subject.findings is not None:
+            found.append((f"findings of {each.subject.name}", digest_of([" ".join(finding) for finding in each.subject.findings])))
     return tuple(found)
