@@ -30,7 +30,8 @@ _QUALIFIER = re.compile(rb"((?:\w+\s*::\s*)+)$")
 _BASE_CLAUSE = re.compile(rb"[:,]\s*(?:(?:public|protected|private|virtual)\s+)*(?:\w+\s*::\s*)*$")
 _CLASS_HEAD = re.compile(rb"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?([\w:]+)[^;{}()]*$")
 _TEMPLATE = re.compile(rb"\s*<((?:[\w\s:,*&.]|<[\w\s:,*&.]*>)*)>\s*(.?)")
-_FOLLOWING = re.compile(rb"\s*(?:\[[^\]\n]*\]\s*|\([^()\n]*\)\s*)*(?:\.|->)\s*(\w+)\s*(\(?)")
+_FOLLOWING = re.compile(rb"\s*(?:\[[^\]\n]*\]\s*|\([^()\n]*\)\s*)*(?:\.|->)\s*(\w+)")
+_ARGUMENTS = re.compile(rb"\s*(<[\w\s:,*&.]*(?:<[\w\s:,*&.]*>[\w\s:,*&.]*)*>)?\s*\(")
 _DECLARATOR = re.compile(rb"\s*(?:const\s*)?[*&]*\s*[A-Za-z_]\w*\s*[;=,(){\[:]")
 _MACRO = re.compile(r"__\w+__|[A-Z][A-Z0-9_]{2,}")
 _MACRO_CALL = re.compile(rb"\s*\((?:[^()]|\([^()]*\))*\)\s*(.?)")
@@ -112,10 +113,10 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
     """Parse `source` again with declarations for what `first` lacks; yield None when that leaves no fewer errors."""
     errors = _errors(first)
     fewest, best = len(errors), None
-    wanted = Wanted(scratch)
+    wanted, clashes = Wanted(scratch), False
     with ExitStack() as units:
         for number in range(ROUNDS if fewest <= ERROR_LIMIT else 0):
-            wanted.changed = False
+            wanted.changed = clashes
             _collect(wanted, errors, variables=number > 0)
             if not wanted.changed:
                 break
@@ -123,10 +124,12 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
                 unit = units.enter_context(libclang.Unit(source, _with(arguments, wanted.write()), OPTIONS))
             except libclang.ParseError:
                 break
-            errors = _errors(unit)
-            wanted.ban({name for error in errors for match in _CLASH.finditer(error.message) for name in match.groups() if name})
-            if len(errors) < fewest:
-                best, fewest = unit, len(errors)
+            found = _errors(unit)
+            clashes = wanted.ban({name for error in found for match in _CLASH.finditer(error.message) for name in match.groups() if name})
+            if not clashes or len(found) < fewest:
+                errors = found  # else most follow from what is now banned
+            if len(found) < fewest:
+                best, fewest = unit, len(found)
         yield best
 
 
@@ -179,7 +182,10 @@ def _collect_name(wanted: Wanted, message: str, quoted: list[str], place: _Place
         wanted.macro(path[0], body)
         return
     if message.startswith("no template named") and len(quoted) > 1:
-        path = [*quoted[1].partition("<")[0].split("::"), *path]
+        owner = quoted[1].partition("<")[0].split("::")
+        path = [*owner, *path]
+        if "in namespace" in message:
+            wanted.namespace(owner)
     default = ""
     if message.startswith("expected namespace"):
         default = "namespace"
@@ -259,24 +265,31 @@ def _collect_member(wanted: Wanted, message: str, quoted: list[str], place: _Pla
     elif len(quoted) < 2:
         return
     elif "in namespace" in message:
+        wanted.namespace(quoted[1].split("::"))
         wanted.name([*quoted[1].split("::"), *path], kind, parameters)
     elif is_type:
         owner = quoted[1].partition("<")[0].split("::")
         if wanted.find(owner) is not None:
             wanted.name([*owner, path[0]], kind if len(path) == 1 else "class", parameters)
     elif re.search(rb"::\s*$", place.before):
-        wanted.member(quoted[1], path[0], "function" if after.lstrip().startswith(b"(") else "constant")
+        wanted.member(quoted[1], path[0], "function" if _ARGUMENTS.match(after) else "constant")
     else:
-        wanted.member(quoted[1], path[0], "function" if after.lstrip().startswith(b"(") else "value")
+        wanted.member(quoted[1], path[0], _kind_of_member(after))
         for name, kind in _following(after):
             wanted.member(UNKNOWN, name, kind)
+
+
+def _kind_of_member(after: bytes) -> str:
+    """What a member is by what follows its name: `<...>(`, `(` or neither."""
+    match = _ARGUMENTS.match(after)
+    return "value" if match is None else "template" if match.group(1) else "function"
 
 
 def _following(after: bytes) -> Iterator[tuple[str, str]]:
     """The members that code goes on to, `.stamp.toSec()`, each with its kind."""
     position = 0
     while (match := _FOLLOWING.match(after, position)) is not None:
-        yield match.group(1).decode(), "function" if match.group(2) else "value"
+        yield match.group(1).decode(), _kind_of_member(after[match.end(1) :])
         position = match.end(1)
 
 
@@ -285,6 +298,10 @@ def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: 
     path = place.chain()[0]
     if message.startswith("case value is not a constant") and path:
         wanted.correct(path[-1], "constant")
+    elif message.endswith("does not name a template but is followed by template arguments"):
+        wanted.correct(quoted[0], "function")
+        if quoted[0] in wanted.members:
+            wanted.member(UNKNOWN, quoted[0], "template")
     elif message.endswith("does not refer to a value"):
         wanted.correct(quoted[0], "value")
     elif message.startswith("expected '(' for function-style") and (name := re.search(rb"(\w+)\s*$", place.before)):

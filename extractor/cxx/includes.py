@@ -15,6 +15,7 @@ from rosarch.extractor.files import read_file
 SHIPPED = Path(__file__).parent / "headers"
 SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
 PRELUDE = SHIPPED / "prelude.h"
+CUDA_PRELUDE = SHIPPED / "prelude_cuda.h"
 
 _INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|\"([^\"\n]+)\")", re.MULTILINE)
 _UNPREDICTABLE = re.compile(  # a macro's include; a directive that is not written as `_INCLUDE` expects; what another run may see otherwise

@@ -12,7 +12,7 @@ from pathlib import Path
 from rosarch.extractor.cache import extractor_version, hash_of
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.heal import OPTIONS, healed, keeps_calls, without_unknown, worth_healing
-from rosarch.extractor.cxx.includes import PRELUDE, SHIPPED_DIRS, HeaderFinder, Includes, assumed_message_class
+from rosarch.extractor.cxx.includes import CUDA_PRELUDE, PRELUDE, SHIPPED_DIRS, HeaderFinder, Includes, assumed_message_class
 from rosarch.extractor.cxx.libclang import Location
 from rosarch.extractor.cxx.recover import recover
 from rosarch.extractor.cxx.unit import UnitFacts, file_key
@@ -26,6 +26,8 @@ BASE_ARGUMENTS = (
     "-fno-access-control", "-fbracket-depth=2048", "-fno-spell-checking", "-ferror-limit=0",
 )  # fmt: skip
 
+# what the host runs, kernels included; kernels are launched by a syntax of their own
+CUDA_ARGUMENTS = ("-x", "cuda", "--cuda-host-only", "-nocudainc", "-nocudalib", *BASE_ARGUMENTS[2:], "-include", str(CUDA_PRELUDE))
 C_ARGUMENTS = ("-x", "c", "-std=gnu11", *(word for word in BASE_ARGUMENTS[3:] if word not in ("-nostdinc++", "-fno-access-control")))
 
 Rows = Mapping[str, set[tuple[str | int, ...]]]
@@ -44,8 +46,8 @@ class CompileUnit:
 
     @property
     def language(self) -> str:
-        """`c` for a C source, else `c++`."""
-        return "c" if self.source.suffix == ".c" else "c++"
+        """`c`, `cuda` or `c++`, by the name of the source."""
+        return {".c": "c", ".cu": "cuda"}.get(self.source.suffix, "c++")
 
 
 def _system(folders: Iterable[Path]) -> list[str]:
@@ -95,7 +97,7 @@ def parsed_unit(
     """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
     includes = includes or finder.closure(unit.source, unit.include_dirs, unit.installed)
     arguments = [
-        *(BASE_ARGUMENTS if unit.language == "c++" else C_ARGUMENTS),
+        *{"c": C_ARGUMENTS, "cuda": CUDA_ARGUMENTS, "c++": BASE_ARGUMENTS}[unit.language],
         *(f"-D{definition}" for definition in unit.definitions),
         *(f"-I{folder}" for folder in unit.include_dirs),
     ]
@@ -104,7 +106,7 @@ def parsed_unit(
         arguments += ["-include-pch", str(prelude)]
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts = _facts(root, includes, parsed)
-        if heal and unit.language == "c++" and worth_healing(facts, parsed):
+        if heal and unit.language != "c" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
                 again = _facts(root, includes, better) if better else None
                 if better and again and keeps_calls(facts.rows, again.rows):

@@ -6,7 +6,7 @@ import hashlib
 import os
 import re
 import zlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,6 +15,12 @@ from rosarch.extractor.cxx.includes import SHIPPED
 UNKNOWN = "rosarch_healed::unknown"
 
 _RANK = {"value": 1, "constant": 2, "function": 3, "class": 4, "template": 5, "base": 6, "namespace": 7}
+_MEMBER_KINDS = (
+    "function",
+    "constant",
+    "value",
+    "template",
+)  # a value can be called, a function cannot be read; template arguments need a template
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _KEYWORDS = frozenset(
     {"void", "int", "unsigned", "signed", "long", "short", "char", "bool", "float", "double", "auto", "const", "static"}
@@ -99,6 +105,12 @@ class Wanted:
         if parameters and parameters != node.parameters == "typename...":
             node.parameters, self.changed = parameters, True
 
+    def namespace(self, path: Sequence[str]) -> None:
+        """Take `path` for namespaces, however they are spelled."""
+        scope = self.top
+        for part in path:
+            scope = self._put(scope, part, "namespace").inner if part not in self.banned else {}
+
     def _put(self, scope: dict[str, Node], name: str, kind: str) -> Node:
         node = scope.get(name)
         if node is None:
@@ -145,34 +157,39 @@ class Wanted:
         owner = re.sub(r"\b(?:const|volatile|struct|class)\b|<.*", "", owner).strip()
         path = owner.split("::")
         if owner == UNKNOWN:
-            if self.members.get(name) not in (kind, "value") and name not in _KEYWORDS:
-                self.members[name], self.changed = kind, True  # a value can be called, a function cannot be read
+            rank = _MEMBER_KINDS.index(kind)
+            if name not in _KEYWORDS and (name not in self.members or rank > _MEMBER_KINDS.index(self.members[name])):
+                self.members[name], self.changed = kind, True
         elif len(path) > 1 and self._message(path[0], path[1].rstrip("_")).is_file():
             fields = self.messages.setdefault((path[0], path[1].rstrip("_")), {})
             if name not in fields:
                 fields[name], self.changed = kind == "constant", True
         elif self.find(path) is not None:
-            self.name([*path, name], kind)
+            self.name([*path, name], "function" if kind == "template" else kind)
         else:
             for base in sorted(self.bases.get(path[-1], ())):
-                self.name([*base.split("::"), name], kind)
+                self.name([*base.split("::"), name], "function" if kind == "template" else kind)
 
     def _message(self, package: str, name: str) -> Path:
         """Where the stand-in of a message is of which only the name is known (see `HeaderFinder`)."""
         return self.scratch / "absent" / "1" / package / f"{name}.h"
 
-    def ban(self, names: Iterable[str]) -> None:
-        """Leave out names that the workspace declares itself; the outermost of that name is in its way."""
+    def ban(self, names: Collection[str]) -> bool:
+        """Leave out names that the workspace declares itself; the outermost of that name is in its way. Return whether any is new."""
+        new = not self.banned.issuperset(names)
         for name in names:
             self.banned.add(name)
             if self.top.pop(name, None) is None and self.macros.pop(name, None) is None:
                 for scope in self._scopes():
                     scope.pop(name, None)
+        return new
 
     def write(self) -> Path:
         """Write `healed.h` and the messages; return their folder."""
         unknown = " ".join(
-            f"template <typename... A> unknown& {name}(A&&...) const;" if kind == "function" else f"static unknown {name};"
+            f"template <typename... T, typename... A> unknown& {name}(A&&...) const;"
+            if kind in ("function", "template")
+            else f"static unknown {name};"
             for name, kind in sorted(self.members.items())
         )
         lines = ["#pragma once", f"#define ROSARCH_UNKNOWN_MEMBERS {unknown}", f'#include "{SHIPPED / "healing.h"}"']

@@ -64,6 +64,7 @@ template <typename A, typename B> either<A, B, A&> operator%=(A&, const B&);
 template <typename A, typename B> either<A, B, A&> operator|=(A&, const B&);
 template <typename A, typename B> either<A, B, A&> operator&=(A&, const B&);
 template <typename A, typename B> either<A, B, A&> operator^=(A&, const B&);
+template <typename A, typename B> either<A, B, unknown&> operator,(const A&, const B&);
 template <typename A, typename B> either<A, B, A&> operator<<(A&&, const B&);
 template <typename A, typename B> either<A, B, A&> operator>>(A&&, B&&);
 

@@ -55,6 +55,13 @@ def bound(facts) -> list[str]:
         ("catch of an unknown type", "void f(Out out) { try { out.send(1); } catch (far::Error& e) { out.text(e.what()); } }"),
         ("stream of an unknown value", "#include <iostream>\nvoid f(Out out, far::A a) { std::cout << a.x << 3; out.send(a.x); }"),
         ("arithmetic", "void f(Out out, far::A a) { double d = 3 * a.x + 2.0 - a.y[1]; d += a.z; out.send(int(d) + a.x); }"),
+        ("member template of an unknown value", "void f(Out out, far::A a) { out.send(a.at<int>(3) + a.at<int>(4)); }"),
+        ("member template behind a member", "void f(Out out, far::A a) { out.send(a.b.at<int>(3)); }"),
+        ("list by commas", "void f(Out out) { far::Vec v((far::Vec(3) << 1, 2, 3).finished()); out.send(v.size()); }"),
+        (
+            "name in a namespace with a capital",
+            "namespace Far { struct A {}; } struct N { Far::B b; Far::C<int> c; void f(Out out) { out.send(b.size()); } };",
+        ),
         ("class that is only declared", "namespace ui { class Window; } void f(Out out, ui::Window* w) { out.send(w->size()); }"),
     ],
 )
