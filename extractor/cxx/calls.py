@@ -6,13 +6,21 @@ import re
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body, expressions, operands, strip, template_argument_texts
-from rosarch.extractor.cxx.declarations import declare_class, declare_function, declare_template_member, declare_type, declare_unknown_type
+from rosarch.extractor.cxx.declarations import (
+    declare_class,
+    declare_function,
+    declare_member_type,
+    declare_template_member,
+    declare_type,
+    declare_unknown_type,
+)
 from rosarch.extractor.cxx.libclang import Cursor, Tree
 
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*|new|delete)$")
 _VALUES = frozenset({kinds.STRING, kinds.INTEGER, kinds.FLOATING, kinds.BOOLEAN, kinds.CHARACTER, kinds.NULLPTR, kinds.INIT_LIST})
 _MEMBER_NAME = re.compile(r"(?:\.|->|::)\s*(?:template\s+)?(~?\w+)\s*$")
 _BUILTIN = re.compile(r"(unsigned |signed |long |short )*(int|bool|float|double|char|long|short|unsigned)")
+_MEMBER_TYPE = re.compile(r"(?:typename\s+)?\w+\s*::\s*(\w+)")
 _CONSTRUCTED = re.compile(rb"(?:\w+\s*::\s*)*\w+")
 _LAST_NAME = re.compile(r"(~?\w+)\s*(?:<.*>)?\s*$", re.DOTALL)
 
@@ -223,6 +231,8 @@ def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> 
                 target = libclang.referenced(child.cursor)
                 if child.kind == kinds.TYPE_REFERENCE and span.end == end:
                     return declare_type(body.unit, libclang.cursor_type(target))
+                if child.kind == kinds.TYPE_REFERENCE and (member := _MEMBER_TYPE.fullmatch(text)):
+                    return declare_member_type(body.unit, libclang.cursor_type(target), member.group(1)) or declare_unknown_type(body.unit, text)
                 if child.kind == kinds.TEMPLATE_REFERENCE and found is None:
                     found = target
     if found is not None:

@@ -202,6 +202,16 @@ def declare_template_member(unit: UnitFacts, expr: str, tree: Tree, name: str) -
                 unit.add("template_member_use", expr, owner, name)
 
 
+def declare_member_type(unit: UnitFacts, owner: Type, name: str) -> str | None:
+    """Record the member type `name` of `owner`; None when that is no template parameter."""
+    parameter = declare_type(unit, owner)
+    if not _TEMPLATE_PARAMETER.fullmatch(parameter):
+        return None
+    member = f"typename {parameter}::{name}"
+    unit.add("type_member", member, parameter, name)
+    return member
+
+
 def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
     """Return the qualified name of the class at `cursor`, recording its bases on first sight."""
     pattern = _pattern(cursor)
@@ -214,7 +224,10 @@ def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
     body = libclang.definition(pattern)
     for child in libclang.children(body if body.d0 else pattern) if pattern.kind in kinds.CLASSES else ():
         if child.kind == kinds.BASE_SPECIFIER:
-            declaration = libclang.type_declaration(libclang.cursor_type(child))
+            base = libclang.cursor_type(child)
+            if libclang.template_argument_count(base) > 0:
+                unit.add("class_base_instance", identifier, declare_type(unit, base))
+            declaration = libclang.type_declaration(base)
             if declaration.kind in kinds.CLASSES:
                 unit.add("class_base", identifier, declare_class(unit, declaration))
             else:

@@ -73,7 +73,7 @@ def walk_class(unit: UnitFacts, cursor: Cursor) -> None:
         if child.kind == kinds.FIELD or child.kind == kinds.VARIABLE:
             declare_variable(unit, child)
             lower_variable(Body(unit, Flow(), "", owner), libclang.tree(child))
-        elif child.kind in kinds.CLASSES or child.kind in kinds.FUNCTIONS:
+        elif child.kind in kinds.CLASSES or child.kind in kinds.FUNCTIONS or child.kind in (kinds.TYPEDEF, kinds.TYPE_ALIAS):
             _walk_declaration(unit, child)
 
 
