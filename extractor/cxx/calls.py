@@ -13,8 +13,9 @@ from rosarch.extractor.cxx.declarations import (
     declare_template_member,
     declare_type,
     declare_unknown_type,
+    is_template_parameter,
 )
-from rosarch.extractor.cxx.libclang import Cursor, Tree
+from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
 
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*|new|delete)$")
 _VALUES = frozenset({kinds.STRING, kinds.INTEGER, kinds.FLOATING, kinds.BOOLEAN, kinds.CHARACTER, kinds.NULLPTR, kinds.INIT_LIST})
@@ -73,6 +74,23 @@ def _lower_construction(body: Body, tree: Tree, constructor: Cursor) -> str:
     unit.add("call_function", call, declare_function(unit, constructor))
     unit.add("call_constructs", call, declare_class(unit, libclang.semantic_parent(constructor)))
     unit.add("expr_type", call, declare_type(unit, libclang.cursor_type(tree.cursor)))
+    for index, argument in enumerate(lowered):
+        unit.add("call_argument", call, index, argument)
+    body.flow.evaluate(call)
+    return call
+
+
+def lower_dependent_construction(body: Body, tree: Tree, type_: Type, values: Tree | None) -> str | None:
+    """Record that `tree` makes an object of `type_`, a parameter of its template, from the bracketed `values`; None for other types."""
+    unit = body.unit
+    parameter = declare_type(unit, type_)
+    if not is_template_parameter(parameter):
+        return None
+    lowered = [_lower(body, argument, text=True) for argument in (expressions(values) if values else ())]
+    call, _ = body.node(tree, "call")
+    unit.add("call", call, libclang.type_spelling(type_))
+    unit.add("call_unresolved", call, "dependent")
+    unit.add("expr_type", call, parameter)
     for index, argument in enumerate(lowered):
         unit.add("call_argument", call, index, argument)
     body.flow.evaluate(call)
@@ -232,7 +250,9 @@ def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> 
                 if child.kind == kinds.TYPE_REFERENCE and span.end == end:
                     return declare_type(body.unit, libclang.cursor_type(target))
                 if child.kind == kinds.TYPE_REFERENCE and (member := _MEMBER_TYPE.fullmatch(text)):
-                    return declare_member_type(body.unit, libclang.cursor_type(target), member.group(1)) or declare_unknown_type(body.unit, text)
+                    return declare_member_type(body.unit, libclang.cursor_type(target), member.group(1)) or declare_unknown_type(
+                        body.unit, text
+                    )
                 if child.kind == kinds.TEMPLATE_REFERENCE and found is None:
                     found = target
     if found is not None:

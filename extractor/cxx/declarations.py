@@ -198,14 +198,19 @@ def declare_template_member(unit: UnitFacts, expr: str, tree: Tree, name: str) -
     for child in tree.children:
         if child.kind == kinds.TYPE_REFERENCE:
             owner = declare_type(unit, libclang.cursor_type(child.cursor))
-            if _TEMPLATE_PARAMETER.fullmatch(owner):
+            if is_template_parameter(owner):
                 unit.add("template_member_use", expr, owner, name)
+
+
+def is_template_parameter(type_: str) -> bool:
+    """Whether this is what clang calls a parameter of a template."""
+    return bool(_TEMPLATE_PARAMETER.fullmatch(type_))
 
 
 def declare_member_type(unit: UnitFacts, owner: Type, name: str) -> str | None:
     """Record the member type `name` of `owner`; None when that is no template parameter."""
     parameter = declare_type(unit, owner)
-    if not _TEMPLATE_PARAMETER.fullmatch(parameter):
+    if not is_template_parameter(parameter):
         return None
     member = f"typename {parameter}::{name}"
     unit.add("type_member", member, parameter, name)

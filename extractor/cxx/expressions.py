@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from rosarch.extractor.cxx import kinds, libclang, literals
 from rosarch.extractor.cxx.body import Body, expressions, strip
-from rosarch.extractor.cxx.calls import lower_call
+from rosarch.extractor.cxx.calls import lower_call, lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_function, declare_template_member, declare_type, declare_variable, qualified_name
 from rosarch.extractor.cxx.libclang import Tree
 
@@ -212,7 +212,11 @@ def _lower_cast(body: Body, tree: Tree) -> str:
 
 
 def _lower_new(body: Body, tree: Tree) -> str:
-    expr = operator_expression(body, tree, "new", "new", expressions(tree)[-1:])
+    values = expressions(tree)[-1:]
+    made = lower_dependent_construction(body, tree, libclang.pointee(libclang.cursor_type(tree.cursor)), values[0] if values else None)
+    expr = operator_expression(body, tree, "new", "new", [] if made else values)
+    if made:
+        body.unit.add("operand", expr, 0, made)
     body.unit.add("expr_type", expr, declare_type(body.unit, libclang.cursor_type(tree.cursor)))
     return expr
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body, expressions, strip
+from rosarch.extractor.cxx.calls import lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_parameter, declare_variable
 from rosarch.extractor.cxx.expressions import lower_expression
 from rosarch.extractor.cxx.flow import Flow
@@ -60,7 +61,9 @@ def lower_variable(body: Body, tree: Tree) -> None:
     if libclang.cursor_type(tree.cursor).kind in kinds.TYPE_ARRAYS:
         values = [value for value in values if strip(value).kind in (kinds.INIT_LIST, kinds.STRING)]
     if values:
-        value = lower_expression(body, values[-1], text=True)
+        bracketed = values[-1] if values[-1].kind == kinds.UNEXPOSED_EXPR else None
+        made = lower_dependent_construction(body, tree, libclang.cursor_type(tree.cursor), bracketed) if bracketed else None
+        value = made or lower_expression(body, values[-1], text=True)
         body.unit.add("variable_initializer", variable, value)
         body.flow.evaluate(value)
 

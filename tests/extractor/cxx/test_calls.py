@@ -288,3 +288,14 @@ def test_a_call_through_a_dereferenced_pointer(facts_of) -> None:
 def test_a_called_function_object_has_its_arguments(facts_of) -> None:
     facts = body(facts_of, "a(4);")
     assert [facts.show(argument) for argument in facts.arguments(facts.call("operator()"))] == ["4"]
+
+
+def test_objects_of_a_parameter_of_the_template(extract) -> None:
+    facts = extract("template <class T> void f(int x) { T* p = new T(x, 3); T local(x); T* q = new T; }")
+    calls = sorted(str(call) for call, name in facts["call"] if name == "T")
+    assert [facts.arguments(call) and facts.show(facts.arguments(call)[0]) for call in calls] == ["x", "x", []]
+    assert {facts.one("call_unresolved", call) for call in calls} == {"dependent"}
+    assert {facts.one("expr_type", call) for call in calls} == {"type-parameter-0-0"}
+    assert {row[2] for row in facts["operand"] if str(row[0]).endswith(":new")} == {
+        call for call in calls if "3" in map(facts.show, facts.arguments(call)) or not facts.arguments(call)
+    }
