@@ -26,8 +26,8 @@ _ERROR = 3
 
 _QUOTED = re.compile(r"'([^']*)'")
 _CHAIN = re.compile(rb"\w+(?:\s*::\s*\w+)*")
-_QUALIFIER = re.compile(rb"((?:\w+\s*::\s*)+)$")
-_BASE_CLAUSE = re.compile(rb"[:,]\s*(?:(?:public|protected|private|virtual)\s+)*(?:\w+\s*::\s*)*$")
+_QUALIFIER = re.compile(rb"((?:\b(?!public\b|protected\b|private\b|virtual\b)\w+\s*::\s*)+)$")
+_BASE_CLAUSE = re.compile(rb"[:,]\s*(?:(?:public|protected|private|virtual)\s+)*(?:::\s*)?(?:\w+\s*::\s*)*$")
 _CLASS_HEAD = re.compile(rb"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?([\w:]+)[^;{}()]*$")
 _TEMPLATE = re.compile(rb"\s*<((?:[\w\s:,*&.]|<[\w\s:,*&.]*>)*)>\s*(.?)")
 _FOLLOWING = re.compile(rb"\s*(?:\[[^\]\n]*\]\s*|\([^()\n]*\)\s*)*(?:\.|->)\s*(\w+)")
@@ -35,8 +35,14 @@ _ARGUMENTS = re.compile(rb"\s*(<[\w\s:,*&.]*(?:<[\w\s:,*&.]*>[\w\s:,*&.]*)*>)?\s
 _DECLARATOR = re.compile(rb"\s*(?:const\s*)?[*&]*\s*[A-Za-z_]\w*\s*[;=,(){\[:]")
 _MACRO = re.compile(r"__\w+__|[A-Z][A-Z0-9_]{2,}")
 _MACRO_CALL = re.compile(rb"\s*\((?:[^()]|\([^()]*\))*\)\s*(.?)")
+_TRAILING_MACRO = re.compile(rb"\s*([A-Z][A-Z0-9_]{2,})\s*(\(?)")
 _DECLARATION = re.compile(rb"\s+[A-Za-z_]\w*(?:\s*[*&]+\s*|\s+|\s*<[^;{}]*>\s*|\s*::\s*)[A-Za-z_]")
 _CLASH = re.compile(r"redefinition of '(\w+)'|reference to '(\w+)' is ambiguous|conflicting types for '(\w+)'")
+_END_EXPECTED = (
+    "expected ';' at end of declaration list",
+    "expected ';' after top level declarator",
+    "expected function body after function declarator",
+)
 _NAME_ERRORS = ("use of undeclared identifier", "unknown type name", "no template named", "expected class name", "expected namespace name")
 
 Rows = Mapping[str, set[tuple[str | int, ...]]]
@@ -296,7 +302,9 @@ def _following(after: bytes) -> Iterator[tuple[str, str]]:
 def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: _Place) -> None:
     """What was declared in an earlier round, but not as it is used; and classes that are declared but not defined."""
     path = place.chain()[0]
-    if message.startswith("case value is not a constant") and path:
+    if message.startswith(_END_EXPECTED) and (macro := _TRAILING_MACRO.match(place.after)):  # `int x GUARDED_BY(mutex_);`
+        wanted.macro(macro.group(1).decode(), "(...)" if macro.group(2) else "")
+    elif message.startswith(("case value is not a constant", "enumerator value is not a constant")) and path:
         wanted.correct(path[-1], "constant")
     elif message.endswith("does not name a template but is followed by template arguments"):
         wanted.correct(quoted[0], "function")

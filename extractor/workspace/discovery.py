@@ -10,7 +10,16 @@ from pathlib import Path
 from rosarch.extractor.files import file_name, read_file
 from rosarch.extractor.hints import hint
 
-from . import commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values
+from . import (
+    commands_files,
+    commands_find,
+    commands_ignored,
+    commands_ros,
+    commands_string,
+    commands_targets,
+    commands_unknown,
+    commands_values,
+)
 from .cmake_limits import OutOfTime, time_limit
 from .cmake_state import PackageDraft
 from .drafts import finished_package
@@ -19,7 +28,16 @@ from .manifests import Manifest, find_manifests, quick_name, read_manifest
 from .model import Diagnostic, Package, Workspace
 from .options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
 
-COMMAND_MODULES = (commands_files, commands_find, commands_ignored, commands_ros, commands_string, commands_targets, commands_values)
+COMMAND_MODULES = (
+    commands_files,
+    commands_find,
+    commands_ignored,
+    commands_ros,
+    commands_string,
+    commands_targets,
+    commands_unknown,
+    commands_values,
+)
 
 
 def discover(

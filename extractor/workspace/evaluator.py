@@ -25,6 +25,7 @@ from .options import Options, initial_environment, initial_variables, versions
 
 Handler = Callable[["Evaluator", Call], None]
 COMMANDS: dict[str, Handler] = {}
+UNKNOWN_COMMAND = ""  # the handler of commands that nothing defines
 
 
 class World(Protocol):
@@ -310,10 +311,7 @@ class Evaluator:
         if procedure is not None:
             cmake_loops.call_procedure(self, procedure, self.expand_all(command.arguments))
             return
-        handler = COMMANDS.get(command.name)
-        if handler is None:
-            self.complain(command, "unknown-command", f"unknown command {command.written}")
-            return
+        handler = COMMANDS.get(command.name, COMMANDS[UNKNOWN_COMMAND])
         try:
             handler(self, Call(command, self.expand_all(command.arguments), self.file))
         except (IndexError, ValueError, ArithmeticError, OSError) as error:

@@ -256,3 +256,30 @@ def test_not_utf8(tmp_path: Path) -> None:
 def test_math(tmp_path: Path, expression: str, value: str) -> None:
     found, _ = evaluated(tmp_path, f'math(EXPR n "{expression}")\nadd_executable(x{value} a.cpp)\nadd_executable(y${{n}} a.cpp)', ABC)
     assert found.target(f"y{value}") is not None
+
+
+@pytest.mark.parametrize(
+    ("cmake", "programs", "said"),
+    [
+        ("add_library(core a.cpp)\ntool_binary(x SRCS b.cpp b.h)", ["x"], "unknown command tool_binary, taken for add_executable"),
+        ("tool_binary(x SRCS absent.cpp)", [], "unknown command tool_binary"),
+        ("tool_binary(x DEPENDS a)", [], "unknown command tool_binary"),
+        ("tool_test_executable(x a.cpp)", [], "unknown command tool_test_executable"),
+        ("add_executable(x a.cpp)\nadd_node(x b.cpp)", ["x"], "unknown command add_node"),
+        ("describe(x a.cpp)", [], "unknown command describe"),
+    ],
+)
+def test_a_command_of_an_absent_file_may_make_a_program(tmp_path: Path, cmake: str, programs: list[str], said: str) -> None:
+    found, workspace = evaluated(tmp_path, cmake, {**ABC, "b.h": ""})
+    assert [one.name for one in found.targets if one.kind == "executable"] == programs
+    assert [text.partition(": ")[2] for text in messages(workspace, tmp_path)] == [said]
+
+
+def test_a_program_of_an_unknown_command_may_use_the_libraries_of_its_package(tmp_path: Path) -> None:
+    found, workspace = evaluated(tmp_path, "add_library(core a.cpp)\ntool_library(more SRCS c.cpp)\ntool_binary(x SRCS b.cpp)", ABC)
+    assert names(target(found, "x")) == ["b.cpp"]
+    assert target(found, "x").links == ("core", "more")
+    assert [text.partition(": ")[2] for text in messages(workspace, tmp_path)] == [
+        "unknown command tool_library, taken for add_library",
+        "unknown command tool_binary, taken for add_executable",
+    ]

@@ -252,3 +252,22 @@ def test_includes_that_macros_decide(tmp_path: Path, text: str, predictable: boo
     (tmp_path / "a.cpp").write_text(text)
     finder = HeaderFinder(tmp_path, tmp_path / "scratch", lambda _name: None)
     assert finder.closure(tmp_path / "a.cpp", ()).predictable is predictable
+
+
+def test_flags_of_the_command_line_are_variables_with_a_value(flags: list[str]) -> None:
+    text = (
+        '#include <glog/logging.h>\nDEFINE_string(topic, "scan", "Topic.");\nDEFINE_double(rate, 10., "Rate.");\n'
+        "int main(int argc, char** argv) { google::InitGoogleLogging(argv[0]); google::ParseCommandLineFlags(&argc, &argv, true);\n"
+        'CHECK(!FLAGS_topic.empty()) << "no topic"; CHECK_GT(FLAGS_rate, 0.); LOG(INFO) << FLAGS_rate; }'
+    )
+    unit = _parse(text, flags)
+    assert _errors(unit) == []
+    variables = {cursor.spelling: cursor for cursor in unit.cursor.get_children() if cursor.kind == CursorKind.VAR_DECL}
+    literals = [cursor.spelling for cursor in variables["FLAGS_topic"].walk_preorder() if cursor.kind == CursorKind.STRING_LITERAL]
+    assert literals == ['"scan"']
+    assert variables["FLAGS_rate"].type.spelling == "double"
+
+
+def test_a_value_of_unknown_type_can_be_handed_over(flags: list[str]) -> None:
+    text = f'#include "{HEADERS}/healing.h"\n#include <memory>\nstruct N {{ N(std::unique_ptr<int>, int); }};\nvoid f(rosarch_healed::unknown u) {{ N n(std::move(u), 1); }}'
+    assert _errors(_parse(text, flags)) == []

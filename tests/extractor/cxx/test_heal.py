@@ -62,6 +62,13 @@ def bound(facts) -> list[str]:
             "name in a namespace with a capital",
             "namespace Far { struct A {}; } struct N { Far::B b; Far::C<int> c; void f(Out out) { out.send(b.size()); } };",
         ),
+        ("macro behind a member", "struct N { int x_ GUARDED_BY(m_); void go(Out out) LOCKS(m_) { out.send(x_ + unheard(1)); } };"),
+        ("macro behind a variable", "int x ALIGNED(8); void f(Out out) NOTHROW; void f(Out out) { out.send(x); }"),
+        ("base class from the global namespace", "struct N : public ::far::Base { void go(Out out) override { out.send(level_); } };"),
+        (
+            "enumerator that is an unknown constant",
+            "enum E { FIRST = far::START, SECOND }; void f(Out out, E e) { if (e == SECOND) out.send(FIRST); }",
+        ),
         ("class that is only declared", "namespace ui { class Window; } void f(Out out, ui::Window* w) { out.send(w->size()); }"),
     ],
 )

@@ -13,6 +13,7 @@ public:
   explicit unique_ptr(T*) noexcept;
   unique_ptr(T*, const D&) noexcept;
   unique_ptr(unique_ptr&&) noexcept;
+  unique_ptr(const unique_ptr&) noexcept;  // none in truth: for values of unknown type, which are given by reference
   template <class U, class E, class = typename enable_if<is_convertible<U*, T*>::value>::type> unique_ptr(unique_ptr<U, E>&&) noexcept;
   ~unique_ptr();
   unique_ptr& operator=(unique_ptr&&) noexcept;
@@ -32,6 +33,7 @@ public:
   explicit unique_ptr(T*) noexcept;
   unique_ptr(T*, const D&) noexcept;
   unique_ptr(unique_ptr&&) noexcept;
+  unique_ptr(const unique_ptr&) noexcept;  // none in truth: for values of unknown type, which are given by reference
   unique_ptr& operator=(unique_ptr&&) noexcept;
   unique_ptr& operator=(nullptr_t) noexcept;
   T& operator[](size_t) const; T* get() const noexcept; T* release() noexcept;
