@@ -9,8 +9,9 @@ from rosarch.datalog.conventions import unconventional
 from rosarch.datalog.errors import Diagnostic
 from rosarch.extractor.manifest import rules_folder
 from rosarch.models.own_rules import own_files
-from rosarch.models.rule_sets import component_program, rule_set, system_rules
+from rosarch.models.rule_sets import RuleSet, component_program, rule_set, system_rules
 from rosarch.models.system.findings import evidence_of, shown_as
+from rosarch.models.variants import decisions
 
 
 def lint_rules(own: Sequence[Path] = ()) -> list[Diagnostic]:
@@ -21,15 +22,23 @@ def lint_rules(own: Sequence[Path] = ()) -> list[Diagnostic]:
         CheckError: a check is not as it should be.
         DatalogError: the rules are wrong.
     """
-    rules = rule_set(own)
+    found = _lint(rule_set(own), own)
+    for decision in () if own else decisions():
+        for variant in decision.variants:
+            if variant.path != decision.default:
+                own_file = str(variant.path)
+                found += [d for d in _lint(rule_set(variants={decision.name: variant.name})) if d.location and d.location.path == own_file]
+    return sorted(set(found), key=lambda diagnostic: diagnostic.location or ("", 0, 0))
+
+
+def _lint(rules: RuleSet, own: Sequence[Path] = ()) -> list[Diagnostic]:
     folder = rules_folder()
     files = {str(path) for path in own_files(own)} if own else {str(path) for path in folder.rglob("*.dl")}
     system = system_rules(rules)
     types = {type_ for check in system.checks for _, type_ in check.columns}
     shown = {check.relation for check in system.checks} | {name for type_ in types for name in (evidence_of(type_), shown_as(type_))}
     options = {name for name in component_program(rules).relations if name.startswith("option")}
-    found = [
+    return [
         *unconventional(component_program(rules), files.__contains__, options),
         *unconventional(system.program, files.__contains__, shown | options),
     ]
-    return sorted(set(found), key=lambda diagnostic: diagnostic.location or ("", 0, 0))

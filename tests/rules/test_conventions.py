@@ -13,6 +13,7 @@ from rosarch.datalog import RelationDecl, load_declarations
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import rules_folder
 from rosarch.extractor.pipeline import extract
+from rosarch.models.rule_lint import lint_rules
 from rosarch.models.rule_sets import component_program, rule_set, system_rules
 from rosarch.models.variants import Decision, decisions
 
@@ -20,7 +21,6 @@ RULES = rules_folder()
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FILES = sorted(RULES.rglob("*.dl"))
 DIRECTIVE = re.compile(r"^\s*\.(input|output|printsize)\s+(\w+)", re.MULTILINE)
-SNAKE = re.compile(r"(_?[a-z][a-z0-9]*(_[a-z0-9]+)*\.)?_?[a-z][a-z0-9]*(_[a-z0-9]+)*")
 
 # extracted only from sources that no example has: each with the test that fills it
 ELSEWHERE = {"source_failed": "tests/extractor/test_pipeline.py"}
@@ -29,29 +29,17 @@ ELSEWHERE = {"source_failed": "tests/extractor/test_pipeline.py"}
 PROGRAMS = ("component.dl", "system.dl")
 CHECKS = sorted((RULES / "checks").glob("*.dl"))
 DECISIONS = decisions()
-VARIANTS = [(decision.name, variant.name) for decision in DECISIONS for variant in decision.variants]
 
 
 @lru_cache
 def programs() -> list[Mapping[str, RelationDecl]]:
     """The relations of the rules of components and of systems, checks included, with each of the variants."""
     found = [load_declarations(RULES / "component.dl"), load_declarations([RULES / "system.dl", *CHECKS])]
-    for name, variant in VARIANTS:
-        rules = rule_set(variants={name: variant})
-        found.append(
-            component_program(rules).relations if _decision(name).program == "component" else system_rules(rules).program.relations
-        )
+    for decision in DECISIONS:
+        for variant in decision.variants:
+            rules = rule_set(variants={decision.name: variant.name})
+            found.append(component_program(rules).relations if decision.program == "component" else system_rules(rules).program.relations)
     return found
-
-
-@lru_cache
-def declarations() -> dict[str, RelationDecl]:
-    """All of them."""
-    return {name: declaration for program in programs() for name, declaration in program.items()}
-
-
-def _decision(name: str) -> Decision:
-    return next(decision for decision in DECISIONS if decision.name == name)
 
 
 @lru_cache
@@ -61,13 +49,6 @@ def system_schema() -> dict[str, RelationDecl]:
 
 def file_of(declaration: RelationDecl) -> str:
     return Path(declaration.location.path).resolve().relative_to(RULES.resolve()).as_posix()
-
-
-def is_api(declaration: RelationDecl) -> bool:
-    return file_of(declaration).startswith("api/")
-
-
-PUBLIC = sorted(name for name in declarations() if not name.rpartition(".")[2].startswith("_"))
 
 
 def test_every_file_is_part_of_the_program() -> None:
@@ -91,27 +72,9 @@ def test_every_decision_is_documented_and_has_two_answers(decision: Decision) ->
     assert [variant.name for variant in decision.variants if not variant.doc.endswith(".")] == []
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_public_relations_are_documented(name: str) -> None:
-    declaration = declarations()[name]
-    assert declaration.doc.strip(), "no /// comment"
-    if not is_api(declaration):
-        assert re.search(r"(?<=[.]) (Must|May)\b|\b(Must|May)(, or a candidate| when there is one)?\.", declaration.doc), declaration.doc
-
-
-@pytest.mark.parametrize("name", [name for name in PUBLIC if declarations()[name].doc])
-def test_a_comment_says_what_each_attribute_is(name: str) -> None:
-    declaration = declarations()[name]
-    assert [attribute.name for attribute in declaration.attributes if f"`{attribute.name}`" not in declaration.doc] == []
-
-
-@pytest.mark.parametrize("name", sorted(declarations()))
-def test_names_and_arity(name: str) -> None:
-    declaration = declarations()[name]
-    assert SNAKE.fullmatch(name)
-    assert 1 <= len(declaration.attributes) <= 6
-    for attribute in declaration.attributes:
-        assert SNAKE.fullmatch(attribute.name)
+def test_the_rules_keep_to_their_conventions() -> None:
+    """Comments, certainty, names, and no relation that is of no use: what `rosarch rules lint` tells of anybody's rules."""
+    assert [diagnostic.headline for diagnostic in lint_rules()] == []
 
 
 def test_inputs_are_the_schema() -> None:
