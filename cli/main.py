@@ -9,65 +9,19 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli import (
-    analyze,
-    browse,
-    check,
-    checks,
-    choices,
-    diff,
-    doctor,
-    experiment,
-    explain,
-    export,
-    extract,
-    graph,
-    includes,
-    language_server,
-    launch,
-    library,
-    new,
-    query,
-    rules,
-    rules_test,
-    score,
-    show,
-    watch,
-)
+from rosarch.cli.commands import Commands
 from rosarch.cli.errors import run
 
 app = typer.Typer(
     name="rosarch",
     help="Reads the source of a ROS system and says what the system is and does, without building or running it.",
     epilog="Exit codes: 0 clean, 1 findings, 2 usage or input error. Reports go to stdout, everything else to stderr.",
+    cls=Commands,
     invoke_without_command=True,
+    rich_markup_mode=None,  # to import rich takes longer than all else that help needs
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command("extract")(extract.extract)
-app.command("analyze")(analyze.analyze)
-app.add_typer(show.app, name="show")
-show.app.command("graph")(graph.graph)
-show.app.command("includes")(includes.includes)
-app.add_typer(export.app, name="export")
-app.command("diff")(diff.diff)
-app.command("launch")(launch.launch)
-app.command("check")(check.check)
-app.add_typer(library.app, name="library")
-app.command("score")(score.score)
-app.command("experiment")(experiment.experiment)
-app.command("doctor")(doctor.doctor)
-app.command("query")(query.query)
-app.command("explain")(explain.explain)
-app.command("why-not")(explain.why_not)
-app.add_typer(rules.app, name="rules")
-rules.app.command("test")(rules_test.test)
-rules.app.command("checks")(checks.checks)
-app.command("options")(choices.options)
-app.add_typer(new.app, name="new")
-app.command("watch")(watch.watch)
-app.command("browse")(browse.browse)
-app.command("language-server")(language_server.language_server)
 
 
 def _print_version(wanted: bool) -> None:

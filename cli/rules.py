@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rosarch.cli.checks import checks
 from rosarch.cli.derivations import Component, Profiled, asked, check_profile, datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder, unwritable
@@ -170,3 +171,6 @@ def doc(
         out.write_text(text, encoding="utf-8")
     except OSError as error:
         raise unwritable(out, error) from None
+
+
+app.command("checks")(checks)

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.errors import InputError
+from rosarch.cli.graph import graph
+from rosarch.cli.includes import includes
 from rosarch.cli.inputs import load_analysis
 from rosarch.cli.options import (
     Cached,
@@ -131,6 +133,10 @@ def machine(
 
     machines = [build_machine(to_json(model), max_states=max_states, joint=joint) for model in models]
     emit(machines_text(machines, output_format.value))
+
+
+app.command("graph")(graph)
+app.command("includes")(includes)
 
 
 def _models(

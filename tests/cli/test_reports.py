@@ -130,3 +130,16 @@ def test_help_loads_no_analysis() -> None:
     code = "import sys; from rosarch.cli.main import main; main(['--version']); print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert not {"clang", "lark", "yaml", "numpy", "rosarch.datalog", "rosarch.extractor"} & set(loaded)
+
+
+def test_the_help_tells_what_the_modules_of_commands_tell(rosarch: Callable) -> None:
+    from rosarch.cli.commands import COMMANDS, load_command
+
+    told = rosarch("--help").out
+    for name, (_, summary) in COMMANDS.items():
+        assert load_command(name).help.partition("\n\n")[0].replace("\n", " ") == summary
+        assert f"\n  {name} " in told
+
+
+def test_the_help_of_a_group_is_not_cut_off(rosarch: Callable) -> None:
+    assert "..." not in rosarch("show", "--help").out.replace("]...", "")
