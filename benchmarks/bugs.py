@@ -21,7 +21,9 @@ import yaml
 from rosarch.cli.inputs import extraction_cache
 from rosarch.models.findings import Finding
 from rosarch.models.system.analysis import analyze_systems
-from rosarch.models.system.launches import Surroundings, given, parse_request
+from rosarch.models.system.launches import given
+from rosarch.models.system.reading import Reading
+from rosarch.models.system.requests import Surroundings, parse_request
 
 
 def check_tree(bug: dict[str, Any], side: str, tree: Path, bugs: Path) -> tuple[Finding, ...]:
@@ -40,7 +42,7 @@ def check_tree(bug: dict[str, Any], side: str, tree: Path, bugs: Path) -> tuple[
         texts.append([str(bugs / bug["launch_inline_file"])])
     if bug.get("launch_mode") == "together":
         texts = [[word for words in texts for word in words]]
-    return analyze_systems(tree, given(map(parse_request, map(shlex.join, texts)), where), cache=extraction_cache(True)).findings
+    return analyze_systems(tree, given(map(parse_request, map(shlex.join, texts)), where), Reading(cache=extraction_cache(True))).findings
 
 
 def document(finding: Finding, tree: Path) -> dict[str, Any]:

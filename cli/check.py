@@ -23,16 +23,17 @@ from rosarch.cli.check_options import (
     make_policy,
 )
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
-from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, parse_defines
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, load_systems
+from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, check_systems
 from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
     from rosarch.extractor.suppressions import Suppression
-    from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.models.findings import Check
+    from rosarch.models.rule_choice import RuleSet
+    from rosarch.models.system.checked import Checked
 
 
 def check(
@@ -63,14 +64,12 @@ def check(
     verbose: Talkative = False,
 ) -> None:
     """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
-    from rosarch.models.rule_sets import system_rules
     from rosarch.reports.findings import scope_text
 
     check_folder(folder)
     destinations = parse_destinations(output_format, outputs)
     rules = parse_rules(own, variants, settings)
-    with datalog_errors():
-        checks = system_rules(rules).checks
+    checks = _checks(rules)
     configuration = load_configuration(folder, config, checks)
     policy = make_policy(
         configuration, checks, errors=errors, warnings=warnings, notes=notes, ignored=ignored, fail_on=fail_on, exit_zero=exit_zero
@@ -78,28 +77,40 @@ def check(
     known = baseline or (Path(configuration.baseline) if configuration.baseline and write_baseline is None else None)
     extraction = (engine, jobs, timeout, parse_defines(defines), cached)
     inputs = SystemInputs(folder, launches, package_path, environment, libraries, *extraction, rules)
-    analysis = load_systems(inputs, configuration, required=True)
-    show_remaining(analysis, folder, verbose)
+    checked = check_systems(inputs, configuration)
+    show_remaining(checked, folder, verbose)
     reported = judge(
-        analysis.findings,
+        checked.findings,
         policy,
-        _suppressions(folder, analysis),
+        _suppressions(folder, checked),
         checks=checks,
         baseline=known,
         new_baseline=write_baseline,
         complete=not launches,
     )
-    write_reports(reported, destinations, folder, notes=verbose, scope=scope_text(analysis.systems))
+    write_reports(reported, destinations, folder, notes=verbose, scope=scope_text(checked.scope))
     if reported.exit_code:
         raise typer.Exit(reported.exit_code)
 
 
-def _suppressions(folder: Path, analysis: SystemAnalysis) -> Iterable[Suppression]:
-    """The comments in all files that the analysis rests on."""
+def _checks(rules: RuleSet) -> tuple[Check, ...]:
+    """All checks; the user's own must be rules that make sense."""
+    from rosarch.models.rule_choice import SHIPPED
+
+    if rules == SHIPPED:
+        from rosarch.models.checks import shipped_checks
+
+        return shipped_checks()
+    from rosarch.cli.derivations import datalog_errors
+    from rosarch.models.rule_sets import system_rules
+
+    with datalog_errors():
+        return system_rules(rules).checks
+
+
+def _suppressions(folder: Path, checked: Checked) -> Iterable[Suppression]:
+    """The comments in all files that the findings rest on."""
     from rosarch.extractor.files import folder_reader
     from rosarch.extractor.suppressions import find_suppressions
 
-    paths = {path for model in analysis.models for path in model.sources}
-    paths |= {evidence.place.path for finding in analysis.findings for evidence in finding.evidence}
-    paths |= {place.path for system in analysis.systems for node in system.nodes for place in node.lines}
-    return find_suppressions(sorted(paths), folder_reader(folder))
+    return find_suppressions(checked.files, folder_reader(folder))

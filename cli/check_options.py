@@ -59,12 +59,14 @@ Talkative = Annotated[bool, typer.Option("--verbose", "-v", help="Show notes in 
 
 def load_configuration(folder: Path, file: Path | None, checks: Iterable[Check]) -> Configuration:
     """The configuration in `file`, or of a workspace, with paths relative to the current folder; an empty one when there is none."""
-    from rosarch.models.configuration import NAME, Configuration, ConfigurationError, read_configuration
-    from rosarch.models.policy import identifiers
+    from rosarch.models.configuration import NAME, Configuration
 
     path = file or folder / NAME
     if file is None and not path.exists():
         return Configuration()
+    from rosarch.models.configuration_reader import ConfigurationError, read_configuration
+    from rosarch.models.policy import identifiers
+
     try:
         found = read_configuration(read_input(path), str(path), identifiers(checks))
     except ConfigurationError as error:

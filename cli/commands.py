@@ -3,39 +3,62 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Any
+from typing import Any, cast
 
 import typer
 from typer.core import TyperGroup
 
 COMMANDS = {
-    "extract": ("extract", "Read the packages below DIR and write their facts, one folder of Soufflé .facts files per node or nodelet."),
-    "analyze": ("analyze", "Say what each node and nodelet below DIR is connected to: its ports, with types and source lines, and its parameters."),
-    "diff": (
-        "diff",
-        "Compare two folders or git revisions: ports, rates, reactions, states, connections, findings. Exits with 1 when something differs.",
-    ),
-    "launch": ("launch", "Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything."),
-    "check": (
-        "check",
-        "Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together.",
-    ),
-    "score": ("score", ""),
-    "experiment": ("experiment", ""),
-    "doctor": ("doctor", "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it."),
-    "query": ("query", "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR."),
-    "explain": ("explain", "Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about."),
-    "why-not": (
-        "explain:why_not",
-        "Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there.",
-    ),
-    "show": ("show:app", "Show one aspect of a system."),
-    "export": ("export:app", "Write systems in the languages of other tools."),
-    "library": ("library:app", "The interfaces of common components, for systems that use them without their source."),
-    "rules": ("rules:app", "Run, test and document rules."),
-    "language-server": ("language_server", ""),
+    "extract": "extract",
+    "analyze": "analyze",
+    "show": "show:app",
+    "export": "export:app",
+    "diff": "diff",
+    "launch": "launch",
+    "check": "check",
+    "library": "library:app",
+    "score": "score",
+    "experiment": "experiment",
+    "doctor": "doctor",
+    "query": "query",
+    "explain": "explain",
+    "why-not": "explain:why_not",
+    "rules": "rules:app",
+    "options": "choices:options",
+    "new": "new:app",
+    "watch": "watch",
+    "browse": "browse",
+    "language-server": "language_server",
 }
-"""Where each is, `module` or `module:name`, and the first paragraph of its help."""
+"""Where each is, `module` or `module:name`."""
+SUMMARIES = {
+    "extract": "Read the packages below DIR and write their facts, one folder of Soufflé .facts files per node or nodelet.",
+    "analyze": "Say what each node and nodelet below DIR is connected to: its ports, with types and source lines, and its parameters.",
+    "diff": "Compare two folders or git revisions: ports, rates, reactions, states, connections, findings. Exits with 1 when something"
+    " differs.",
+    "launch": "Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything.",
+    "check": "Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit"
+    " together.",
+    "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
+    "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",
+    "explain": "Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about.",
+    "why-not": "Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there.",
+    "show": "Show one aspect of a system.",
+    "export": "Write systems in the languages of other tools.",
+    "library": "The interfaces of common components, for systems that use them without their source.",
+    "rules": "Run, test and document rules.",
+    "score": "Analyse the components that TRUTH is about and say how much of it was found, how much of what was found is true, and what"
+    " agrees.",
+    "experiment": "Run every variant on every subject: precision, recall and F1 with intervals, differences, whether these are chance, and"
+    " the cost.",
+    "options": "List the options of the rules, and the decisions that have several variants, with their defaults.",
+    "new": "Begin a check, a relation or the API of a library: rules, docs and a test that passes.",
+    "watch": "Print what rules derive and, whenever a rule or a source is saved, what that has changed. Ends with Ctrl-C.",
+    "browse": "Look through relations: what each holds, its rows, the proof of a row and the source it is about.",
+    "language-server": "Serve the Language Server Protocol on stdin and stdout, for rule files; editors start this themselves"
+    " (docs/editor.md).",
+}
+"""The first paragraph of the help of each."""
 
 
 class Group(TyperGroup):
@@ -56,7 +79,7 @@ class Commands(Group):
 
     def __init__(self, **attributes: Any) -> None:
         super().__init__(**attributes)
-        self.commands.update(dict.fromkeys(COMMANDS))  # their names, for suggestions
+        self.commands.update(cast(dict[str, Any], dict.fromkeys(COMMANDS)))  # their names, for suggestions
 
     def list_commands(self, ctx: Any) -> list[str]:
         """The names, in the order of the help."""
@@ -68,12 +91,12 @@ class Commands(Group):
 
     def summary(self, name: str) -> str:
         """The first paragraph of the help of a sub-command."""
-        return COMMANDS[name][1]
+        return SUMMARIES[name]
 
 
 def load_command(name: str) -> Any:
     """A sub-command, a group of its own or a function."""
-    module, _, attribute = COMMANDS[name][0].partition(":")
+    module, _, attribute = COMMANDS[name].partition(":")
     found = getattr(import_module(f"rosarch.cli.{module}"), attribute or module)
     app = typer.Typer(rich_markup_mode=None)
     if isinstance(found, typer.Typer):

@@ -14,7 +14,7 @@ from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
-    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
     from rosarch.models.analysis import Analysis
     from rosarch.models.rule_sets import RuleSet
 

@@ -45,6 +45,10 @@ Settings = Annotated[
 
 def parse_rules(own: Sequence[Path] | None = None, variants: Sequence[str] | None = None, options: Sequence[str] | None = None) -> RuleSet:
     """The rules that the options name, checked. What files of the user's own override is told on stderr."""
+    from rosarch.models.rule_choice import SHIPPED
+
+    if not (own or variants or options):
+        return SHIPPED
     from rosarch.models.rule_sets import check_own, overridden, rule_set
 
     with datalog_errors():

@@ -14,6 +14,7 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder, unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.rules_test import test
 from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit, progress
 
@@ -173,4 +174,5 @@ def doc(
         raise unwritable(out, error) from None
 
 
+app.command("test")(test)
 app.command("checks")(checks)

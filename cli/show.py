@@ -128,7 +128,7 @@ def machine(
         names = ", ".join(f"{model.package}/{model.component}" for model in models)
         raise InputError(f"{folder}: {len(models)} components; choose one for {output_format.value}: {names}")
     from rosarch.models.component import to_json
-    from rosarch.models.machine import build_machine
+    from rosarch.models.machine.build import build_machine
     from rosarch.reports.machines import machines_text
 
     machines = [build_machine(to_json(model), max_states=max_states, joint=joint) for model in models]

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -16,10 +16,15 @@ from rosarch.cli.options import Engine, parse_environment
 from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
+    from rosarch.extractor.memo import Memo
+    from rosarch.extractor.units import Progress
     from rosarch.models.configuration import Configuration
-    from rosarch.models.rule_sets import RuleSet
-    from rosarch.models.system.analysis import Launch, Surrounding, SystemAnalysis
-    from rosarch.models.system.launches import Request, Surroundings
+    from rosarch.models.rule_choice import RuleSet
+    from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.models.system.checked import Checked
+    from rosarch.models.system.reading import Reading
+    from rosarch.models.system.requests import Request, Surroundings
+    from rosarch.models.system.surrounding import Launch, Surrounding
 
 Launches = Annotated[
     list[str] | None,
@@ -80,67 +85,98 @@ def load_systems(inputs: SystemInputs, configuration: Configuration | None = Non
 
     When some are `required`, a workspace without launch files is refused.
     """
+    where = _surroundings(inputs, configuration)
+    return _analyze(inputs, configuration, where, _memo(inputs, where), required=required)
+
+
+def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked:
+    """What is wrong with these systems, see `load_systems`; as it was found before when nothing has changed since."""
+    where = _surroundings(inputs, configuration)
+    memo = _memo(inputs, where)
+
+    def check() -> Checked:
+        from rosarch.models.system.checked import checked
+
+        return checked(_analyze(inputs, configuration, where, memo, required=True))
+
+    if memo is None:
+        return check()
+    folders = [os.path.abspath(folder) for folder in (*where.package_path, *(inputs.library or ()))]
+    asked = [repr(_requests(inputs, configuration)), repr(folders), *_reading(inputs).key()]
+    return memo.recall(["check", os.path.abspath(inputs.folder), os.getcwd(), *asked], folders, check)
+
+
+def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
+    """The launches that the options name, and what is known around them, for questions about the systems."""
+    from rosarch.models.system.surrounding import surrounding
+
+    with progress() as report:
+        where = _surroundings(inputs, None)
+        launches = _launches(inputs, None, where)
+        return surrounding(inputs.folder, launches, _reading(inputs, report), _memo(inputs, where)), launches
+
+
+def _analyze(
+    inputs: SystemInputs, configuration: Configuration | None, where: Surroundings, memo: Memo | None, *, required: bool
+) -> SystemAnalysis:
     from rosarch.models.system.analysis import analyze_systems
 
     with progress() as report:
-        launches = _launches(inputs, configuration)
+        launches = _launches(inputs, configuration, where)
         if required and not launches:
             raise InputError(f"{inputs.folder}: no launch file below this folder")
-        analysis = analyze_systems(inputs.folder, launches, progress=report, **_options(inputs))
+        analysis = analyze_systems(inputs.folder, launches, _reading(inputs, report), memo)
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
     return analysis
 
 
-def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
-    """The launches that the options name, and what is known around them, for questions about the systems."""
-    from rosarch.models.system.analysis import surrounding
+def _reading(inputs: SystemInputs, report: Progress | None = None) -> Reading:
+    from rosarch.models.rule_choice import SHIPPED
+    from rosarch.models.system.reading import Reading
 
-    with progress() as report:
-        launches = _launches(inputs, None)
-        return surrounding(inputs.folder, launches, progress=report, **_options(inputs)), launches
-
-
-def _options(inputs: SystemInputs) -> dict[str, Any]:
-    from rosarch.models.rule_sets import SHIPPED
-
-    return {
-        "rules": inputs.rules or SHIPPED,
-        "library": tuple(map(check_folder, inputs.library or ())),
-        "engine": inputs.engine.value,
-        "jobs": inputs.jobs,
-        "timeout": inputs.timeout,
-        "defines": inputs.defines,
-        "cache": extraction_cache(inputs.cached),
-    }
+    library = tuple(map(check_folder, inputs.library or ()))
+    cache = extraction_cache(inputs.cached)
+    return Reading(inputs.rules or SHIPPED, library, inputs.engine.value, inputs.jobs, inputs.timeout, inputs.defines, cache, report)
 
 
-def _launches(inputs: SystemInputs, configuration: Configuration | None) -> list[Launch]:
-    from rosarch.models.system.launches import LaunchWordError, given, unincluded
+def _memo(inputs: SystemInputs, where: Surroundings) -> Memo | None:
+    """What is known of earlier runs; nothing of those of another program than rosarch's own engine, which may be another one now."""
+    from rosarch.extractor.memo import Memo
 
-    check_folder(inputs.folder)
-    check_engine(inputs.engine)
-    where = _surroundings(inputs, configuration)
+    cache = extraction_cache(inputs.cached)
+    return Memo(cache, where.variables()) if cache and inputs.engine is Engine.embedded else None
+
+
+def _launches(inputs: SystemInputs, configuration: Configuration | None, where: Surroundings) -> list[Launch]:
+    from rosarch.models.system.launches import given, unincluded
+    from rosarch.models.system.requests import LaunchWordError
+
+    requests = _requests(inputs, configuration)
     try:
-        requests = _requests(inputs, configuration)
         return given(requests, where) if requests else unincluded(where)
     except LaunchWordError as error:
         raise InputError(str(error)) from None
 
 
 def _requests(inputs: SystemInputs, configuration: Configuration | None) -> list[Request]:
-    from rosarch.models.system.launches import Request, parse_request
+    from rosarch.models.system.requests import LaunchWordError, Request, parse_request
 
     if list(inputs.launches or ()) == [EVERY]:
         return []
     if inputs.launches or configuration is None:
-        return list(map(parse_request, inputs.launches or ()))
+        try:
+            return list(map(parse_request, inputs.launches or ()))
+        except LaunchWordError as error:
+            raise InputError(str(error)) from None
     return [Request(choice.files, choice.arguments) for choice in configuration.launch]
 
 
 def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> Surroundings:
-    from rosarch.models.system.launches import Surroundings
+    from rosarch.models.system.requests import Surroundings
 
+    check_folder(inputs.folder)
+    check_engine(inputs.engine)
     environment = dict(os.environ)
     folders = [Path(folder) for folder in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if os.path.isdir(folder)]
     if configuration is not None:

@@ -17,8 +17,9 @@ from rosarch.cli.errors import BROKEN_PIPE, InputError
 if TYPE_CHECKING:
     from rich.progress import TaskID
 
-    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
     from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.models.system.checked import Checked
 
 REFRESH_SECONDS = 0.1
 _reports: list[Callable[[str, int, int], None]] = []
@@ -51,7 +52,7 @@ def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool, base: Pat
     sys.stderr.write(diagnostics_text(diagnostics, base or Path.cwd(), complete=verbose))
 
 
-def show_remaining(analysis: SystemAnalysis, folder: Path, verbose: bool) -> None:
+def show_remaining(analysis: SystemAnalysis | Checked, folder: Path, verbose: bool) -> None:
     """Tell on stderr what of systems was not understood: all of it, or in short what no finding tells."""
     from rosarch.reports.diagnostics import diagnostics_summary
 

@@ -6,20 +6,19 @@ result.rows("path")
 query(program, result, "path(X, Y), X != Y").rows
 print(proof_text(explain(program, result, "path(a, b)")))
 
-`docs/datalog.md` shows the whole interface. What is not needed to evaluate is imported when it is first used.
+`docs/datalog.md` shows the whole interface. All of it is imported when it is first used.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from .errors import DatalogError, Diagnostic, Location
-from .facts import read_facts, write_facts
-from .program import Attribute, Program, RelationDecl, Result, is_compiled, load_declarations, load_program
-
 if TYPE_CHECKING:
+    from .errors import DatalogError, Diagnostic, Location
+    from .facts import read_facts, write_facts
     from .near_misses import WhyNot, why_not, why_not_text
     from .overrides import Overridden
     from .profiling import Profile, profile, profile_text
+    from .program import Attribute, Program, RelationDecl, Result, is_compiled, load_declarations, load_program
     from .proof_printer import Layout, proof_text
     from .proofs import Proof
     from .prover import explain, explain_all
@@ -31,8 +30,11 @@ if TYPE_CHECKING:
     from .source_lines import SourceLines, folder_reader
 
 _LATER = {
+    "errors": ("DatalogError", "Diagnostic", "Location"),
+    "facts": ("read_facts", "write_facts"),
     "near_misses": ("WhyNot", "why_not", "why_not_text"),
     "overrides": ("Overridden",),
+    "program": ("Attribute", "Program", "RelationDecl", "Result", "is_compiled", "load_declarations", "load_program"),
     "profiling": ("Profile", "profile", "profile_text"),
     "proof_printer": ("Layout", "proof_text"),
     "proofs": ("Proof",),

@@ -12,15 +12,17 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import platformdirs
-
 CACHE_VARIABLE = "ROSARCH_CACHE_DIR"
 
 
 def cache_folder() -> Path:
     """`ROSARCH_CACHE_DIR`, or the user's cache folder."""
     chosen = os.environ.get(CACHE_VARIABLE)
-    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("rosarch"))
+    if chosen:
+        return Path(chosen)
+    import platformdirs
+
+    return Path(platformdirs.user_cache_dir("rosarch"))
 
 
 @cache

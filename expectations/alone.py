@@ -14,9 +14,10 @@ from rosarch.models import places
 from rosarch.models.component import ComponentModel
 from rosarch.models.findings import Finding
 from rosarch.models.rule_sets import RuleSet, system_rules
-from rosarch.models.system.build import evaluate, merged
+from rosarch.models.system.build import evaluate
 from rosarch.models.system.findings import findings
 from rosarch.models.system.interfaces import model_rows
+from rosarch.models.system.rows import merged
 from rosarch.models.system.workspace import shared_rows
 
 

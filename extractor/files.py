@@ -8,6 +8,8 @@ import stat
 from collections.abc import Callable
 from pathlib import Path
 
+from rosarch.extractor import observation
+
 _LONGEST = 200
 """Bytes of a file's name, with room for a suffix."""
 
@@ -29,9 +31,15 @@ def path_below(folder: Path, *names: str) -> Path:
 
 def read_file(path: str | Path) -> bytes:
     """The content of a regular file; OSError for anything else: to read a pipe would block, to read a device might never end."""
-    if not stat.S_ISREG(os.stat(path).st_mode):
-        raise OSError(errno.EINVAL, "not a regular file", str(path))
-    return Path(path).read_bytes()
+    status = content = None
+    try:
+        status = os.stat(path)
+        if not stat.S_ISREG(status.st_mode):
+            raise OSError(errno.EINVAL, "not a regular file", str(path))
+        content = Path(path).read_bytes()
+        return content
+    finally:
+        observation.read(path, status, content)
 
 
 def folder_reader(root: Path) -> Callable[[str], str | None]:

@@ -15,7 +15,7 @@ from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import file_name
 
 if TYPE_CHECKING:
-    from rosarch.extractor.workspace.model import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
 
 NAME = "manifest.json"
 FORMAT = 1
@@ -144,7 +144,7 @@ def read_manifest(folder: Path) -> Manifest:
     changed since, or when a source that is still there has changed.
     """
     path = folder / NAME
-    from rosarch.extractor.workspace.model import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
 
     try:
         data: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))

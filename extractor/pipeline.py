@@ -12,6 +12,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.extractor import observation
 from rosarch.extractor.cache import Cache, hash_of
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
@@ -108,6 +109,7 @@ def extract(
     store = load_messages(workspace.packages)
     extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
     scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
+    observation.ignore(scratch)
     found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
     commands = read_compile_commands(workspace.root)
     extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))

@@ -19,6 +19,8 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
+from rosarch.extractor import observation
+
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 
@@ -57,12 +59,13 @@ def run_tasks(
 
     A worker that dies or works on one task for more than `timeout` seconds is replaced.
     """
+    observed = observation.carried(function)
     pending = iter(range(len(tasks)))
     workers: list[_Worker[Task]] = []
     busy: list[_Worker[Task]] = []
     try:
         for _ in range(min(jobs, len(tasks))):
-            workers.append(_start(function, workers))
+            workers.append(_start(observed, workers))
             _feed(workers[-1], pending, tasks, timeout, busy)
         while busy:
             patience = max(0.0, min(worker.deadline for worker in busy) - time.monotonic())
@@ -73,10 +76,12 @@ def run_tasks(
                 if not worker.process.is_alive():
                     workers.remove(worker)
                     worker.connection.close()
-                    worker = _start(function, workers)
+                    worker = _start(observed, workers)
                     workers.append(worker)
                 _feed(worker, pending, tasks, timeout, busy)
-                yield index, outcome
+                if isinstance(outcome, Failure):
+                    observation.uncertain()  # another time, there may be more time or memory
+                yield index, observation.received(outcome)
     finally:
         for worker in workers:
             worker.process.kill()  # it has nothing to tidy up, and a worker that has just started may not heed anything else

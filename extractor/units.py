@@ -16,8 +16,9 @@ from pathlib import Path
 from rosarch.extractor.cache import Cache, extractor_version
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, Problem, build_prelude, extract_unit, unit_key
+from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.extractor.files import read_file
 from rosarch.extractor.pool import Failure, run_tasks
-from rosarch.extractor.workspace import Diagnostic
 
 Progress = Callable[[str, int, int], None]
 PRELUDE_BYTES = 64 << 20
@@ -171,7 +172,7 @@ _SELF_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re
 def _odd_source(path: Path) -> list[Diagnostic]:
     """What a reader would want to know of a source before wondering why little was found in it: one diagnostic."""
     try:
-        data = path.read_bytes()
+        data = read_file(path)
     except OSError:
         return []  # reported where it is read
     if not data.strip():

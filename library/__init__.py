@@ -13,7 +13,7 @@ from rosarch.library.model import LibraryComponent, LibraryParameter, LibraryPor
 from rosarch.library.reading import read_folder
 
 if TYPE_CHECKING:
-    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
 
 __all__ = ["Library", "LibraryComponent", "LibraryParameter", "LibraryPort", "components", "find", "load"]
 
@@ -31,6 +31,11 @@ class Library:
     def _by_name(self) -> dict[tuple[str | None, str], LibraryComponent]:
         whatever: dict[tuple[str | None, str], LibraryComponent] = {(None, c.component): c for c in reversed(self.components)}
         return whatever | {(c.package, c.component): c for c in self.components}
+
+    @property
+    def packages(self) -> frozenset[str]:
+        """The packages that have components here."""
+        return frozenset(component.package for component in self.components)
 
     def find(self, package: str | None, component: str) -> LibraryComponent | None:
         """The component called `component` in `package`; without a package, the first of that name.
@@ -54,15 +59,16 @@ class Library:
 
 
 @lru_cache(maxsize=8)
-def _load(folders: tuple[Path, ...]) -> Library:
+def _load(folders: tuple[Path, ...], _stamp: tuple[tuple[str, int, int], ...]) -> Library:
     read = [read_folder(folder) for folder in (*folders, _SHIPPED)]
     files = [file for found, _ in read for file in found]
     return Library(tuple(merged(files)), tuple(problem for _, problems in read for problem in problems))
 
 
 def load(folders: Sequence[Path] = ()) -> Library:
-    """The library that comes with rosarch, with the users' own `folders` before it; read once in a process."""
-    return _load(tuple(folders))
+    """The library that comes with rosarch, with the users' own `folders` before it; read once in a process, as long as no file changes."""
+    files = [path.absolute() for folder in folders for path in sorted(folder.rglob("*.json"))]
+    return _load(tuple(folders), tuple((str(path), stat.st_mtime_ns, stat.st_size) for path in files for stat in (path.lstat(),)))
 
 
 def find(package: str | None, component: str, folders: Sequence[Path] = ()) -> LibraryComponent | None:

@@ -14,7 +14,7 @@ from rosarch.extractor.hints import hint
 from rosarch.library.model import BY_HAND, GENERATED
 
 if TYPE_CHECKING:
-    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
 
 COMPONENT_KINDS = ("node", "nodelet", "plugin", "gazebo_plugin")
 PORT_KINDS = (

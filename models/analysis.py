@@ -112,7 +112,7 @@ def _evaluate(
     progress: Progress | None,
     kept: ModelCache | None = None,
 ) -> tuple[tuple[ComponentModel, ...], list[Diagnostic]]:
-    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
 
     models: list[ComponentModel] = []
     failures: list[Diagnostic] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from pathlib import Path
 from textwrap import dedent
 
@@ -58,6 +59,12 @@ def read_check(path: Path) -> Check:
             raise CheckError(f"{path}:1:1: {relation} has no column `{column}`{hint(column, names)}")
     texts = {name: fields[name] for name in FIELDS if name not in ("at", "evidence")}
     return Check(**texts, evidence=evidence, relation=relation, columns=columns, path=str(path))
+
+
+@lru_cache(maxsize=1)
+def shipped_checks() -> tuple[Check, ...]:
+    """The checks that ship."""
+    return read_checks(check_files())
 
 
 def read_checks(paths: Iterable[Path]) -> tuple[Check, ...]:

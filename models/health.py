@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.units import Progress
-from rosarch.extractor.workspace import Diagnostic
 from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.places import Place
 from rosarch.models.rule_sets import component_program

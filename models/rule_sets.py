@@ -14,26 +14,13 @@ from rosarch.extractor.manifest import content_hash, rules_folder
 from rosarch.models.checks import check_files, is_check, read_checks, require_unique
 from rosarch.models.findings import Check
 from rosarch.models.own_rules import own_files, own_programs
+from rosarch.models.rule_choice import SHIPPED as SHIPPED
+from rosarch.models.rule_choice import RuleSet as RuleSet
 from rosarch.models.system.findings import require_places
 from rosarch.models.variants import PROGRAMS, Decision, RuleSetError, decisions
 
 if TYPE_CHECKING:
     from rosarch.datalog.rederive import RuleHistory
-
-
-@dataclass(frozen=True)
-class RuleSet:
-    """What differs from the shipped rules: `own` files and folders, `variants` (decision and variant), `options` (name and value).
-
-    Made by `rule_set`, which checks it. Equal ones derive the same as long as no file changes.
-    """
-
-    own: tuple[Path, ...] = ()
-    variants: tuple[tuple[str, str], ...] = ()
-    options: tuple[tuple[str, str], ...] = ()
-
-
-SHIPPED = RuleSet()
 
 
 @dataclass(frozen=True)

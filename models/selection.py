@@ -10,12 +10,12 @@ from typing import Any
 
 from rosarch.datalog import read_facts
 from rosarch.extractor.cache import Cache
+from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.facts import schema
 from rosarch.extractor.hints import hint
 from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
 from rosarch.extractor.pipeline import extract
 from rosarch.extractor.units import Progress
-from rosarch.extractor.workspace import Diagnostic
 
 Facts = Mapping[str, Iterable[tuple[Any, ...]]]
 

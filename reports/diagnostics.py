@@ -11,7 +11,7 @@ from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
 if TYPE_CHECKING:
-    from rosarch.extractor.workspace import Diagnostic
+    from rosarch.extractor.diagnostics import Diagnostic
 
 SHOWN = 20
 SUMMARY = 5

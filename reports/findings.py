@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from importlib import import_module
-from importlib.metadata import version
 
 from rosarch.models.findings import SEVERITIES, Finding
 from rosarch.models.places import Place
 from rosarch.models.policy import Reported
-from rosarch.models.system.model import SystemModel
+from rosarch.models.system.checked import Scope
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
@@ -57,6 +56,8 @@ def report_text(output_format: str, reported: Reported, setting: Setting) -> str
 
 def tool_version() -> str:
     """The version of rosarch that reports name."""
+    from importlib.metadata import version
+
     return version("rosarch")
 
 
@@ -66,13 +67,10 @@ def some_systems(finding: Finding) -> list[str]:
     return names if len(names) <= SYSTEMS else [*names[: SYSTEMS - 1], f"{len(names) - SYSTEMS + 1} more"]
 
 
-def scope_text(systems: Iterable[SystemModel]) -> str:
+def scope_text(scope: Scope) -> str:
     """How much was checked, and of how much nothing is known."""
-    systems = tuple(systems)
-    nodes = [node for system in systems for node in system.nodes]
-    unknown = sum(node.origin == "unknown" for node in nodes)
-    known = f", {unknown} of them without a model" if unknown else ""
-    return f"checked {counted(len(systems), 'system')} with {counted(len(nodes), 'node')}{known}"
+    known = f", {scope.unknown} of them without a model" if scope.unknown else ""
+    return f"checked {counted(scope.systems, 'system')} with {counted(scope.nodes, 'node')}{known}"
 
 
 def severity_counts(findings: Iterable[Finding]) -> dict[str, int]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 from collections.abc import Iterator
 
-from rich.console import Console
 from rich.text import Text
 
 from rosarch.models.findings import Evidence, Finding
@@ -38,6 +37,8 @@ def findings_text(reported: Reported, setting: Setting) -> str:
         lines.append(Text(setting.scope))
     if not setting.terminal:
         return "".join(f"{line.plain.rstrip()}\n" for line in lines)
+    from rich.console import Console
+
     buffer = io.StringIO()
     console = Console(file=buffer, force_terminal=True, highlight=False)
     console.print(Text("\n").join(lines), soft_wrap=True)

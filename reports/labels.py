@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from rosarch.models.component import ComponentModel, Port
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rosarch.models.component import ComponentModel, Port
 
 KINDS = {
     "publisher": "publisher",

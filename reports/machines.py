@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from types import MappingProxyType
 
-from rosarch.models.machine import StateMachine
+from rosarch.models.machine.build import StateMachine
 from rosarch.reports import machine_dot, machine_mermaid, machine_plantuml, machine_scxml, machine_text
 from rosarch.reports.machine_json import machines_text as json_text
 

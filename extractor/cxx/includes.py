@@ -9,11 +9,13 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.extractor import observation
 from rosarch.extractor.cache import hash_of
 from rosarch.extractor.files import read_file
 
 SHIPPED = Path(__file__).parent / "headers"
 SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
+_SHIPPED_PREFIX = f"{SHIPPED}{os.sep}"
 PRELUDE = SHIPPED / "prelude.h"
 CUDA_PRELUDE = SHIPPED / "prelude_cuda.h"
 
@@ -106,6 +108,8 @@ class HeaderFinder:
         result.files = seen
         result.made = sorted(extra)
         result.predictable = self._unpredictable.isdisjoint(seen)
+        if not result.predictable:
+            observation.uncertain()
         return result
 
     def fingerprint(self, includes: Includes) -> str:
@@ -150,6 +154,8 @@ class HeaderFinder:
     def _is_file(self, path: str) -> bool:
         known = self._exists.get(path)
         if known is None:
+            if not path.startswith(_SHIPPED_PREFIX):
+                observation.probe(path)
             known = self._exists[path] = os.path.isfile(path)
         return known
 

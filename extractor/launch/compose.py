@@ -46,7 +46,7 @@ def compose(
         environment: the environment variables that `$(env)` and `$(optenv)` see.
         namespace: `__ns:=` of the command line; otherwise `ROS_NAMESPACE` counts.
     """
-    variables = dict(environment or {})
+    variables = environment or {}
     state = State(files, variables)
     root = global_namespace(namespace if namespace is not None else variables.get("ROS_NAMESPACE") or "/")
     values = {name: cleaned(value) for name, value in (arguments or {}).items()}

@@ -7,6 +7,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -85,8 +86,7 @@ class _Writer:
 
     def path(self, path: str) -> str:
         """`path` relative to the root when it is below it."""
-        full = os.path.abspath(path)
-        return path_text(Path(os.path.relpath(full, self.root))) if full.startswith(self.root + os.sep) else path_text(Path(full))
+        return _path_below(self.root, os.path.abspath(path))
 
     def place(self, place: Place) -> str:
         """The key of a place."""
@@ -160,6 +160,11 @@ class _Writer:
                 self.add("argument_used", place, named.name)
             case HomePath():
                 self.add("home_path", place, named.element, named.path)
+
+
+@lru_cache(maxsize=4096)
+def _path_below(root: str, full: str) -> str:
+    return path_text(Path(os.path.relpath(full, root))) if full.startswith(root + os.sep) else path_text(Path(full))
 
 
 _UNKNOWN = re.compile(r"\$\([^()]*\)?")

@@ -15,6 +15,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
+from rosarch.extractor import observation
+from rosarch.extractor.files import read_file
+
 from .model import LaunchError, Reference
 from .packages import PackagePath
 from .references import references
@@ -43,12 +46,15 @@ class Files:
     def allow_beside(self, launch_file: str) -> None:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
         folder = Path(os.path.realpath(os.path.join(self.folder, launch_file))).parent
+        for above in (folder, *folder.parents):
+            observation.probe(above / "package.xml")
         package = next((above for above in (folder, *folder.parents) if (above / "package.xml").is_file()), folder)
         self._beside.add(str(package))
 
     def is_file(self, path: str) -> bool:
         """Whether there is such a file, be it readable here or not."""
-        return os.path.isfile(os.path.join(self.folder, path))
+        observation.probe(full := os.path.join(self.folder, path))
+        return os.path.isfile(full)
 
     def read(self, path: str) -> bytes:
         """The content of a file.
@@ -90,6 +96,7 @@ class Files:
         base, *rest = re.split(r"[^/]*[*?\[]", full, maxsplit=1)
         if not self._is_allowed(os.path.realpath(base)) or any(".." in part.split("/") for part in rest):
             raise LaunchError("outside", pattern, f"{pattern} is outside the package path and not read")
+        observation.listed(base)
         return sorted(itertools.islice(glob.iglob(full), MAX_MATCHES))
 
     def references(self, path: str) -> tuple[Reference, ...]:
@@ -110,6 +117,7 @@ class Files:
         return self._values[text]
 
     def _read(self, full: str, path: str) -> bytes:
+        observation.probe(full)
         try:
             status = os.stat(full)
         except (FileNotFoundError, NotADirectoryError):
@@ -121,9 +129,10 @@ class Files:
         if not self._is_allowed(os.path.realpath(full)):
             raise LaunchError("outside", path, f"{path} is outside the package path and not read")
         if status.st_size > MAX_BYTES:
+            observation.read(full, status, None)
             raise LaunchError("size", path, f"{path} has more than {MAX_BYTES // 2**20} MiB and is not read")
         try:
-            return Path(full).read_bytes()
+            return read_file(full)
         except OSError as error:
             raise LaunchError("file", path, f"{path} cannot be read: {error.strerror or error}") from None
 

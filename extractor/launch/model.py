@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.workspace import Diagnostic
+from rosarch.extractor.diagnostics import Diagnostic
 
 if TYPE_CHECKING:
     from rosarch.extractor.urdf.plugins import SimulatorPlugin

@@ -14,7 +14,7 @@ from functools import cached_property
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
-from rosarch.extractor.workspace.manifests import quick_name
+from rosarch.extractor.package_names import quick_name
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -117,7 +117,7 @@ def _is_file(entry: os.DirEntry[str]) -> bool:
 
 def _is_metapackage(manifest: str) -> bool:
     try:
-        text = Path(manifest).read_text(errors="replace")
+        text = read_file(manifest).decode(errors="replace")
     except OSError:
         return False
     return _METAPACKAGE.search(_COMMENT.sub("", text)) is not None

@@ -9,6 +9,8 @@ import os
 import re
 from collections.abc import Iterator
 
+from rosarch.extractor import observation
+
 from .model import ArgumentUsed, FileNamed, HomePath, PackageNamed, Place, ProgramNamed, Reference
 from .packages import PackagePath
 from .xml_reader import Element
@@ -41,6 +43,8 @@ def _files(element: Element, attribute: str, text: str, place: Place, packages: 
         resolved = _FIND.sub(lambda match: packages.find(match[1]) or match[0], found)
         file = os.path.normpath(resolved.replace("$(dirname)", os.path.dirname(os.path.abspath(place.path))))
         if "$(" not in file:
+            for path in (file, f"{file}.in"):
+                observation.probe(path)
             yield FileNamed(role, file, not (os.path.exists(file) or os.path.exists(f"{file}.in")), place)
 
 

@@ -7,7 +7,7 @@ with the path behind it.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Protocol
 
 from .evaluation import EvalFailed, UnknownInvolved, Unsupported, evaluate, is_known_value
@@ -36,7 +36,7 @@ class Resolver:
 
     def __init__(self, packages: PackagePath, environment: Mapping[str, str], unknowns: Unknowns, composing: Composing) -> None:
         self.packages = packages
-        self.environment = {name: cleaned(value) for name, value in environment.items()}
+        self.environment = _Cleaned(environment)
         self.unknowns = unknowns
         self.composing = composing
         self.report = composing.report
@@ -144,6 +144,22 @@ class Resolver:
         if name not in scope.args and name in scope.declared:
             return self._arg(name, scope)
         return automatic(scope.args[name])
+
+
+class _Cleaned(Mapping[str, str]):
+    """Environment variables as texts may have them."""
+
+    def __init__(self, variables: Mapping[str, str]) -> None:
+        self._variables = variables
+
+    def __getitem__(self, name: str) -> str:
+        return cleaned(self._variables[name])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._variables)
+
+    def __len__(self) -> int:
+        return len(self._variables)
 
 
 def collect(text: str) -> list[str]:

@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
+from rosarch.extractor import observation
+
 from .compose import compose
 from .files import Files
 from .model import Composition, LaunchError
@@ -41,6 +43,7 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
         written = {*(include.file or include.text for include in composition.includes), *_written(path, files)}
         included[real[path]] = {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
         for name in written:
+            observation.probe(name)
             if "$(" in name and name not in matches:
                 pattern = _pattern(name)
                 matches[name] = {other for other in real.values() if pattern.fullmatch(other)} if pattern else set()

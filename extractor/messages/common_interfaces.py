@@ -14,7 +14,7 @@ from typing import Any
 
 from rosarch.datalog.cache import cache_folder
 from rosarch.extractor.cache import Cache, extractor_version, hash_of
-from rosarch.extractor.workspace.model import Diagnostic
+from rosarch.extractor.diagnostics import Diagnostic
 
 from .model import UNBOUNDED, Action, Constant, Field, Message, Service
 from .parse import parse_action, parse_message, parse_service

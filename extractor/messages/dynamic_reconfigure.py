@@ -13,8 +13,9 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import read_file
-from rosarch.extractor.workspace.model import Diagnostic, Package
+from rosarch.extractor.workspace.model import Package
 
 from .model import Config, ConfigConstant, ConfigParameter
 

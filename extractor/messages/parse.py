@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from rosarch.extractor.workspace.model import Diagnostic
+from rosarch.extractor.diagnostics import Diagnostic
 
 from .model import PRIMITIVES, UNBOUNDED, Action, Constant, Field, Message, Service
 

@@ -7,8 +7,9 @@ from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
+from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import path_text, read_file
-from rosarch.extractor.workspace.model import Diagnostic, Package, unreadable
+from rosarch.extractor.workspace.model import Package
 
 from .common_interfaces import common_interfaces
 from .dynamic_reconfigure import parse_config

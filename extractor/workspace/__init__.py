@@ -3,11 +3,13 @@
 `discover` reads a workspace, `components` lists what runs, `closure` and `include_path` answer questions about one target.
 """
 
+from rosarch.extractor.diagnostics import Diagnostic
+
 from .components import components, programs, without_library
 from .discovery import discover
 from .graph import closure, include_path
 from .loose import loose_workspace
-from .model import Component, Configured, Diagnostic, Exports, Package, PluginClass, Target, Workspace
+from .model import Component, Configured, Exports, Package, PluginClass, Target, Workspace
 
 __all__ = [
     "Component",

@@ -7,6 +7,8 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from rosarch.extractor import observation
+
 MAX_STATEMENTS = 300_000
 MAX_DEPTH = 60
 MAX_ROUNDS = 10_000
@@ -43,4 +45,5 @@ def time_limit(seconds: float) -> Iterator[None]:
 
 
 def _expire(_number: int, _frame: object) -> None:
+    observation.uncertain()
     raise OutOfTime

@@ -15,7 +15,7 @@ from typing import Any
 from lark import Lark, Token, Transformer
 from lark.exceptions import UnexpectedInput
 
-from .model import Diagnostic
+from rosarch.extractor.diagnostics import Diagnostic
 
 GRAMMAR = r"""
 start: command*

@@ -14,7 +14,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from .model import Diagnostic
+from rosarch.extractor import observation
+from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.extractor.files import read_file
 
 NAME = "compile_commands.json"
 DEPTH = 4  # build/compile_commands.json, build/<package>/..., build_isolated/<package>/..., .private/<package>/build
@@ -54,7 +56,7 @@ def read_compile_commands(root: Path) -> CompileCommands:
     files = _files(root)
     for path in files:
         try:
-            entries = json.loads(path.read_text(encoding="utf-8"))
+            entries = json.loads(read_file(path).decode("utf-8"))
             if not isinstance(entries, list):
                 raise ValueError("not a list of commands")
         except (OSError, ValueError) as error:
@@ -96,6 +98,7 @@ def _command(entry: Any, root: Path) -> CompileCommand | None:
     if not isinstance(words, list) or not all(isinstance(word, str) for word in words):
         return None
     base = Path(str(entry.get("directory", ".")))
+    observation.probe(base / entry["file"])
     folders, definitions, output = _arguments(words, base)
     own = [folder for folder in folders if _is_source_folder(folder, root)]
     return CompileCommand(
@@ -124,8 +127,11 @@ def _arguments(words: Iterable[str], base: Path) -> tuple[list[Path], list[str],
             definitions[value] = None
         elif flag == "-U":
             definitions = {name: None for name in definitions if name.partition("=")[0] != value}
-        elif (folder := Path(os.path.normpath(base / value))).is_dir():
-            folders[folder] = None
+        else:
+            folder = Path(os.path.normpath(base / value))
+            observation.probe(folder)
+            if folder.is_dir():
+                folders[folder] = None
     return list(folders), list(definitions), output
 
 

@@ -7,10 +7,11 @@ from dataclasses import replace
 from itertools import count
 from pathlib import Path
 
+from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import file_name
 
 from .graph import closure, definitions, find_library, include_path
-from .model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Diagnostic, Package, PluginClass, Target, Workspace
+from .model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
 from .plugins import Registration, registrations
 
 NODELET_BASE = "nodelet::Nodelet"

@@ -7,8 +7,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import file_name, read_file
 from rosarch.extractor.hints import hint
+from rosarch.extractor.package_names import quick_name
 
 from . import (
     commands_files,
@@ -24,8 +26,8 @@ from .cmake_limits import OutOfTime, time_limit
 from .cmake_state import PackageDraft
 from .drafts import finished_package
 from .evaluator import Evaluator
-from .manifests import Manifest, find_manifests, quick_name, read_manifest
-from .model import Diagnostic, Package, Workspace
+from .manifests import Manifest, find_manifests, read_manifest
+from .model import Package, Workspace
 from .options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
 
 COMMAND_MODULES = (

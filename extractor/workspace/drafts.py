@@ -6,11 +6,13 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
+from rosarch.extractor.diagnostics import Diagnostic
+
 from .cmake_expand import generator_expression, split_list
 from .cmake_state import TargetDraft
 from .evaluator import Evaluator
 from .manifests import Manifest
-from .model import EXECUTABLE, IMPORTED, TEST, Configured, Diagnostic, Exports, Package, PluginClass, Target
+from .model import EXECUTABLE, IMPORTED, TEST, Configured, Exports, Package, PluginClass, Target
 from .plugins import read_plugins
 
 SOURCE_EXTENSIONS = frozenset({".c", ".C", ".c++", ".cc", ".cpp", ".cxx", ".cu", ".CPP", ".CC"})

@@ -11,6 +11,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn, Protocol
 
+from rosarch.extractor import observation
+from rosarch.extractor.diagnostics import Diagnostic, unreadable, why
 from rosarch.extractor.files import read_file
 
 from . import cmake_loops
@@ -20,7 +22,6 @@ from .cmake_expand import expand, join_list, split_list
 from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_STATEMENTS, MAX_TEXT, MAX_VALUE, OutOfTime, time_limit
 from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
 from .cmake_syntax import Argument, Block, Command, If, Statement, blocks, parse
-from .model import Diagnostic, unreadable, why
 from .options import Options, initial_environment, initial_variables, versions
 
 Handler = Callable[["Evaluator", Call], None]
@@ -342,6 +343,7 @@ class Evaluator:
 
     def is_outside(self, path: str) -> bool:
         """Whether `path` is on the machine rather than in the workspace."""
+        observation.probe(path)  # with `..` in it, it may only look as if it lay in the workspace
         return os.path.isabs(path) and not path.startswith(self.root + "/") and path != self.root
 
     def exists(self, path: str) -> bool:

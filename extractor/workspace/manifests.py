@@ -7,9 +7,7 @@ skipped with everything below it, and nothing below a package is another package
 from __future__ import annotations
 
 import errno
-import html
 import os
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,9 +15,9 @@ from xml.etree import ElementTree
 
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
+from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import file_name, is_folder, read_file
 
-from .model import Diagnostic, unreadable
 from .options import DEFAULT_DISTRO, initial_environment
 
 IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
@@ -83,20 +81,6 @@ class Manifest:
     build_depends: tuple[str, ...] = ()
     is_metapackage: bool = False
     plugin_exports: tuple[tuple[str, Path], ...] = ()
-
-
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
-_NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
-
-
-def quick_name(path: str) -> str | None:
-    """The package name without parsing: enough to know which manifests are needed."""
-    try:
-        text = read_file(path).decode(errors="replace")
-    except OSError:
-        return None
-    match = _NAME.search(_COMMENT.sub("", text))
-    return html.unescape(match.group(1)) if match else None
 
 
 def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | None, list[Diagnostic]]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.extractor.diagnostics import Diagnostic
+
 EXECUTABLE = "executable"
 SHARED = "shared_library"
 STATIC = "static"
@@ -14,30 +16,6 @@ INTERFACE = "interface"
 IMPORTED = "imported"
 TEST = "test"
 LIBRARY_KINDS = frozenset({SHARED, STATIC, MODULE, OBJECT, INTERFACE})
-
-
-@dataclass(frozen=True)
-class Diagnostic:
-    """Something that was not understood, with its place; `str()` is `path:line:col: message`."""
-
-    kind: str
-    path: Path
-    line: int
-    column: int
-    message: str
-
-    def __str__(self) -> str:
-        return f"{self.path}:{self.line}:{self.column}: {self.message}"
-
-
-def unreadable(path: str | Path, error: OSError) -> Diagnostic:
-    """The diagnostic for a file or folder that cannot be read."""
-    return Diagnostic("unreadable", Path(path), 1, 1, f"cannot be read: {why(error)}")
-
-
-def why(error: OSError) -> str:
-    """What the system says is wrong with a file, in lower case."""
-    return (error.strerror or str(error)).lower()
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
 
+from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import read_file
 
 from .manifests import Manifest
-from .model import Diagnostic, PluginClass, unreadable
+from .model import PluginClass
 
 
 def read_plugins(exports: Iterable[tuple[str, Path]], manifest: Manifest) -> tuple[list[PluginClass], list[Diagnostic]]:

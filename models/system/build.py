@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rosarch.datalog import Result
@@ -11,17 +11,7 @@ from rosarch.models.places import Place
 from rosarch.models.rule_sets import SystemRules
 from rosarch.models.system.findings import evidence_of, grouped, shown_as
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
-
-Rows = Mapping[str, Collection[tuple[Any, ...]]]
-
-
-def merged(parts: Iterable[Rows]) -> dict[str, set[tuple[Any, ...]]]:
-    """The union of rows, relation by relation."""
-    rows: dict[str, set[tuple[Any, ...]]] = defaultdict(set)
-    for part in parts:
-        for relation, found in part.items():
-            rows[relation].update(found)
-    return rows
+from rosarch.models.system.rows import Rows
 
 
 def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] = ()) -> Result:
@@ -32,9 +22,8 @@ def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Seq
     return rules.program.evaluate(rows, engine=engine, keep=wanted)
 
 
-def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result) -> SystemModel:
-    """The model of a system, from the facts about it and what the rules derived."""
-    places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
+def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, places: Mapping[str, Place]) -> SystemModel:
+    """The model of a system, from the facts about it and what the rules derived; `places` are those of the facts, by key."""
     ports, ids = _ports(rows, result, places)
     opened = {node for (node,) in result.rows("node_open")}
     hosts = {node for (node,) in result.rows("hosts")}

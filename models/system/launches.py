@@ -4,68 +4,15 @@ from __future__ import annotations
 
 import itertools
 import os
-import re
-import shlex
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.launch import Files, PackagePath, compose, launch_files, top_level
-from rosarch.extractor.launch.names import mapping
-from rosarch.models.system.analysis import Launch
+from rosarch.extractor import observation
+from rosarch.extractor.launch import compose, launch_files, top_level
+from rosarch.models.system.requests import LaunchWordError, Request, Surroundings
+from rosarch.models.system.surrounding import Launch
 
-_COMMA = re.compile(r"(?<!\\),")
 MAX_MATRIX = 256  # systems of one launch with several values for its arguments
-
-
-class LaunchWordError(ValueError):
-    """A word that is no launch file and no argument; the text says why."""
-
-
-@dataclass(frozen=True)
-class Surroundings:
-    """Where launch files are composed: the workspace, where packages are looked for, the robot's environment variables."""
-
-    root: Path
-    package_path: tuple[Path, ...]
-    environment: Mapping[str, str]
-
-    def files(self) -> Files:
-        """What reads launch files here."""
-        return Files(PackagePath(self.package_path))
-
-    def variables(self) -> dict[str, str]:
-        """The environment of launch files. roslaunch does not run without ROS_MASTER_URI."""
-        path = os.pathsep.join(map(os.path.abspath, self.package_path))
-        return {"ROS_MASTER_URI": "http://localhost:11311", "ROS_PACKAGE_PATH": path, **self.environment}
-
-
-@dataclass(frozen=True)
-class Request:
-    """Launch files that are started together; every combination of the values of `arguments` is a launch."""
-
-    files: tuple[str, ...]
-    arguments: tuple[tuple[str, tuple[str, ...]], ...] = ()
-
-
-def parse_request(text: str) -> Request:
-    r"""Launch files and arguments in one text, as on a command line. `name:=a,b` are two values of an argument (`\,` is a comma).
-
-    Raises:
-        LaunchWordError: there is no file, or a word is not of the form NAME:=VALUE.
-    """
-    words = _words(text)
-    files = tuple(word for word in words if ":=" not in word)
-    if not files:
-        raise LaunchWordError(f"`{text}` names no launch file")
-    arguments = {}
-    for word in words:
-        if ":=" in word:
-            pair = mapping(word)
-            if pair is None:
-                raise LaunchWordError(f"{word}: not of the form NAME:=VALUE")
-            arguments[pair[0]] = tuple(value.replace("\\,", ",") for value in _COMMA.split(pair[1]))
-    return Request(files, tuple(arguments.items()))
 
 
 def given(requests: Iterable[Request], where: Surroundings) -> list[Launch]:
@@ -85,13 +32,6 @@ def given(requests: Iterable[Request], where: Surroundings) -> list[Launch]:
     return found
 
 
-def _words(text: str) -> list[str]:
-    try:
-        return shlex.split(text)
-    except ValueError as error:
-        raise LaunchWordError(f"`{text}`: {str(error).lower()}") from None
-
-
 def unincluded(where: Surroundings) -> list[Launch]:
     """A launch for each launch file of the workspace that no other includes."""
     files = where.files()
@@ -101,6 +41,7 @@ def unincluded(where: Surroundings) -> list[Launch]:
 
 def _path(word: str, root: Path) -> str:
     for path in (Path(word), root / word):
+        observation.probe(path)
         if path.is_file():
             return os.path.abspath(path)
     raise LaunchWordError(f"{word}: no such launch file, neither here nor below {root}")

@@ -9,10 +9,9 @@ from pathlib import Path
 
 from rosarch.extractor.files import read_file
 from rosarch.extractor.launch.model import Composition, PackageNamed, ProgramNamed
-from rosarch.library import Library
 from rosarch.models.component import ComponentModel
+from rosarch.models.system.rows import Rows
 
-Rows = dict[str, set[tuple[str, ...]]]
 _DEPENDENCY = re.compile(r"<\w*depend[^<>]*>\s*([^<\s]+)\s*</")
 
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu", ".h", ".hh", ".hpp", ".hxx", ".cuh", ".ipp", ".inl", ".cfg")
@@ -26,12 +25,12 @@ def programs_named(compositions: Iterable[Composition]) -> set[tuple[str, str]]:
     return {(named.package, named.type) for named in named if isinstance(named, ProgramNamed) and not named.mentioned}
 
 
-def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Collection[tuple[str, str]], library: Library) -> Rows:
-    """Which of the programs and packages that launch files name there are, or are to be expected."""
+def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Collection[tuple[str, str]], known: Collection[str]) -> Rows:
+    """Which of the programs and packages that launch files name there are, or are to be expected: those `known`, and those needed here."""
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
-    expected = {component.package for component in library.components}
+    expected = set(known)
     if absent - expected:
         expected |= _dependencies(root)
     return {
@@ -42,7 +41,8 @@ def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Co
 
 def _dependencies(root: Path) -> set[str]:
     """All that the manifests below `root` depend on, and their own packages: of these, only ignored ones are not found."""
-    from rosarch.extractor.workspace.manifests import find_manifests, quick_name
+    from rosarch.extractor.package_names import quick_name
+    from rosarch.extractor.workspace.manifests import find_manifests
 
     found: set[str] = set()
     for path in find_manifests(root, [], ignored=True):
@@ -63,15 +63,32 @@ def shared_rows(models: Sequence[ComponentModel]) -> Rows:
 
 def source_rows(root: Path, compositions: Sequence[Composition], models: Sequence[ComponentModel]) -> Rows:
     """Which of the last words of parameters' names the texts in the sources of components' packages say."""
-    wanted = {word for composition in compositions for setting in composition.params for word in _WORD.findall(setting.name)[-1:]}
+    wanted = _last_words(compositions)
     said: dict[str, set[str]] = {}
-    rows: Rows = {}
+    rows: set[tuple[str, str]] = set()
     for model in models:
         for folder in sorted({_package_folder(root, source) for source in model.sources}):
             if folder not in said:
                 said[folder] = _words_said(root / folder) & wanted
-            rows.setdefault("source_says", set()).update((f"{model.package}/{model.component}", word) for word in said[folder])
-    return rows
+            rows.update((f"{model.package}/{model.component}", word) for word in said[folder])
+    return {"source_says": rows}
+
+
+def named_by(composition: Composition, rows: Rows) -> Rows:
+    """Of what the workspace has of what some launch files name, what those of one composition name."""
+    packages = {reference.package for reference in composition.references if isinstance(reference, PackageNamed)}
+    packages |= {problem.subject for problem in composition.problems}
+    words = _last_words([composition])
+    return {
+        **rows,
+        "package_expected": {row for row in rows.get("package_expected", ()) if row[0] in packages},
+        "source_says": {row for row in rows.get("source_says", ()) if row[1] in words},
+    }
+
+
+def _last_words(compositions: Iterable[Composition]) -> set[str]:
+    """The last words of the names of parameters."""
+    return {word for composition in compositions for setting in composition.params for word in _WORD.findall(setting.name)[-1:]}
 
 
 def _package_folder(root: Path, source: str) -> str:

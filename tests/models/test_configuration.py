@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 import yaml
 
-from rosarch.models.configuration import LONGEST, Configuration, ConfigurationError, LaunchChoice, read_configuration
+from rosarch.models.configuration import Configuration, LaunchChoice
+from rosarch.models.configuration_reader import ConfigurationError, read_configuration
 from rosarch.models.places import Place
+from rosarch.models.plain_yaml import LONGEST
 
 KNOWN = ("topic-type-mismatch", "near-miss-topic", "unused-suppression")
 

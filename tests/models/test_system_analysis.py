@@ -9,9 +9,12 @@ import pytest
 from rosarch.models.places import Place
 from rosarch.models.rule_sets import system_rules
 from rosarch.models.system.analysis import SystemAnalysis, analyze_systems
-from rosarch.models.system.build import evaluate, merged, system_model
-from rosarch.models.system.launches import Surroundings, given, parse_request
+from rosarch.models.system.build import evaluate, system_model
+from rosarch.models.system.launches import given
 from rosarch.models.system.model import Connector, Inclusion
+from rosarch.models.system.reading import Reading
+from rosarch.models.system.requests import Surroundings, parse_request
+from rosarch.models.system.rows import merged
 
 LAUNCH = """<launch>
 <arg name="debug"/>
@@ -32,7 +35,7 @@ def analysis(workspace: Path) -> SystemAnalysis:
     (workspace / "talker" / "main.launch").write_text(LAUNCH)
     (workspace / "talker" / "part.launch").write_text('<launch>\n<node pkg="talker" type="talker" name="two"/>\n</launch>')
     where = Surroundings(workspace, (workspace,), {})
-    return analyze_systems(workspace, given([parse_request("talker/main.launch")], where), jobs=1)
+    return analyze_systems(workspace, given([parse_request("talker/main.launch")], where), Reading(jobs=1))
 
 
 def test_nodes(analysis: SystemAnalysis) -> None:
@@ -88,8 +91,8 @@ def test_one_system_that_fails_costs_that_system(workspace: Path, monkeypatch: p
             raise MemoryError
         return system_model(name, *rest)  # type: ignore[arg-type]
 
-    monkeypatch.setattr("rosarch.models.system.analysis.system_model", broken)
-    found = analyze_systems(workspace, launches, jobs=1)
+    monkeypatch.setattr("rosarch.models.system.build.system_model", broken)
+    found = analyze_systems(workspace, launches, Reading(jobs=1))
     assert [system.name for system in found.systems] == ["talker/b.launch"]
     assert [diagnostic.message.partition(":")[0] for diagnostic in found.diagnostics] == ["talker/a.launch not composed"]
 
@@ -100,6 +103,6 @@ def test_rows_are_united() -> None:
 
 def test_an_empty_system() -> None:
     rules = system_rules()
-    system = system_model("none", (), {}, evaluate(rules, {}))
+    system = system_model("none", (), {}, evaluate(rules, {}), {})
     assert (system.nodes, system.connectors, system.inclusions) == ((), (), ())
     assert {"topic-type-mismatch", "missing-file"} <= {check.id for check in rules.checks}

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.models.system.launches import LaunchWordError, Request, Surroundings, given, parse_request, unincluded
+from rosarch.models.system.launches import given, unincluded
+from rosarch.models.system.requests import LaunchWordError, Request, Surroundings, parse_request
 
 
 @pytest.fixture

@@ -26,7 +26,7 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     (folder / "a.launch").write_text(LAUNCH)
     composition = compose([folder / "a.launch"], files=Files(PackagePath([tmp_path])))
     assert programs_named([composition]) == {("robot", "built"), ("robot", "gone")}
-    rows = workspace_rows(tmp_path, [composition], {("robot", "built"), ("robot", "other")}, load())
+    rows = workspace_rows(tmp_path, [composition], {("robot", "built"), ("robot", "other")}, load().packages)
     assert rows["program_built"] == {("robot", "built"), ("robot", "other")}
     assert rows["package_expected"] == {("driver",), ("move_base",), ("off",)}
 

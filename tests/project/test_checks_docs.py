@@ -11,7 +11,7 @@ import yaml
 from handmade_findings import CHECKS, FULL, MISMATCH, SOURCES
 
 from rosarch.extractor.suppressions import suppressions_in
-from rosarch.models.configuration import read_configuration
+from rosarch.models.configuration_reader import read_configuration
 from rosarch.models.findings import Evidence
 from rosarch.models.places import Place
 from rosarch.models.policy import CHOICES, THRESHOLDS, Policy, apply_policy

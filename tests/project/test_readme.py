@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.models.machine import build_machine
+from rosarch.models.machine.build import build_machine
 from rosarch.reports.behavior_text import behaviors_text
 from rosarch.reports.machines import machines_text
 

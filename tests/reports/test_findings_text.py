@@ -13,6 +13,7 @@ from systems import node, small, system
 from rosarch.models.findings import Evidence
 from rosarch.models.places import Place
 from rosarch.models.policy import Policy, apply_policy
+from rosarch.models.system.checked import scope_of
 from rosarch.reports.excerpts import WIDEST, Excerpts
 from rosarch.reports.findings import Setting, scope_text
 from rosarch.reports.findings_text import findings_text
@@ -109,10 +110,10 @@ def test_notes_are_shown_when_they_are_asked_for_or_make_the_run_fail() -> None:
 
 
 def test_how_much_was_checked() -> None:
-    assert findings_text(nothing(), replace(HERE, scope=scope_text([small(), system([node("/a")])]))) == (
+    assert findings_text(nothing(), replace(HERE, scope=scope_text(scope_of([small(), system([node("/a")])])))) == (
         "no findings\nchecked 2 systems with 6 nodes, 1 of them without a model\n"
     )
-    assert scope_text([system([node("/a")])]) == "checked 1 system with 1 node"
+    assert scope_text(scope_of([system([node("/a")])])) == "checked 1 system with 1 node"
 
 
 def test_numbers_are_aligned() -> None:

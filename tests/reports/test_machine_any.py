@@ -10,7 +10,7 @@ from jsonschema import Draft202012Validator
 from machine_documents import Document, document
 from test_machine_scxml import schema
 
-from rosarch.models.machine import build_machine
+from rosarch.models.machine.build import build_machine
 from rosarch.reports.behavior_markdown import behaviors_text as behavior_markdown
 from rosarch.reports.behavior_text import behaviors_text as behavior_text
 from rosarch.reports.machine_json import machine_schema

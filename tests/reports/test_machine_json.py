@@ -10,7 +10,7 @@ from jsonschema import Draft202012Validator
 from machine_documents import DOOR, Document, document
 from test_machine_text import hostile
 
-from rosarch.models.machine import StateMachine, build_machine
+from rosarch.models.machine.build import StateMachine, build_machine
 from rosarch.reports.json_models import component_schema
 from rosarch.reports.machine_json import machine_data, machine_schema, machines_text
 

@@ -20,7 +20,7 @@ from machine_documents import DOOR, Document, document
 from statemachine.io import load
 from test_machine_text import hostile
 
-from rosarch.models.machine import StateMachine, build_machine
+from rosarch.models.machine.build import StateMachine, build_machine
 from rosarch.models.machine.logic import BOOLEAN, Formula, Subject, evaluate, subjects
 from rosarch.models.machine.reactions import Output
 from rosarch.reports.machine_scxml import machine_text

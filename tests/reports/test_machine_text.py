@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 from machine_documents import DOOR, document
 
-from rosarch.models.machine import StateMachine, build_machine
+from rosarch.models.machine.build import StateMachine, build_machine
 from rosarch.reports import machine_dot, machine_mermaid, machine_plantuml, machine_text
 
 TEXT = """\

@@ -229,7 +229,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\n")
     filled = launch_rows(composition, tmp_path)
     filled |= script_rows(composition, PackagePath([tmp_path]))
-    filled |= workspace_rows(tmp_path, [composition], {("here", "built")}, load())
+    filled |= workspace_rows(tmp_path, [composition], {("here", "built")}, load().packages)
     declared = load_declarations(rules_folder() / "schema" / "launch.dl")
     assert {name for name, rows in filled.items() if rows} == set(declared)
     for name, rows in filled.items():

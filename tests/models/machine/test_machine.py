@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import pytest
 from machine_documents import DOOR, Document, document
 
-from rosarch.models.machine import StateMachine, build_machine
+from rosarch.models.machine.build import StateMachine, build_machine
 from rosarch.reports.machine_labels import formula_text, state_text
 
 MODE = ("N::mode_", "Mode", "Mode::A")

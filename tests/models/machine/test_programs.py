@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine_documents import document
 
-from rosarch.models.machine import StateMachine, build_machine
+from rosarch.models.machine.build import StateMachine, build_machine
 from rosarch.models.machine.logic import Formula, evaluate
 
 VALUES = {"a_": ("false", "true"), "b_": ("false", "true"), "m_": ("A", "B", "C")}

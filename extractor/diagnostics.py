@@ -1,0 +1,30 @@
+"""What was not understood of the input, with its place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """Something that was not understood, with its place; `str()` is `path:line:col: message`."""
+
+    kind: str
+    path: Path
+    line: int
+    column: int
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.line}:{self.column}: {self.message}"
+
+
+def unreadable(path: str | Path, error: OSError) -> Diagnostic:
+    """The diagnostic for a file or folder that cannot be read."""
+    return Diagnostic("unreadable", Path(path), 1, 1, f"cannot be read: {why(error)}")
+
+
+def why(error: OSError) -> str:
+    """What the system says is wrong with a file, in lower case."""
+    return (error.strerror or str(error)).lower()

@@ -1,0 +1,77 @@
+"""Results of whole stages, kept in the cache with what they rest on: a stage is done again when any of that has changed."""
+
+from __future__ import annotations
+
+import pickle
+import sysconfig
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TypeVar, cast
+
+from rosarch.extractor import observation
+from rosarch.extractor.cache import Cache, hash_of, version_of
+
+Value = TypeVar("Value")
+
+
+@lru_cache(maxsize=1)
+def stage_version() -> str:
+    """A hash of all but input that results depend on: this package, and which others are installed beside it."""
+    packages = (find_spec(f"rosarch.{name}") for name in ("extractor", "rules", "datalog", "models", "library"))
+    folders = [Path(folder) for package in packages if package for folder in package.submodule_search_locations or ()]
+    installed = [Path(sysconfig.get_path(name)) for name in ("purelib", "platlib")]
+    return hash_of([version_of(folders), *(f"{folder} {folder.stat().st_mtime_ns}" for folder in installed)])
+
+
+@dataclass(frozen=True)
+class Memo:
+    """Results of earlier runs, for one run: what it finds in files, trees and variables is taken to stay so while it lasts."""
+
+    cache: Cache
+    variables: Mapping[str, str] = field(default_factory=dict)
+    _present: list[observation.Present] = field(default_factory=list)
+
+    def recall(self, key: Iterable[str], trees: Iterable[str], make: Callable[[], Value]) -> Value:
+        """What `make` comes to with the parameters `key`, made anew only when what it saw when it was made last is not so now.
+
+        `make` may look at everything below `trees`, and read files and variables as `observation` records it.
+        """
+        name = hash_of(["stage", stage_version(), *key])
+        known = self._known(name)
+        if known is not None:
+            observation.seen(known[0])
+            return cast(Value, known[1])
+        with observation.recording(self.present.trees(tuple(trees))) as rests_on:
+            value = make()
+        if not rests_on.uncertain:
+            self._keep(name, rests_on.observation(), pickle.dumps(value, protocol=pickle.HIGHEST_PROTOCOL))
+        return value
+
+    @property
+    def present(self) -> observation.Present:
+        """How things are now."""
+        if not self._present:
+            self._present.append(observation.Present(self.variables))
+        return self._present[0]
+
+    def _known(self, name: str) -> tuple[observation.Observation, object] | None:
+        data = self.cache.load(name)
+        if data is None:
+            return None
+        try:
+            then, value = pickle.loads(data)
+            now = self.present.confirms(then)
+            if now is None:
+                return None
+            found = now, pickle.loads(value)
+        except Exception:  # the checksum was right, so that it is another version's; whatever pickle then says
+            return None
+        if now is not then:
+            self._keep(name, now, value)
+        return found
+
+    def _keep(self, name: str, rests_on: observation.Observation, value: bytes) -> None:
+        self.cache.store(name, pickle.dumps((rests_on, value), protocol=pickle.HIGHEST_PROTOCOL))

@@ -1,0 +1,21 @@
+"""What of the rules is chosen otherwise than they ship."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class RuleSet:
+    """What differs from the shipped rules: `own` files and folders, `variants` (decision and variant), `options` (name and value).
+
+    Made by `rule_set`, which checks it. Equal ones derive the same as long as no file changes.
+    """
+
+    own: tuple[Path, ...] = ()
+    variants: tuple[tuple[str, str], ...] = ()
+    options: tuple[tuple[str, str], ...] = ()
+
+
+SHIPPED = RuleSet()

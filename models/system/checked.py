@@ -1,0 +1,47 @@
+"""The findings about a workspace, with what reports need beside them: little enough to be kept whole."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from rosarch.models.findings import Finding
+
+if TYPE_CHECKING:
+    from rosarch.extractor.diagnostics import Diagnostic
+    from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.models.system.model import SystemModel
+
+
+@dataclass(frozen=True)
+class Scope:
+    """How much was checked: `unknown` of the nodes have no model."""
+
+    systems: int
+    nodes: int
+    unknown: int
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What was found and not understood, and the files that it rests on, in which comments may say what is intended."""
+
+    findings: tuple[Finding, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    files: tuple[str, ...]
+    scope: Scope
+
+
+def checked(analysis: SystemAnalysis) -> Checked:
+    """What a check needs of an analysis."""
+    paths = {path for model in analysis.models for path in model.sources}
+    paths |= {evidence.place.path for finding in analysis.findings for evidence in finding.evidence}
+    paths |= {place.path for system in analysis.systems for node in system.nodes for place in node.lines}
+    return Checked(analysis.findings, analysis.diagnostics, tuple(sorted(paths)), scope_of(analysis.systems))
+
+
+def scope_of(systems: Collection[SystemModel]) -> Scope:
+    """How much there is in systems."""
+    origins = [node.origin for system in systems for node in system.nodes]
+    return Scope(len(systems), len(origins), origins.count("unknown"))

@@ -1,0 +1,48 @@
+"""How the components of a workspace are read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rosarch.extractor.cache import hash_of
+from rosarch.models.rule_choice import SHIPPED, RuleSet
+
+if TYPE_CHECKING:
+    from rosarch.extractor.cache import Cache
+    from rosarch.extractor.units import Progress
+
+
+@dataclass(frozen=True)
+class Reading:
+    """The rules, users' folders of library files that come before rosarch's own; for the rest see `analyze`."""
+
+    rules: RuleSet = SHIPPED
+    library: Sequence[Path] = ()
+    engine: str = "embedded"
+    jobs: int | None = None
+    timeout: float = 60.0
+    defines: Mapping[str, str] = field(default_factory=dict)
+    cache: Cache | None = None
+    progress: Progress | None = None
+
+    def key(self) -> list[str]:
+        """All that the result depends on, but for the input and what ships."""
+        return [rules_hash(self.rules), self.engine, repr(self.timeout), repr(sorted(self.defines.items())), library_hash(self.library)]
+
+
+def rules_hash(rules: RuleSet) -> str:
+    """A hash of rules, contents of files included; empty for those that ship."""
+    if rules == SHIPPED:
+        return ""
+    from rosarch.models.rule_sets import component_program, system_rules
+
+    return hash_of([component_program(rules).hash, system_rules(rules).program.hash])
+
+
+def library_hash(folders: Sequence[Path]) -> str:
+    """A hash of the files of libraries."""
+    files = [path for folder in folders for path in sorted(folder.rglob("*.json")) if path.is_file()]
+    return hash_of([part for path in files for part in (str(path), path.read_bytes())])

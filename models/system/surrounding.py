@@ -1,0 +1,172 @@
+"""What the launches of a workspace share: the components that they start, and what the workspace has of what launch files name."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.facts import launch_rows, library_name, started
+from rosarch.extractor.launch.model import Composition
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.scripts import script_rows
+from rosarch.extractor.memo import Memo
+from rosarch.models.component import ComponentModel
+from rosarch.models.system.reading import Reading
+from rosarch.models.system.rows import Rows, merged, rows_digest
+from rosarch.models.system.workspace import named_by, programs_named, shared_rows, source_rows, workspace_rows
+
+if TYPE_CHECKING:
+    from rosarch.extractor.workspace import Component, Diagnostic
+    from rosarch.library import Library, LibraryComponent
+    from rosarch.models.analysis import Analysis
+
+
+@dataclass(frozen=True)
+class Launch:
+    """What is started together: `name` tells it from the other launches of a workspace, `words` are its launch files and arguments."""
+
+    name: str
+    words: tuple[str, ...]
+    composition: Composition
+    packages: PackagePath
+
+
+@dataclass(frozen=True)
+class Components:
+    """The components that launches start, of sources and of the library: their models, and their rows with a hash of them.
+
+    `programs` are package and name of all executables that the workspace builds, `expected` the packages that the library knows.
+    """
+
+    models: tuple[ComponentModel, ...]
+    programs: frozenset[tuple[str, str]]
+    expected: frozenset[str]
+    rows: Rows
+    digest: str
+    diagnostics: tuple[Diagnostic, ...]
+
+
+@dataclass(frozen=True)
+class Surrounding:
+    """What all launches of a workspace share: its components, what launch files name of it, and what was not understood."""
+
+    root: Path
+    components: Components
+    named: Rows
+    diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def models(self) -> tuple[ComponentModel, ...]:
+        """The models of the components of the workspace."""
+        return self.components.models
+
+    def own_rows(self, launch: Launch) -> Rows:
+        """The facts about one system that are not about its components."""
+        composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
+        return merged([*composed, named_by(launch.composition, self.named)])
+
+    def with_components(self, own: Rows) -> Rows:
+        """The facts about one system."""
+        shared = self.components.rows
+        return {**shared, **{relation: {*rows, *shared.get(relation, ())} for relation, rows in own.items()}}
+
+    def rows(self, launch: Launch) -> Rows:
+        """The facts about one system."""
+        return self.with_components(self.own_rows(launch))
+
+
+def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: Memo | None = None) -> Surrounding:
+    """Analyse the components that `launches` start: those below `root`, of others those of the library (that in `reading` first)."""
+    needed = _Needed(launches)
+    top = os.path.abspath(root)
+
+    def find() -> Components:
+        return _components(root, needed, reading)
+
+    key = ["components", top, *needed.key(), *reading.key()]
+    components = memo.recall(key, (top, *_absolute(reading.library)), find) if memo else find()
+    compositions = [launch.composition for launch in launches]
+
+    def said() -> Rows:
+        return source_rows(root, compositions, components.models)
+
+    words = sorted({setting.name for composition in compositions for setting in composition.params})
+    sources = memo.recall(["said", top, components.digest, *words], (top,), said) if memo else said()
+    named = merged([workspace_rows(root, compositions, components.programs, components.expected), sources])
+    found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
+    return Surrounding(root, components, named, tuple(dict.fromkeys(found)))
+
+
+def _absolute(folders: Sequence[Path]) -> list[str]:
+    return [os.path.abspath(folder) for folder in folders]
+
+
+def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
+    from rosarch.library import load
+    from rosarch.models.analysis import analyze
+    from rosarch.models.system.interfaces import library_rows, model_rows
+
+    diagnostics: list[Diagnostic] = []
+
+    def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool]) -> Analysis:
+        options: dict[str, Any] = {"jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines, "cache": reading.cache}
+        found = analyze(root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, **options)
+        diagnostics.extend(found.diagnostics)
+        return found
+
+    models: tuple[ComponentModel, ...] = ()
+    programs: frozenset[tuple[str, str]] = frozenset()
+    packages = _packages_below(root, needed.packages)
+    if packages:
+        found = analyzed(packages, needed.is_needed)
+        models, programs = found.models, found.programs
+    if any(model.loads or model.loads_any for model in models):
+        models += analyzed(None, lambda component: is_loaded(component, models) and not needed.is_needed(component)).models
+    known = load(tuple(reading.library))
+    diagnostics += known.problems
+    rows = merged([*map(model_rows, models), *map(library_rows, needed.of(known, models)), shared_rows(models)])
+    return Components(models, programs, known.packages, dict(rows), rows_digest(rows), tuple(diagnostics))
+
+
+class _Needed:
+    """Which components the launches start."""
+
+    def __init__(self, launches: Sequence[Launch]) -> None:
+        asked = [item for launch in launches for item in started(launch.composition)]
+        self.executables = {(package, type_) for package, type_, _ in asked}
+        worlds = [plugin for launch in launches for world in launch.composition.worlds for plugin in world.plugins]
+        robots = [plugin for launch in launches for setting in launch.composition.params for plugin in setting.plugins]
+        self.plugins = {library_name(plugin.filename) for plugin in (*worlds, *robots)}
+        self.words = {word for _, _, words in asked for word in words}
+        self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
+        self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}
+
+    def key(self) -> list[str]:
+        """All that tells these components from others."""
+        return [repr(sorted(found)) for found in (self.executables, self.plugins, self.words, self.packages)]
+
+    def is_needed(self, component: Component) -> bool:
+        """Whether a node is started from this executable, or with an argument that names this class."""
+        return (component.package, component.name) in self.executables or component.plugin_name in self.words
+
+    def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
+        """The components of the library that are started, and those that these load, unless they are among `models`."""
+        own = {(model.package, model.plugin.name if model.plugin else model.component) for model in models}
+        found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
+        found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
+        found += [library.find(None, file) for file in sorted(self.plugins)]
+        started = [component for component in found if component is not None and (component.package, component.component) not in own]
+        return [part for component in started for part in library.with_loaded(component)]
+
+
+def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:
+    """Whether one of `models` loads this plug-in, by its name or because it takes all that are derived from a class."""
+    return any(component.plugin_name in model.loads or component.base_class in model.loads_any for model in models)
+
+
+def _packages_below(root: Path, names: Collection[str]) -> list[str]:
+    known = PackagePath([os.path.abspath(root)]).packages
+    return sorted(name for name in names if name in known)
