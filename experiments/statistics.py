@@ -27,16 +27,21 @@ def total(counts: Sequence[Counts]) -> Counts:
 
 
 def intervals(counts: Sequence[Counts], figures: Sequence[Figure], *, samples: int, seed: int | str) -> list[tuple[float, float] | None]:
-    """The 95 % percentile interval of each figure over samples of the components; None with fewer than two components."""
-    if len(counts) < 2:
+    """The 95 % percentile interval of each figure over samples of the components; None with fewer than two components that have elements.
+
+    A sample without any element has no figures.
+    """
+    if sum(each != Counts() for each in counts) < 2:
         return [None] * len(figures)
     draw = random.Random(seed)
     drawn: list[list[float]] = [[] for _ in figures]
     for _ in range(samples):
         sample = total(draw.choices(counts, k=len(counts)))
+        if sample == Counts():
+            continue
         for values, figure in zip(drawn, figures, strict=True):
             values.append(figure(sample))
-    return [_middle(sorted(values)) for values in drawn]
+    return [_middle(sorted(values)) if values else None for values in drawn]
 
 
 def _middle(values: Sequence[float]) -> tuple[float, float]:

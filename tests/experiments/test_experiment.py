@@ -70,9 +70,10 @@ def test_the_example(rosarch: Callable, tmp_path: Path) -> None:
     assert float(test["difference"]) < 0 and float(test["p"]) == 0.25 and float(test["corrected p"]) == 1
 
 
-def test_every_format(rosarch: Callable, tmp_path: Path) -> None:
-    shown = {form: rosarch("experiment", EXPERIMENT, "--format", form).out for form in ("text", "markdown", "latex", "csv", "json")}
-    assert shown["markdown"].startswith("# state_variables\n\n## Elements of ")
+def test_every_format(plan: Callable, rosarch: Callable) -> None:
+    path = plan("name: tiny\nsubjects: {ws: ws}\ntruth: truth\nvariants: {default: {}, two: {rules: heard.dl}}\n")
+    shown = {form: rosarch("experiment", path, "--format", form).out for form in ("text", "markdown", "latex", "csv", "json")}
+    assert shown["markdown"].startswith("# tiny\n\n## Elements of ")
     assert "| default | ports |" in shown["markdown"]
     assert shown["latex"].startswith("% needs \\usepackage{booktabs}\n\\begin{table}\n")
     assert shown["latex"].count("\\begin{tabular}") == shown["latex"].count("\\end{tabular}") == shown["markdown"].count("\n## ")
@@ -87,11 +88,11 @@ def test_every_format(rosarch: Callable, tmp_path: Path) -> None:
         "seed",
         "samples",
         "rules of default",
-        "facts of mobile_base",
-        "truth of mobile_base",
+        "facts of ws",
+        "truth of ws",
     }
     assert names <= set(found["made_from"])
-    assert rosarch("experiment", EXPERIMENT, "--format", "json").out == shown["json"]
+    assert rosarch("experiment", path, "--format", "json").out == shown["json"]
 
 
 def test_an_interrupted_run_goes_on(plan: Callable, rosarch: Callable, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -28,6 +28,8 @@ def test_intervals_hold_the_figure_and_narrow_with_more_components() -> None:
     assert few and many and few[0] < many[0] < total(counts).f1 < many[1] < few[1]
     assert intervals(counts, [f1], samples=500, seed=7) == intervals(counts, [f1], samples=500, seed=7)
     assert intervals(counts[:1], [f1], samples=500, seed=7) == [None]
+    assert intervals([Counts(5, 0, 0), Counts()], [f1], samples=500, seed=7) == [None]
+    assert intervals([Counts(5, 0, 0), Counts(4, 0, 0), Counts(), Counts()], [f1], samples=500, seed=7) == [(1.0, 1.0)]
     assert intervals([Counts(5, 0, 0)] * 3, [f1], samples=500, seed=7) == [(1.0, 1.0)]
 
 
