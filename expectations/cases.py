@@ -48,6 +48,8 @@ def find_cases(paths: Sequence[Path]) -> Cases:
 
 
 def _single(path: Path, problems: list[str]) -> Case:
+    if path.suffix not in SOURCES:
+        problems.append(f"{path}: not a C++ source; other files are tested with the workspace that they are in")
     return Case(path.parent, (path,), tuple(_expectations(path.parent, [path.name], problems)))
 
 
