@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
+
+from rosarch.extractor.cxx.includes import HeaderFinder
+from rosarch.extractor.cxx.translation_unit import CompileUnit, extract_unit
 
 
 def literals(facts) -> list[tuple[str, str]]:
@@ -151,3 +156,12 @@ def test_casts_and_lambdas_have_a_type(facts_of) -> None:
 def test_return_values(facts_of) -> None:
     facts = facts_of('const char* f(int a) { if (a) return "x"; return a > 1 ? "y" : "z"; }')
     assert [facts.show(value) for _, value in facts["return_value"]] == ['"x"', '?:((a > 1), "y", "z")']
+
+
+def test_a_path_that_a_definition_gives_is_told_from_the_workspace(tmp_path: Path) -> None:
+    source = tmp_path / "src" / "n.cpp"
+    source.parent.mkdir()
+    source.write_text('const char* a = CONFIG_DIR "/a.yaml"; const char* b = "/etc/b.yaml";')
+    unit = CompileUnit(source, definitions=(f'CONFIG_DIR="{tmp_path}/src/config"',))
+    rows = extract_unit(unit, tmp_path, HeaderFinder(tmp_path, tmp_path / "scratch", lambda _name: None), None)
+    assert sorted(value for _, _, value in rows["literal"]) == ["/etc/b.yaml", "src/config/a.yaml"]
