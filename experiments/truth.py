@@ -25,6 +25,7 @@ REQUIRED = {
     "configuration": ("name",),
     "transitions": ("variable",),
 }
+_LISTS = frozenset({"publishes", "trigger"})
 
 
 class TruthError(Exception):
@@ -129,10 +130,16 @@ def _read(path: Path, problems: list[str]) -> Truth | None:
 
 def _check_items(reader: YamlReader, name: str, node: yaml.Node, required: tuple[str, ...]) -> None:
     for item in reader.items(node):
-        known = {key.value for key, _ in reader.pairs(item)}
+        known = {key.value: value for key, value in reader.pairs(item)}
         for field in required:
-            if isinstance(item, yaml.MappingNode) and field not in known:
+            if field in known:
+                reader.text(known[field])
+            elif isinstance(item, yaml.MappingNode):
                 reader.problem(item, f"an entry of `{name}` without `{field}`")
+        for field in _LISTS & known.keys():
+            if not _is_null(known[field]):
+                for each in reader.items(known[field]):
+                    reader.text(each)
 
 
 def _is_null(node: yaml.Node) -> bool:

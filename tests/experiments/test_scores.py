@@ -128,6 +128,8 @@ def test_the_single_run(rosarch: Callable, workspace: Path, tmp_path: Path) -> N
         (TRUTH.replace("package: talker", "package: talk"), "1:12: no component talk/talker in {ws}"),
         (TRUTH.replace("kind: publisher, ", ""), "5:5: an entry of `ports` without `kind`"),
         (TRUTH.replace("package: talker\n", ""), "1:1: a component without `package`"),
+        (TRUTH.replace("id: p1", "id: [p1]"), "5:10: a text is expected here, not a list"),
+        (TRUTH + "periodic:\n  - {publishes: p1}\n", "7:17: a list is expected here, not a text"),
         ("component: talker\npackage: talker\nports: {id: p1}\n", "3:8: a list is expected here, not a map"),
         ("component: talker\npackage: [talker\n", "3:1: while parsing a flow sequence did not find expected ',' or ']'"),
     ],
