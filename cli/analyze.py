@@ -33,7 +33,7 @@ Out = Annotated[
         "-o",
         parser=path_argument,
         metavar="OUT",
-        help="Also write each model to OUT/<package>/<component>.json.",
+        help="Also write each model to OUT/<package>/<component>.json, and rules other than rosarch's to OUT/rules.json.",
         show_default=False,
     ),
 ]
@@ -64,10 +64,14 @@ def analyze(
     rules = parse_rules(own, variants, settings)
     analysis = load_analysis(folder, packages, rules=rules, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cached=cached)
     if out:
-        from rosarch.reports.json_models import write_models
+        from rosarch.extractor.cache import write_whole
+        from rosarch.models.rule_sets import described
+        from rosarch.reports.json_models import dump, write_models
 
         try:
             write_models(analysis.models, out)
+            if told := described(rules):
+                write_whole(out / "rules.json", dump(told).encode())
         except OSError as error:
             raise unwritable(out, error) from None
     show_diagnostics(analysis.diagnostics, verbose)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -88,7 +88,7 @@ def check(
         new_baseline=write_baseline,
         complete=not launches,
     )
-    write_reports(reported, destinations, folder, notes=verbose, scope=scope_text(checked.scope))
+    write_reports(reported, destinations, folder, notes=verbose, scope=scope_text(checked.scope), rules=_description(rules))
     if reported.exit_code:
         raise typer.Exit(reported.exit_code)
 
@@ -106,6 +106,17 @@ def _checks(rules: RuleSet) -> tuple[Check, ...]:
 
     with datalog_errors():
         return system_rules(rules).checks
+
+
+def _description(rules: RuleSet) -> Mapping[str, Any]:
+    """What reports tell of the rules, unless they are those that ship."""
+    from rosarch.models.rule_choice import SHIPPED
+
+    if rules == SHIPPED:
+        return {}
+    from rosarch.models.rule_sets import described
+
+    return described(rules)
 
 
 def _suppressions(folder: Path, checked: Checked) -> Iterable[Suppression]:

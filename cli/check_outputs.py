@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -77,12 +77,20 @@ def judge(
     return apply_policy(findings, policy, suppressions, reported.baseline, checks=checks, complete=complete)
 
 
-def write_reports(reported: Reported, destinations: Destinations, folder: Path, *, notes: bool = True, scope: str = "") -> None:
+def write_reports(
+    reported: Reported,
+    destinations: Destinations,
+    folder: Path,
+    *,
+    notes: bool = True,
+    scope: str = "",
+    rules: Mapping[str, Any] | None = None,
+) -> None:
     """Write all reports on the findings of the workspace `folder`; see `Setting` for what those for people show."""
     from rosarch.extractor.files import folder_reader
     from rosarch.reports.findings import Setting, report_text
 
-    setting = Setting(folder_reader(folder), _seen_from_here(folder), notes=notes, scope=scope)
+    setting = Setting(folder_reader(folder), _seen_from_here(folder), notes=notes, scope=scope, rules=rules or {})
     for name, file in destinations.files:
         _write(file, report_text(name, reported, setting))
     for name in destinations.stdout:

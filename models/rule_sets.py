@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -57,13 +57,17 @@ def rule_set(own: Sequence[Path] = (), variants: Mapping[str, str] | None = None
     chosen = []
     for name, variant in sorted((variants or {}).items()):
         if name not in known:
-            raise RuleSetError(f"there is no decision `{name}` with variants{hint(name, known)}")
+            raise RuleSetError(f"there is no decision `{name}`{_nearest(name, known)}")
         names = [each.name for each in known[name].variants]
         if variant not in names:
-            raise RuleSetError(f"{name} has no variant `{variant}`{hint(variant, names) or ', there are ' + ', '.join(names)}")
+            raise RuleSetError(f"{name} has no variant `{variant}`{_nearest(variant, names)}")
         if variant != known[name].default.stem:
             chosen.append((name, variant))
     return RuleSet(own, tuple(chosen), _checked_options(RuleSet(own, tuple(chosen)), options or {}))
+
+
+def _nearest(name: str, known: Collection[str]) -> str:
+    return hint(name, known) or f", there are {', '.join(sorted(known))}"
 
 
 def _checked_options(rules: RuleSet, given: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
@@ -72,7 +76,7 @@ def _checked_options(rules: RuleSet, given: Mapping[str, str]) -> tuple[tuple[st
     known = {option.name: option for option in find_options(rules)}
     for name, value in given.items():
         if name not in known:
-            raise RuleSetError(f"there is no option `{name}`{hint(name, known)}")
+            raise RuleSetError(f"there is no option `{name}`{_nearest(name, known)}")
         if problem := known[name].problem(value):
             raise RuleSetError(problem)
     return tuple(sorted((name, value) for name, value in given.items() if value != known[name].default))
@@ -200,11 +204,13 @@ def rules_digest(rules: RuleSet) -> str:
 
 
 def described(rules: RuleSet) -> dict[str, Any]:
-    """What results should tell about the rules that derived them: every variant and option, own files with hashes, what they override."""
+    """What results tell of rules other than those that ship: variants, options, own files with hashes, what they override."""
+    if rules == SHIPPED:
+        return {}
     values = {option.name: option.default for option in find_options(rules)} | dict(rules.options)
     return {
         "variants": {decision.name: path.stem for decision, path in chosen_variants(rules)},
         "options": dict(sorted(values.items())),
-        "rules": [{"file": str(path), "hash": content_hash(path)} for path in own_files(rules.own)],
+        "own": [{"file": str(path), "hash": content_hash(path)} for path in own_files(rules.own)],
         "overridden": sorted({each.relation for each in overridden(rules)}),
     }

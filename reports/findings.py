@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from importlib import import_module
+from typing import Any
 
 from rosarch.models.findings import SEVERITIES, Finding
 from rosarch.models.places import Place
@@ -25,7 +26,7 @@ class Setting:
 
     `read` gives the text of a file of the workspace, or None. `folder` is the workspace as seen from where the reader stands, empty when
     that is the workspace itself: people, editors and services find a file by the path that begins there. `notes` tells whether people want
-    notes, `scope` in words what was checked.
+    notes, `scope` in words what was checked. `rules` describes rules other than those that ship, see `described`.
     """
 
     read: Callable[[str], str | None] = field(default=lambda _path: None)
@@ -33,6 +34,7 @@ class Setting:
     terminal: bool = False
     notes: bool = True
     scope: str = ""
+    rules: Mapping[str, Any] = field(default_factory=dict)
 
     def path(self, path: str) -> str:
         """The path of a file of the workspace as the reader knows it."""

@@ -14,9 +14,11 @@ from rosarch.reports.findings import Setting, severity_counts, tool_version
 
 def findings_text(reported: Reported, setting: Setting) -> str:
     """The document. Its paths are relative to the workspace, `folder` tells where that is."""
-    data = {
+    rules: dict[str, Any] = {"rules": setting.rules} if setting.rules else {}
+    data: dict[str, Any] = {
         "rosarch": tool_version(),
         "folder": setting.folder or ".",
+        **rules,
         "findings": [_finding(finding) for finding in reported.shown],
         "suppressed": [
             {**_finding(each.finding), "reason": each.suppression.reason, "comment_line": each.suppression.line}

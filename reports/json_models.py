@@ -17,22 +17,22 @@ _IDENTITY = ("system", "component", "package", "kind", "node_name", "ports")
 
 def model_text(model: ComponentModel) -> str:
     """One component's document."""
-    return _dump(to_json(model))
+    return dump(to_json(model))
 
 
 def models_text(models: Iterable[ComponentModel]) -> str:
     """All documents in one array."""
-    return _dump([to_json(model) for model in models])
+    return dump([to_json(model) for model in models])
 
 
 def ports_text(models: Iterable[ComponentModel]) -> str:
     """An array of the components with nothing but their identity and ports."""
-    return _dump([{key: value for key, value in to_json(model).items() if key in _IDENTITY} for model in models])
+    return dump([{key: value for key, value in to_json(model).items() if key in _IDENTITY} for model in models])
 
 
 def behaviors_text(models: Iterable[ComponentModel]) -> str:
     """An array of the components with nothing but their identity, ports and behaviour."""
-    return _dump([{key: value for key, value in to_json(model).items() if key not in ("sources", "params")} for model in models])
+    return dump([{key: value for key, value in to_json(model).items() if key not in ("sources", "params")} for model in models])
 
 
 def component_schema() -> Any:
@@ -49,8 +49,9 @@ def write_models(models: Iterable[ComponentModel], out: Path) -> None:
 def write_document(model: Mapping[str, Any], out: Path) -> None:
     """Write the document of a component, as above."""
     path = path_below(out, model["package"], f"{model['component']}.json")
-    write_whole(path, _dump(model).encode("utf-8", "backslashreplace"))
+    write_whole(path, dump(model).encode("utf-8", "backslashreplace"))
 
 
-def _dump(data: object) -> str:
+def dump(data: object) -> str:
+    """A JSON document."""
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"

@@ -79,3 +79,32 @@ def test_a_check_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_pa
     done = rosarch("check", "examples/patrol_robot", "--rules", "old-position.dl")
     assert (done.code, done.err) == (2, error)
     assert len(shown) == 2
+
+
+def test_variants(rosarch: Callable[..., Any], examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "examples").symlink_to(examples)
+    (tmp_path / "all.dl").write_text('.pragma "override" "state_variable"\nstate_variable(V) :- changes(_, _, V).\n')
+    shown = [block for block in blocks("variants.md", "") if block.startswith("$")]
+    shown += [block for block in blocks("rules.md", "") if "all.dl" in block]
+    ran = 0
+    for part in re.split(r"^\$ rosarch ", "".join(shown), flags=re.MULTILINE)[1:]:
+        command, _, expected = part.partition("\n")
+        done = rosarch(*shlex.split(command))
+        actual = (done.err + done.out).splitlines()
+        assert [line for line in expected.splitlines() if line != "..." and line not in actual] == [], command
+        ran += 1
+    assert ran == 4
+
+
+def test_a_variant_and_an_option_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_path: Path) -> None:
+    variant, option = blocks("variants.md", "prolog")
+    folder = tmp_path / "my_rules"
+    (folder / "variants" / "state-variable").mkdir(parents=True)
+    (folder / "variants" / "state-variable" / "all.dl").write_text(variant)
+    (folder / "late.dl").write_text(f".decl late_queue(port: PortModel)\n{option}")
+    chosen = ("--rules", folder, "--variant", "state-variable=all", "--option", "late=3")
+    done = rosarch("query", examples / "docking_states", "state_variable(V)", *chosen, "-c", "docking")
+    assert done.out.splitlines()[-1] == "2 rows"
+    late = rosarch("query", examples / "patrol_robot", "late_queue(Port)", *chosen, "--launch", "*")
+    assert "patrol_robot/patrol#" in late.out
