@@ -25,7 +25,6 @@ QUERIES = [
         "reconfigure_parameter(_, Name, Kind, Default)",
         {("~exposure", "double", "0.01"), ("~gain", "int", "0")},
     ),
-    ("field_camera", "camera_driver", "reporting_task(_, F), function_name(F, Name)", {("CameraDriver::reportExposure",)}),
 ]
 
 
