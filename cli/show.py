@@ -27,10 +27,12 @@ from rosarch.cli.options import (
     Verbose,
     parse_defines,
 )
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.models.component import ComponentModel
+    from rosarch.models.rule_choice import RuleSet
 
 Node = Annotated[str | None, typer.Argument(metavar="NODE", help="Only this one: NAME, PACKAGE/NAME or its node name.", show_default=False)]
 
@@ -43,6 +45,9 @@ def ports(
     node: Node = None,
     packages: Packages = None,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -52,7 +57,7 @@ def ports(
 ) -> None:
     """List the topics, services, actions and transforms of each node and nodelet below DIR."""
     start = time.perf_counter()
-    models = _models(folder, node, packages, engine, jobs, defines, timeout, cached, verbose)
+    models = _models(folder, node, packages, parse_rules(own, variants, settings), engine, jobs, defines, timeout, cached, verbose)
     if output_format is Format.json:
         from rosarch.reports.json_models import ports_text
 
@@ -75,6 +80,9 @@ def behavior(
     node: Node = None,
     packages: Packages = None,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -83,7 +91,7 @@ def behavior(
     verbose: Verbose = False,
 ) -> None:
     """List what each node and nodelet below DIR does: its reactions, timed loops, state variables and their transitions."""
-    models = _models(folder, node, packages, engine, jobs, defines, timeout, cached, verbose)
+    models = _models(folder, node, packages, parse_rules(own, variants, settings), engine, jobs, defines, timeout, cached, verbose)
     if output_format is Format.json:
         from rosarch.reports.json_models import behaviors_text
 
@@ -115,6 +123,9 @@ def machine(
         typer.Option("--max-states", metavar="N", min=1, help="Show variables that depend on each other as one machine of up to N states."),
     ] = 16,
     joint: Annotated[bool, typer.Option("--joint", help="Do so even where every combination of their values can occur.")] = False,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -123,7 +134,7 @@ def machine(
     verbose: Verbose = False,
 ) -> None:
     """Show the state machines of each node and nodelet below DIR: states are the values of its state variables."""
-    models = _models(folder, node, packages, engine, jobs, defines, timeout, cached, verbose)
+    models = _models(folder, node, packages, parse_rules(own, variants, settings), engine, jobs, defines, timeout, cached, verbose)
     if len(models) != 1 and output_format not in (MachineFormat.text, MachineFormat.json):
         names = ", ".join(f"{model.package}/{model.component}" for model in models)
         raise InputError(f"{folder}: {len(models)} components; choose one for {output_format.value}: {names}")
@@ -143,6 +154,7 @@ def _models(
     folder: Path,
     node: str | None,
     packages: list[str] | None,
+    rules: RuleSet,
     engine: Engine,
     jobs: int | None,
     defines: list[str] | None,
@@ -151,7 +163,9 @@ def _models(
     verbose: bool,
 ) -> tuple[ComponentModel, ...]:
     """The components to show; what was not understood goes to stderr."""
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached)
+    analysis = load_analysis(
+        folder, packages, rules=rules, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
+    )
     models = analysis.models if node is None else _named(analysis.models, node)
     show_diagnostics(analysis.diagnostics, verbose)
     return models

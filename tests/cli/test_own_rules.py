@@ -163,6 +163,12 @@ def test_models_of_another_variant_are_not_taken_from_the_cache(rosarch: Run, ex
     assert (states(), states("--variant", "state-variable=rosinfer"), states()) == (4, 3, 4)
 
 
+def test_what_is_shown_is_by_the_chosen_variant(rosarch: Run, examples: Path) -> None:
+    shown = rosarch("show", "behavior", examples / "docking_states", "dock_lamp", "--variant", "state-variable=rosinfer").out
+    assert "::g_alarm" in shown
+    assert "::g_lit   " not in shown
+
+
 def test_options_as_json(rosarch: Run) -> None:
     data = json.loads(rosarch("options", "--json").out)
     assert {each["name"]: each["default"] for each in data["decisions"]} == {
