@@ -27,7 +27,7 @@ class Trait:
     """A row of the relation `name`: ids of ports, places, names of variables, texts."""
 
     name: str
-    values: tuple[str, ...]
+    values: tuple[str | Place, ...]
 
 
 def traits(
@@ -40,5 +40,5 @@ def traits(
         for row in relations.get(name, ()):
             values = [known[kind].get(value) if kind in known else value for kind, value in zip(kinds, row, strict=True)]
             if None not in values:
-                found.add(Trait(name, tuple(map(str, values))))
+                found.add(Trait(name, tuple(value if isinstance(value, Place) else str(value) for value in values)))
     return tuple(sorted(found))

@@ -13,7 +13,7 @@ from rosarch.reports.printable import printable
 
 WIDEST = 160  # characters of a source line
 _TAB = 4
-_TOKEN = re.compile(r"\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'|</?[\w:.-]+|[\w$~/][\w$~/.:-]*(?<![.:-])|\S")
+_TOKEN = re.compile(r"\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'|</?[\w:.-]+|[\w$~/](?:->|[\w$~/.:-])*(?<![.:-])|\S")
 
 
 @dataclass(frozen=True)

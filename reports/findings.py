@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from importlib import import_module
+from itertools import groupby
 from typing import Any
 
 from rosarch.models.findings import SEVERITIES, Finding
@@ -15,7 +16,7 @@ from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
 FORMATS = ("text", "json", "sarif", "junit", "github", "markdown")
-SYSTEMS = 5  # that a report for people names
+MOST = 5  # systems, and findings at one place, that a report for people names
 LINE_FORMATS = ("text", "github")
 """Formats that may follow each other in one stream: nobody parses the whole of it."""
 
@@ -63,10 +64,33 @@ def tool_version() -> str:
     return version("rosarch")
 
 
-def some_systems(finding: Finding) -> list[str]:
-    """The systems that have a finding, in words and printable; of many the first ones."""
-    names = [printable(name) for name in finding.systems]
-    return names if len(names) <= SYSTEMS else [*names[: SYSTEMS - 1], f"{len(names) - SYSTEMS + 1} more"]
+@dataclass(frozen=True)
+class Alike:
+    """What a check found at one place: in all likelihood one fault, which several nodes have. The `first` stands for the `others`."""
+
+    first: Finding
+    others: tuple[Finding, ...] = ()
+
+    @property
+    def systems(self) -> list[str]:
+        """The systems that have the fault, in words and printable; of many the first ones."""
+        return _some([printable(name) for name in dict.fromkeys(name for each in (self.first, *self.others) for name in each.systems)])
+
+    @property
+    def messages(self) -> list[str]:
+        """What the other findings say, printable; of many the first ones."""
+        return _some([printable(finding.message) for finding in self.others])
+
+
+def alike(findings: Iterable[Finding]) -> Iterator[Alike]:
+    """Findings, sorted by place, with those of the same check at the same place together."""
+    for _, together in groupby(findings, key=lambda finding: (finding.place, finding.severity, finding.check.id)):
+        first, *others = together
+        yield Alike(first, tuple(others))
+
+
+def _some(texts: list[str]) -> list[str]:
+    return texts if len(texts) <= MOST else [*texts[: MOST - 1], f"{len(texts) - MOST + 1} more"]
 
 
 def scope_text(scope: Scope) -> str:

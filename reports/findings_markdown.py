@@ -6,10 +6,9 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
-from rosarch.models.findings import Finding
 from rosarch.models.policy import Reported
 from rosarch.reports.excerpts import Excerpts
-from rosarch.reports.findings import Setting, some_systems, summary_line
+from rosarch.reports.findings import Alike, Setting, alike, summary_line
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
@@ -23,16 +22,17 @@ def findings_text(reported: Reported, setting: Setting) -> str:
     length, left = len(parts[0]), len(reported.shown)
     for path, findings in groupby(reported.shown, key=lambda finding: finding.place.path):
         heading = f"\n#### {_code(setting.path(path))}\n\n"
-        for finding in findings:
-            text = heading + "\n".join(_finding(finding, excerpts, setting)) + "\n"
+        for each in alike(findings):
+            text = heading + "\n".join(_finding(each, excerpts, setting)) + "\n"
             if length + len(text) > LONGEST:
                 return "".join([*parts, f"\n… and {counted(left, 'more finding')}.\n"])
             parts.append(text)
-            length, left, heading = length + len(text), left - 1, ""
+            length, left, heading = length + len(text), left - 1 - len(each.others), ""
     return "".join(parts)
 
 
-def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator[str]:
+def _finding(each: Alike, excerpts: Excerpts, setting: Setting) -> Iterator[str]:
+    finding = each.first
     line = f"line {finding.place.line}: " if finding.place.line > 0 else ""
     yield f"- **{finding.severity}** {line}{_escape(finding.message)} ({_code(finding.check.id)})"
     yield "  <details><summary>why, and what to do</summary>"
@@ -46,11 +46,14 @@ def _finding(finding: Finding, excerpts: Excerpts, setting: Setting) -> Iterator
             yield ""
             yield from (f"  {row}" for row in (fence, excerpt.text, excerpt.underline, fence))
         yield ""
+    for message in each.messages:
+        yield f"  Also: {_escape(message)}"
+        yield ""
     if finding.check.recommendation:
         yield f"  **Hint:** {_escape(' '.join(finding.check.recommendation.split()))}"
         yield ""
-    if finding.systems:
-        yield f"  In: {', '.join(map(_code, some_systems(finding)))}"
+    if each.systems:
+        yield f"  In: {', '.join(map(_code, each.systems))}"
         yield ""
     yield "  </details>"
 

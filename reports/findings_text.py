@@ -1,7 +1,7 @@
 """Findings for people: each with its source line, the steps that lead to it, and what to change.
 
-What repeats is said once: the source line of findings that share it, and the hint of a check. Notes, which are many and matter little, are
-only counted unless they are asked for or make the run fail.
+What repeats is said once: what a check finds at one place for several nodes, the source line of findings that share it, and the hint of a
+check. Notes, which are many and matter little, are only counted unless they are asked for or make the run fail.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from rosarch.models.findings import Evidence, Finding
+from rosarch.models.findings import Evidence
 from rosarch.models.policy import Reported
 from rosarch.reports.excerpts import Excerpts
-from rosarch.reports.findings import Setting, some_systems, summary_line
+from rosarch.reports.findings import Alike, Setting, alike, summary_line
 from rosarch.reports.printable import printable
 
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold cyan"}
@@ -26,10 +26,12 @@ def findings_text(reported: Reported, setting: Setting) -> str:
     told = [finding for finding in reported.shown if setting.notes or finding.severity != "note" or reported.policy.fails(finding)]
     lines: list[Text] = []
     hinted: set[str] = set()
-    for before, finding in zip((None, *told), told, strict=False):
-        repeated = before is not None and setting.line(before.place) == setting.line(finding.place)
-        lines += [*_finding(finding, excerpts, setting, excerpted=not repeated, hint=finding.check.id not in hinted), Text()]
-        hinted.add(finding.check.id)
+    before = None
+    for each in alike(told):
+        place, check = setting.line(each.first.place), each.first.check.id
+        lines += [*_finding(each, excerpts, setting, excerpted=place != before, hint=check not in hinted), Text()]
+        hinted.add(check)
+        before = place
     worst = min((finding.severity for finding in reported.shown), key=list(_STYLES).index, default="")
     hidden = "; -v shows the notes" if len(told) < len(reported.shown) else ""
     lines.append(Text(f"{summary_line(reported)}{hidden}", style=_STYLES.get(worst, "bold green")))
@@ -45,8 +47,9 @@ def findings_text(reported: Reported, setting: Setting) -> str:
     return buffer.getvalue()
 
 
-def _finding(finding: Finding, excerpts: Excerpts, setting: Setting, *, excerpted: bool, hint: bool) -> Iterator[Text]:
-    """Headline, excerpt, the other steps with theirs, the hint, and the systems that have it."""
+def _finding(each: Alike, excerpts: Excerpts, setting: Setting, *, excerpted: bool, hint: bool) -> Iterator[Text]:
+    """Headline, excerpt, the other steps with theirs, other findings at the place, the hint, and the systems that have it."""
+    finding = each.first
     width = max(len(str(step.place.line)) for step in finding.evidence)
     yield Text.assemble(
         (f"{setting.place(finding.place)}: ", "bold"),
@@ -62,10 +65,12 @@ def _finding(finding: Finding, excerpts: Excerpts, setting: Setting, *, excerpte
         if (step.place.path, step.place.line) not in shown:
             yield from _excerpt(step, excerpts, width, finding.severity, labelled=not number)
             shown.add((step.place.path, step.place.line))
+    for message in each.messages:
+        yield Text.assemble("  ", ("also: ", "bold"), message)
     if finding.check.recommendation and hint:
         yield Text.assemble("  ", ("hint: ", "bold"), printable(" ".join(finding.check.recommendation.split())))
-    if finding.systems:
-        yield Text.assemble("  ", ("in: ", "bold"), ", ".join(some_systems(finding)))
+    if each.systems:
+        yield Text.assemble("  ", ("in: ", "bold"), ", ".join(each.systems))
 
 
 def _excerpt(step: Evidence, excerpts: Excerpts, width: int, severity: str, *, labelled: bool) -> Iterator[Text]:

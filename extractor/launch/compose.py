@@ -216,7 +216,7 @@ def _finished(state: State) -> Composition:
         deleted=tuple(dict.fromkeys(state.deleted)),
         unread=tuple(_rendered_param(setting, state) for setting in state.unread),
         declared=tuple(_rendered_declaration(argument, state) for argument in state.declared),
-        passed=tuple(replace(argument, name=shown(argument.name), value=_shown(argument.value, state)) for argument in state.passed),
+        passed=tuple(replace(argument, name=shown(argument.name), value=shown(argument.value)) for argument in state.passed),
         remaps=tuple(_rendered_remap(remap, state) for remap in state.remaps),
         worlds=tuple(state.worlds.values()),
         references=tuple(itertools.chain.from_iterable(map(state.files.references, state.read))),

@@ -38,8 +38,8 @@ def arg(state: State, element: Element, scope: Scope, passed: dict[str, str] | N
         raise LaunchError("arg-value", name, f"argument `{name}` has both a value and a default")
     if passed is None:
         state.declared.append(ArgumentDeclared(scope.filename, name, value, default, state.here))
-    else:
-        state.passed.append(ArgumentPassed(name, value, state.include, state.here))
+    elif value is not None or default is not None:
+        state.passed.append(ArgumentPassed(name, default or "" if value is None else value, state.include, state.here))
     into = scope.args if passed is None else passed
     if conditions or name in scope.maybe_declared:
         # one of two alternatives: what it is set to depends on the condition, unless it was passed

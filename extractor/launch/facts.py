@@ -66,7 +66,7 @@ class _Writer:
             if include.passes_all:
                 self.add("included_with_all", self.place(place))
         for passed in composition.passed:
-            self.add("argument_passed", self.place(passed.include), passed.name, passed.value or "", self.place(passed.place))
+            self.add("argument_passed", self.place(passed.include), passed.name, passed.value, self.place(passed.place))
         for remap in composition.remaps:
             row = (self.place(remap.place), self.path(remap.place.path), canonical(remap.source), canonical(remap.target))
             self.add("remap_written", *row)

@@ -128,7 +128,7 @@ class ArgumentPassed:
     """An `<arg>` that an `<include>`, at `include`, passes."""
 
     name: str
-    value: str | None
+    value: str
     include: Place
     place: Place
 

@@ -20,6 +20,7 @@ from .packages import PackagePath
 Rows = dict[str, set[tuple[Any, ...]]]
 _WORD = re.compile(r"\w+")
 _INTERPRETED = re.compile(rb"#!.*\b(python|bash|sh|ruby|perl)")
+_PART_OF_SCRIPT = (".py", ".cfg")  # modules, and descriptions of parameters, which are Python as well
 MAX_FILES = 500
 MAX_BYTES = 1 << 20
 
@@ -51,7 +52,7 @@ def _texts(folder: str, name: str) -> Iterator[Path]:
     for here, folders, files in os.walk(folder):
         folders[:] = sorted(entry for entry in folders if not entry.startswith("."))
         for file in sorted(files):
-            if file == name or file.endswith(".py"):
+            if file == name or file.endswith(_PART_OF_SCRIPT):
                 count += 1
                 if count > MAX_FILES:
                     return

@@ -20,9 +20,12 @@ _FIND = re.compile(r"\$\(find ([^()$]+)\)")
 
 
 def launch_files(folder: Path | str) -> list[str]:
-    """The launch files below a folder, sorted; hidden folders are left out."""
+    """The launch files below a folder, sorted; hidden folders and those that CATKIN_IGNORE hides are left out."""
     found: list[str] = []
     for here, folders, names in os.walk(folder):
+        if "CATKIN_IGNORE" in names:
+            folders.clear()
+            continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         found += [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES)]
     return found

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Mapping
 from typing import Any
 
 from rosarch.library import LibraryComponent
 from rosarch.models.component import ComponentModel, to_json
+from rosarch.models.places import Place
 from rosarch.models.traits import TRAITS
 
 Rows = dict[str, set[tuple[Any, ...]]]
-_PLACE = re.compile(r"(.*):(\d+)")
 
 
 class _Writer:
@@ -24,19 +23,11 @@ class _Writer:
     def add(self, relation: str, *row: Any) -> None:
         self.rows.setdefault(relation, set()).add(row)
 
-    def placed(self, text: str) -> str:
-        """The key of a place, "" when the text does not tell one."""
-        match = _PLACE.fullmatch(text)
-        if match is None:
-            return ""
-        self.add("place", f"{text}:1", match[1], int(match[2]), 1)
-        return f"{text}:1"
-
-    def place(self, relation: str, key: str, text: str | None) -> None:
-        """Where a thing is, when that is known."""
-        place = self.placed(text or "")
-        if place:
-            self.add(relation, key, place)
+    def placed(self, place: Place) -> str:
+        """The key of a place."""
+        key = f"{place}:{place.column}"
+        self.add("place", key, place.path, place.line, place.column)
+        return key
 
     def attributes(self, prefix: str, key: str, source: Mapping[str, Any], fields: Mapping[str, str]) -> None:
         """A row for each field that is given; one that is true has no value."""
@@ -66,16 +57,15 @@ def model_rows(model: ComponentModel) -> Rows:
         writer.add("interface_loads", component, name)
     for base in model.loads_any:
         writer.add("interface_loads_any", component, base)
-    for port in document["ports"]:
-        key = f"{component}#{port['id']}"
-        writer.add("interface_port", component, key, port["kind"], port["name"])
-        writer.attributes("interface_port", key, port, _PORT)
-        writer.place("interface_port_at", key, port["at"])
-    for number, access in enumerate(document["params"], 1):
-        _access(writer, component, f"{component}#a{number}", access)
+    for port, described in zip(model.ports, document["ports"], strict=True):
+        key = f"{component}#{port.id}"
+        writer.add("interface_port", component, key, port.kind, port.name)
+        writer.attributes("interface_port", key, described, _PORT)
+        writer.add("interface_port_at", key, writer.placed(port.at))
+    for number, (parameter, access) in enumerate(zip(model.params, document["params"], strict=True), 1):
+        _access(writer, component, f"{component}#a{number}", access, parameter.at)
     for number, parameter in enumerate(model.reconfigurable, 1):
-        access = {"name": parameter.name, "op": parameter.op, "type": parameter.type, "default": parameter.default, "at": str(parameter.at)}
-        _access(writer, component, f"{component}#d{number}", access)
+        _access(writer, component, f"{component}#d{number}", vars(parameter), parameter.at)
     for reaction in document["reactive"]:
         how = "always" if reaction["must"] else "sometimes"
         writer.add("interface_reacts", f"{component}#{reaction['input']}", f"{component}#{reaction['output']}", how)
@@ -84,15 +74,17 @@ def model_rows(model: ComponentModel) -> Rows:
             hz = loop["hz"] if isinstance(loop["hz"], (int, float)) else 0
             writer.add("interface_periodic", f"{component}#{port}", float(hz), loop["hz_from_param"] or "")
     for timed in model.behavior.periodic:
-        writer.add("interface_loop", component, writer.placed(str(timed.at)), timed.hz or 0.0, timed.hz_from_param or "")
+        writer.add("interface_loop", component, writer.placed(timed.at), timed.hz or 0.0, timed.hz_from_param or "")
     for trait in model.traits:
         values = zip(TRAITS[trait.name], trait.values, strict=True)
         writer.add(f"interface_{trait.name}", component, *(_trait_value(writer, component, kind, value) for kind, value in values))
     return writer.rows
 
 
-def _trait_value(writer: _Writer, component: str, kind: str, value: str) -> str:
-    return f"{component}#{value}" if kind == "port" else writer.placed(value) if kind == "place" else value
+def _trait_value(writer: _Writer, component: str, kind: str, value: str | Place) -> str:
+    if isinstance(value, Place):
+        return writer.placed(value)
+    return f"{component}#{value}" if kind == "port" else value
 
 
 def library_rows(found: LibraryComponent) -> Rows:
@@ -129,11 +121,12 @@ def library_rows(found: LibraryComponent) -> Rows:
     return writer.rows
 
 
-def _access(writer: _Writer, component: str, key: str, access: Mapping[str, Any]) -> None:
+def _access(writer: _Writer, component: str, key: str, access: Mapping[str, Any], at: Place | None = None) -> None:
     writer.add("interface_parameter", component, key, access["op"], access["name"])
     if access["type"]:
         writer.add("interface_parameter_type", key, access["type"])
     default = access["default"]
     if default is not None:
         writer.add("interface_parameter_default", key, default if isinstance(default, str) else json.dumps(default))
-    writer.place("interface_parameter_at", key, access.get("at"))
+    if at is not None:
+        writer.add("interface_parameter_at", key, writer.placed(at))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +16,7 @@ from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
 from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged, rows_digest
-from rosarch.models.system.workspace import named_by, programs_named, shared_rows, source_rows, workspace_rows
+from rosarch.models.system.workspace import named_by, programs_named, set_rows, shared_rows, source_rows, workspace_rows
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Component, Diagnostic
@@ -95,7 +95,8 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
 
     words = sorted({setting.name for composition in compositions for setting in composition.params})
     sources = memo.recall(["said", top, components.digest, *words], (top,), said) if memo else said()
-    named = merged([workspace_rows(root, compositions, components.programs, components.expected), sources])
+    there = workspace_rows(root, compositions, components.programs, components.expected)
+    named = merged([there, sources, set_rows(compositions, components.models)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     return Surrounding(root, components, named, tuple(dict.fromkeys(found)))
 
@@ -115,7 +116,7 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
         options: dict[str, Any] = {"jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines, "cache": reading.cache}
         found = analyze(root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, **options)
         diagnostics.extend(found.diagnostics)
-        return found
+        return replace(found, models=tuple(model for model in found.models if model.sources))  # of the others nothing is known
 
     models: tuple[ComponentModel, ...] = ()
     programs: frozenset[tuple[str, str]] = frozenset()

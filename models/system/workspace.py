@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
@@ -30,35 +30,53 @@ def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Co
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
-    expected = set(known)
-    if absent - expected:
-        expected |= _dependencies(root)
+    depended, own = _dependencies(root) if absent - known else (set(), set())
     return {
         "program_built": set(programs),
-        "package_expected": {(package,) for package in absent & expected},
+        "package_expected": {(package,) for package in absent & (known | depended | own)},
+        "package_unknown": {(package,) for package in depended - known - own},
     }
 
 
-def _dependencies(root: Path) -> set[str]:
+def _dependencies(root: Path) -> tuple[set[str], set[str]]:
     """All that the manifests below `root` depend on, and their own packages: of these, only ignored ones are not found."""
     from rosarch.extractor.package_names import quick_name
     from rosarch.extractor.workspace.manifests import find_manifests
 
-    found: set[str] = set()
+    depended: set[str] = set()
+    own: set[str] = set()
     for path in find_manifests(root, [], ignored=True):
         try:
-            found.update(_DEPENDENCY.findall(read_file(path).decode(errors="replace")), filter(None, [quick_name(path)]))
+            depended.update(_DEPENDENCY.findall(read_file(path).decode(errors="replace")))
+            own.update(filter(None, [quick_name(path)]))
         except OSError:
             continue  # where the package is read, that is reported
-    return found
+    return depended, own
 
 
 def shared_rows(models: Sequence[ComponentModel]) -> Rows:
-    """Which components read parameters by absolute names, and below which name."""
-    read = {
-        (parameter.name, f"{model.package}/{model.component}") for model in models for parameter in model.params if parameter.op == "read"
+    """Which components read which parameters by absolute names."""
+    return {
+        "read_absolutely": {
+            (parameter.name, f"{model.package}/{model.component}")
+            for model in models
+            for parameter in model.params
+            if parameter.op == "read" and parameter.name.startswith("/")
+        }
     }
-    return {"space_read": {(name.split("/")[1], component) for name, component in read if name.count("/") > 1 and name.startswith("/")}}
+
+
+def set_rows(compositions: Sequence[Composition], models: Sequence[ComponentModel]) -> Rows:
+    """Which of the parameters that components read by absolute names the launch files set."""
+    names = {name for name, _ in shared_rows(models)["read_absolutely"]}
+    set_ = {setting.name for composition in compositions for setting in composition.params}
+    return {"set_somewhere": {(name,) for name in names & {above for param in set_ for above in (param, *_namespaces(param))}}}
+
+
+def _namespaces(name: str) -> Iterator[str]:
+    """The namespaces that an absolute name lies in, but for the outermost."""
+    while (name := name.rpartition("/")[0]) != "":
+        yield name
 
 
 def source_rows(root: Path, compositions: Sequence[Composition], models: Sequence[ComponentModel]) -> Rows:

@@ -30,7 +30,7 @@ ROBOT = """<launch>
 </launch>
 """
 MISMATCH = (
-    "ws/talker/listener.cpp:10:1: error: /listener reads /chatter as std_msgs/Int32, but /talker publishes it as std_msgs/String"
+    "ws/talker/listener.cpp:10:25: error: /listener reads /chatter as std_msgs/Int32, but /talker publishes it as std_msgs/String"
     "  [topic-type-mismatch]"
 )
 
@@ -58,7 +58,7 @@ def test_a_finding(ws: Path, rosarch: Callable) -> None:
     assert outcome.out == (
         f"{MISMATCH}\n"
         '  10 |   ros::Subscriber sub = nh.subscribe("numbers", 10, onNumber);\n'
-        "     |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ subscriber /chatter of /listener\n"
+        "     |                         ^~~~~~~~~~~~ subscriber /chatter of /listener\n"
         "  ws/talker/robot.launch:5: /numbers is remapped to /chatter\n"
         '   5 |     <remap from="numbers" to="$(arg topic)"/>\n'
         "     |     ^~~~~~\n"
@@ -67,7 +67,7 @@ def test_a_finding(ws: Path, rosarch: Callable) -> None:
         "     |   ^~~~~\n"
         "  ws/talker/talker.cpp:8: publisher /chatter of /talker\n"
         '   8 |   ros::Publisher pub = nh.advertise<std_msgs::String>("chatter", 10);\n'
-        "     |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\n"
+        "     |                        ^~~~~~~~~~~~\n"
         "  ws/talker/robot.launch:3: /talker is started\n"
         '   3 |   <node pkg="talker" type="talker" name="talker"/>\n'
         "     |   ^~~~~\n"

@@ -20,7 +20,7 @@ IN = Port(
     "p2", "subscriber", "cmd_vel", None, "geometry_msgs/Twist", 1, False, "Base::onCommand", "plain", Place("base/src/base.cpp", 8, 3)
 )
 LOG = Port("p3", "publisher", "/rosout", None, None, None, False, None, "plain", AT, implicit=True)
-VALUES = {"port": "p1", "place": str(AT), "variable": "speed_", "text": "x"}
+VALUES: dict[str, str | Place] = {"port": "p1", "place": AT, "variable": "speed_", "text": "x"}
 MODEL = ComponentModel(
     "ws", "base", "robot", "node", "base", ("base/src/base.cpp",), (OUT, IN, LOG),
     (Parameter("~odom_topic", "read", "string", "odom", Place("base/src/base.cpp", 5, 1)), Parameter("rate", "write", None, None, AT)),
@@ -50,7 +50,7 @@ FOUND = LibraryComponent(
 
 def test_a_model() -> None:
     rows = model_rows(MODEL)
-    at = f"{AT}:1"
+    at = f"{AT}:3"
     assert rows["interface"] == {("robot/base", "robot", "robot/Base", "node", "source")}
     assert rows["interface_port"] == {
         ("robot/base", "robot/base#p1", "publisher", "odom"),
@@ -64,7 +64,7 @@ def test_a_model() -> None:
     assert rows["interface_port_in_namespace"] == {("robot/base#p1", "first")}
     assert rows["interface_port_callback"] == {("robot/base#p2", "Base::onCommand")}
     assert ("robot/base#p1", at) in rows["interface_port_at"]
-    assert (at, AT.path, 7, 1) in rows["place"]
+    assert (at, AT.path, 7, 3) in rows["place"]
     assert rows["interface_base"] == {("robot/base", "nodelet::Nodelet")}
     assert (rows["interface_loads"], rows["interface_loads_any"]) == ({("robot/base", "robot/Filter")}, {("robot/base", "robot::Filter")})
 
@@ -86,8 +86,8 @@ def test_behavior_of_a_model() -> None:
     assert rows["interface_reacts"] == {("robot/base#p2", "robot/base#p1", "always")}
     assert rows["interface_periodic"] == {("robot/base#p1", 20.0, "~rate")}
     assert rows["interface_loop"] == {("robot/base", "base/src/base.cpp:9:1", 20.0, "~rate")}
-    assert rows["interface_sent_at_start"] == {("robot/base", "robot/base#p1", f"{AT}:1")}
-    assert rows["interface_sends_frame"] == {("robot/base", f"{AT}:1", "x", "x")}
+    assert rows["interface_sent_at_start"] == {("robot/base", "robot/base#p1", f"{AT}:3")}
+    assert rows["interface_sends_frame"] == {("robot/base", f"{AT}:3", "x", "x")}
 
 
 def test_a_rate_that_is_not_known() -> None:

@@ -6,8 +6,9 @@ from pathlib import Path
 
 from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.library import load
-from rosarch.models.component import ComponentModel
-from rosarch.models.system.workspace import programs_named, source_rows, workspace_rows
+from rosarch.models.component import ComponentModel, Parameter
+from rosarch.models.places import Place
+from rosarch.models.system.workspace import programs_named, set_rows, shared_rows, source_rows, workspace_rows
 
 LAUNCH = """<launch><group if="false">
 <node pkg="robot" type="built" name="a"/><node pkg="robot" type="gone" name="b"/>
@@ -19,7 +20,9 @@ LAUNCH = """<launch><group if="false">
 def test_programs_and_packages(tmp_path: Path) -> None:
     folder = tmp_path / "robot"
     folder.mkdir()
-    (folder / "package.xml").write_text('<package><name>robot</name><exec_depend version_gte="1">driver</exec_depend></package>')
+    (folder / "package.xml").write_text(
+        '<package><name>robot</name><exec_depend version_gte="1">driver</exec_depend><depend>move_base</depend><depend>off</depend></package>'
+    )
     (tmp_path / "off").mkdir()
     (tmp_path / "off" / "package.xml").write_text("<package><name>off</name></package>")
     (tmp_path / "off" / "CATKIN_IGNORE").touch()
@@ -29,6 +32,7 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     rows = workspace_rows(tmp_path, [composition], {("robot", "built"), ("robot", "other")}, load().packages)
     assert rows["program_built"] == {("robot", "built"), ("robot", "other")}
     assert rows["package_expected"] == {("driver",), ("move_base",), ("off",)}
+    assert rows["package_unknown"] == {("driver",)}
 
 
 def test_words_of_sources(tmp_path: Path) -> None:
@@ -42,3 +46,15 @@ def test_words_of_sources(tmp_path: Path) -> None:
     composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
     model = ComponentModel("robot", "driver", "robot", "node", None, ("robot/src/a.cpp",), (), ())
     assert source_rows(tmp_path, [composition], [model]) == {"source_says": {("robot/driver", "speed")}}
+
+
+def test_parameters_of_absolute_names(tmp_path: Path) -> None:
+    (tmp_path / "a.launch").write_text(
+        "<launch>" + "".join(f'<param name="{name}" value="1"/>' for name in ("base/rate", "base/gains/p/x", "unread")) + "</launch>"
+    )
+    composition = compose([tmp_path / "a.launch"], files=Files(PackagePath([tmp_path])))
+    accesses = [("/base/rate", "read"), ("/base/gains", "read"), ("/base/mass", "read"), ("/unread", "write"), ("~rate", "read")]
+    parameters = tuple(Parameter(name, op, None, None, Place("a.cpp", 1, 1)) for name, op in accesses)
+    model = ComponentModel("robot", "driver", "robot", "node", None, ("a.cpp",), (), parameters)
+    assert shared_rows([model]) == {"read_absolutely": {(name, "robot/driver") for name in ("/base/rate", "/base/gains", "/base/mass")}}
+    assert set_rows([composition], [model]) == {"set_somewhere": {("/base/rate",), ("/base/gains",)}}

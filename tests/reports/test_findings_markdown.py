@@ -53,6 +53,16 @@ def test_a_finding() -> None:
     )
 
 
+def test_findings_of_one_place_are_told_together() -> None:
+    findings = [finding(message="a"), finding(message="b <c>"), finding(message="three", line=4)]
+    lines = findings_text(apply_policy(findings, Policy(), checks=CHECKS), HERE).splitlines()
+    assert [line for line in lines if line.startswith(("- ", "  Also"))] == [
+        "- **error** line 3: a (`type-mismatch`)",
+        "  Also: b \\<c\\>",
+        "- **error** line 4: three (`type-mismatch`)",
+    ]
+
+
 def test_nothing() -> None:
     assert findings_text(nothing(), HERE) == "### rosarch: no findings\n"
 
@@ -107,7 +117,7 @@ def markup(text: str) -> list[tuple[str, str]]:
 
 
 def test_a_comment_has_room_for_it() -> None:
-    findings = [finding(message=f"{number} {'x' * 200}") for number in range(1000)]
+    findings = [finding(message=f"{number} {'x' * 200}", line=number) for number in range(1000)]
     text = findings_text(apply_policy(findings, Policy(), checks=CHECKS), HERE)
     assert len(text) < LONGEST + 100
     shown = text.count("- **error**")

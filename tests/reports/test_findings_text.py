@@ -77,15 +77,18 @@ def test_a_line_is_shown_once() -> None:
 def test_what_repeats_is_said_once() -> None:
     first, second, third = (replace(FULL, message=message, evidence=FULL.evidence[:1]) for message in "abc")
     third = replace(third, evidence=(Evidence("", Place("odom/src/odom.cpp", 4, 1)),))
-    reported = apply_policy([first, second, third], Policy(), checks=CHECKS)
+    other = replace(first, message="d", check=STYLE)
+    reported = apply_policy([first, second, third, other], Policy(), checks=CHECKS)
     assert findings_text(reported, HERE) == (
-        "odom/src/odom.cpp:3:13: error: a  [type-mismatch]\n"
+        "odom/src/odom.cpp:3:13: error: d  [style]\n"
         '  3 |   sub_ = nh.subscribe("ticks", 10, &Odom::onTicks, this);\n'
         "    |             ^~~~~~~~~ read as Float32\n"
         "  hint: Use one type, or rename one topic.\n"
         "  in: base.launch, sim.launch\n"
         "\n"
-        "odom/src/odom.cpp:3:13: error: b  [type-mismatch]\n"
+        "odom/src/odom.cpp:3:13: error: a  [type-mismatch]\n"
+        "  also: b\n"
+        "  hint: Use one type, or rename one topic.\n"
         "  in: base.launch, sim.launch\n"
         "\n"
         "odom/src/odom.cpp:4:1: error: c  [type-mismatch]\n"
@@ -93,8 +96,17 @@ def test_what_repeats_is_said_once() -> None:
         "    | ^\n"
         "  in: base.launch, sim.launch\n"
         "\n"
-        "3 findings: 3 errors\n"
+        "4 findings: 4 errors\n"
     )
+
+
+def test_of_many_findings_at_one_place_the_first_are_told() -> None:
+    many = [replace(FULL, message=f"m{number}", systems=(f"{number}.launch",)) for number in range(8)]
+    lines = findings_text(apply_policy(many, Policy(), checks=CHECKS), HERE).splitlines()
+    assert [line for line in lines if line.startswith(("  also", "  in"))] == [
+        *(f"  also: {text}" for text in ("m1", "m2", "m3", "m4", "3 more")),
+        "  in: 0.launch, 1.launch, 2.launch, 3.launch, 4 more",
+    ]
 
 
 def test_notes_are_shown_when_they_are_asked_for_or_make_the_run_fail() -> None:

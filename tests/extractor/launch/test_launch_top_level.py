@@ -22,6 +22,8 @@ def test_top_level(tmp_path: Path) -> None:
         "anything.launch": '<launch><arg name="file"/><include file="$(arg file)"/><include file="$(dirname)/anything.launch" if="false"/></launch>',
         "broken.launch": "<launch>",
         ".hidden/x.launch": "<launch/>",
+        "off/inner/y.launch": "<launch/>",
+        "off/CATKIN_IGNORE": "",
     }
     for name, text in {**texts, "package.xml": "<package><name>p</name></package>"}.items():
         path = tmp_path / name
