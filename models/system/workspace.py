@@ -30,11 +30,12 @@ def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Co
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
-    depended, own = _dependencies(root) if absent - known else (set(), set())
+    shipped = set(known)
+    depended, own = _dependencies(root) if absent - shipped else (set(), set())
     return {
         "program_built": set(programs),
-        "package_expected": {(package,) for package in absent & (known | depended | own)},
-        "package_unknown": {(package,) for package in depended - known - own},
+        "package_expected": {(package,) for package in absent & (shipped | depended | own)},
+        "package_unknown": {(package,) for package in depended - shipped - own},
     }
 
 
