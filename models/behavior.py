@@ -171,10 +171,7 @@ def _reactive(
     found = []
     for (source, sink), sites in calls.items():
         if source in ports and sink in ports:
-            found_guards = [guards.reached(function, site) for function in sorted(functions[source]) for site in sorted(sites)]
-            guard = formula.either(found_guards)
-            if not guard.alternatives:
-                continue  # the conditions on the way contradict each other
+            guard = formula.either(guards.guard(function, site) for function in sorted(functions[source]) for site in sorted(sites))
             at = tuple(sorted(places[site] for site in sites))
             found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
@@ -191,8 +188,8 @@ def _one_shot(relations: Relations, places: Mapping[str, Place], ports: PortIds,
     always = set(relations["always_sends_once"])
     found = []
     for (timer, sink), sites in calls.items():
-        guard = formula.either(guards.reached(function, site) for function in functions[timer] for site in sorted(sites))
-        if sink in ports and guard.alternatives:
+        guard = formula.either(guards.guard(function, site) for function in functions[timer] for site in sorted(sites))
+        if sink in ports:
             hz, parameter = _best_rate(rates[timer])
             at = tuple(sorted(places[site] for site in sites))
             after = None if not hz else round(1 / hz, 6)
@@ -314,10 +311,9 @@ def _transitions(
     found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
     timed: dict[tuple[str, str, Formula], set[Place]] = defaultdict(set)
     for assignment, variable, root in relations["transition"]:
-        guard = guards.reached(root, assignment)
-        if guard.alternatives:  # else the conditions on the way contradict each other
-            found[assignment, variable, guard].update(triggers.get(root, ()))
-            timed[assignment, variable, guard].update(timers.get(root, ()))
+        guard = guards.guard(root, assignment)
+        found[assignment, variable, guard].update(triggers.get(root, ()))
+        timed[assignment, variable, guard].update(timers.get(root, ()))
     result = []
     for (assignment, variable, guard), causes in found.items():
         how, target, value = parts.get(assignment, ("call", "", ""))

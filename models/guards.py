@@ -50,12 +50,8 @@ class Guards:
 
     def guard(self, root: str, node: str) -> Formula:
         """When the activity of `root` evaluates `node`; true when nothing is known."""
-        found = self.reached(root, node)
+        found = either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
         return found if found.alternatives else TRUE
-
-    def reached(self, root: str, node: str) -> Formula:
-        """As `guard`, but false when no way leads there."""
-        return either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
 
     def created(self, node: str, through: Iterable[str]) -> Formula:
         """When `node` is evaluated, from the start of the program, or of what runs later; `through`: the calls that enter its function."""
