@@ -93,7 +93,7 @@ class UnitReader:
         key = unit_key(unit, self.root, includes, self.finder)
         problems: list[Problem] = []
         rows = extract_unit(unit, self.root, self.finder, self._prelude, includes=includes, heal=True, problems=problems)
-        data = marshal.dumps((problems, marshal.dumps(dict(rows))))
+        data = marshal.dumps((problems, marshal.dumps({name: list(found) for name, found in rows.items()})))  # sets would be sorted
         if self.cache and includes.predictable:
             self.cache.store(key, data)
         return self._file(key, data, key if includes.predictable else None, start)
@@ -104,9 +104,9 @@ class UnitReader:
         return UnitFile(path, key, time.perf_counter() - start, marshal.loads(data)[0])
 
 
-def unit_rows(path: Path) -> Mapping[str, set[tuple[str | int, ...]]]:
+def unit_rows(path: Path) -> Mapping[str, list[tuple[str | int, ...]]]:
     """The rows in the file of a unit."""
-    rows: Mapping[str, set[tuple[str | int, ...]]] = marshal.loads(marshal.loads(path.read_bytes())[1])
+    rows: Mapping[str, list[tuple[str | int, ...]]] = marshal.loads(marshal.loads(path.read_bytes())[1])
     return rows
 
 

@@ -21,7 +21,7 @@ class Body:
 
     def node(self, tree: Tree, form: str) -> tuple[str, Span]:
         """Give out the identifier of the expression at `tree`."""
-        span = self.unit.span(tree.cursor)
+        span = self.unit.span_of(tree)
         return self.at(span, form), span
 
     def at(self, span: Span, form: str) -> str:

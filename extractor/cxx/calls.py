@@ -28,7 +28,7 @@ _LAST_NAME = re.compile(r"(~?\w+)\s*(?:<.*>)?\s*$", re.DOTALL)
 
 def lower_call(body: Body, tree: Tree) -> str:
     """Record a call, a construction or an overloaded operator."""
-    target = libclang.referenced(tree.cursor)
+    target = libclang.target(tree)
     kind = libclang.template_kind(target) if target.kind == kinds.FUNCTION_TEMPLATE else target.kind
     if kind == kinds.CONSTRUCTOR:
         return _lower_construction(body, tree, target)
@@ -55,7 +55,7 @@ def _arguments(body: Body, trees: list[Tree]) -> list[Tree]:
 
 
 def _implicit(body: Body, tree: Tree) -> bool:
-    span = body.unit.span(tree.cursor)
+    span = body.unit.span_of(tree)
     return span.begin == span.end and span.begin == 0
 
 
@@ -99,8 +99,8 @@ def lower_dependent_construction(body: Body, tree: Tree, type_: Type, values: Tr
 
 def _same_place(body: Body, outer: Tree, inner: Tree) -> bool:
     """Whether `outer` is written with no character more than `inner`: an implicit step around it."""
-    own = body.unit.span(outer.cursor)
-    spans = (body.unit.span(inner.cursor), body.unit.span(strip(inner).cursor))
+    own = body.unit.span_of(outer)
+    spans = (body.unit.span_of(inner), body.unit.span_of(strip(inner)))
     return any((own.begin, own.end) == (span.begin, span.end) for span in spans)
 
 
@@ -129,7 +129,7 @@ def _lower_operator(body: Body, tree: Tree, target: Cursor, name: str, operator:
             body.unit.add("call", expr, name)
             body.unit.add("call_function", expr, function)
             if operator == "()":
-                called = body.unit.span(parts[0].cursor)
+                called = body.unit.span_of(parts[0])
                 body.unit.call_sites[id(called.file)].add(called.end)
             member = libclang.template_kind(target) if target.kind == kinds.FUNCTION_TEMPLATE else target.kind
             _operator_arguments(body, expr, member=member == kinds.METHOD)
@@ -161,7 +161,7 @@ def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
     if target.kind not in kinds.FUNCTIONS and not candidates and callee.kind not in (kinds.UNEXPOSED_EXPR, kinds.MEMBER_ACCESS):
         through = _lower(body, callee)
     call, _ = body.node(tree, "call")
-    callee_span = unit.span(parts[0].cursor)
+    callee_span = unit.span_of(parts[0])
     callee_text = callee_span.file.data[callee_span.begin : callee_span.end].decode("utf-8", "replace")
     if not name:
         match = _MEMBER_NAME.search(callee_text) or _LAST_NAME.search(callee_text)
@@ -198,7 +198,7 @@ def _name_end(callee: str, name: str) -> int:
 
 
 def _constructs(tree: Tree) -> bool:
-    return tree.kind == kinds.CALL and libclang.referenced(tree.cursor).kind == kinds.CONSTRUCTOR
+    return tree.kind == kinds.CALL and libclang.target(tree).kind == kinds.CONSTRUCTOR
 
 
 def _dropped(body: Body, tree: Tree) -> str:
@@ -244,9 +244,9 @@ def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> 
     found: Cursor | None = None
     for child in callee.children:
         if child.kind in (kinds.TYPE_REFERENCE, kinds.TEMPLATE_REFERENCE):
-            span = body.unit.span(child.cursor)
+            span = body.unit.span_of(child)
             if begin <= span.begin and span.end <= end:
-                target = libclang.referenced(child.cursor)
+                target = libclang.target(child)
                 if child.kind == kinds.TYPE_REFERENCE and span.end == end:
                     return declare_type(body.unit, libclang.cursor_type(target))
                 if child.kind == kinds.TYPE_REFERENCE and (member := _MEMBER_TYPE.fullmatch(text)):

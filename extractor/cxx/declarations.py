@@ -151,12 +151,12 @@ def declared_type(unit: UnitFacts, cursor: Cursor) -> str:
     spell is unknown: the result is `?` and the type as written.
     """
     type_ = libclang.cursor_type(cursor)
-    if "int" in libclang.type_spelling(type_):
+    if "int" in unit.type_name(type_):
         span = unit.span(cursor)
         if span.file.key:
             file, offset = unit.locate(libclang.location(cursor))
             written = _specifiers(file.text(span.begin, offset if offset > span.begin else span.end))
-            if _is_guessed(libclang.type_spelling(type_), written):
+            if _is_guessed(unit.type_name(type_), written):
                 return declare_unknown_type(unit, written)
     return declare_type(unit, type_)
 
@@ -250,11 +250,20 @@ def _template_base(unit: UnitFacts, specifier: Cursor) -> str:
 
 def declare_type(unit: UnitFacts, type_: Type) -> str:
     """Return the canonical spelling of a type, recording its structure on first sight."""
+    pointer = type_.d0 or 0
+    known = unit.types.get(pointer)
+    if known is not None:
+        return known
     type_ = libclang.canonical_type(type_)
-    name = libclang.type_spelling(type_).replace(f"{unit.root}/", "")
-    if name in unit.types:
-        return name
-    unit.types.add(name)
+    name = unit.types[pointer] = unit.types[type_.d0 or 0] = unit.type_name(type_).replace(f"{unit.root}/", "")
+    if name not in unit.type_names:
+        unit.type_names.add(name)
+        _record_type(unit, type_, name)
+    return name
+
+
+def _record_type(unit: UnitFacts, type_: Type, name: str) -> None:
+    """Record the structure of a canonical type."""
     inner: Type | None = None
     kind = "const"
     if libclang.is_const(type_):
@@ -268,7 +277,7 @@ def declare_type(unit: UnitFacts, type_: Type) -> str:
         inner_name = declare_type(unit, inner)
         if inner_name != name:
             unit.add("type_inner", name, kind, inner_name)
-        return name
+        return
     parameter = _TEMPLATE_PARAMETER.fullmatch(name)
     if parameter:
         unit.add("template_parameter", name, int(parameter.group(1)))
@@ -284,4 +293,3 @@ def declare_type(unit: UnitFacts, type_: Type) -> str:
         argument = libclang.template_argument(type_, index)
         if argument.kind != kinds.TYPE_INVALID:
             unit.add("type_argument", name, index, declare_type(unit, argument))
-    return name

@@ -25,7 +25,7 @@ def lower_expression(body: Body, tree: Tree, *, text: bool = False) -> str:
     lower = _FORMS.get(tree.kind, _lower_unknown)
     expr = lower(body, tree)
     if text:
-        body.unit.add("expr_text", expr, body.unit.text(body.unit.span(tree.cursor)))
+        body.unit.add("expr_text", expr, body.unit.text(body.unit.span_of(tree)))
     return expr
 
 
@@ -37,7 +37,7 @@ def operator_expression(body: Body, tree: Tree, form: str, name: str, operands: 
     for index, operand in enumerate(operands):
         body.unit.add("operand", expr, index, lower_expression(body, operand, text=assigns))
     if name in ("++", "--"):
-        body.unit.add("expr_text", expr, body.unit.text(body.unit.span(tree.cursor)))
+        body.unit.add("expr_text", expr, body.unit.text(body.unit.span_of(tree)))
     if name in _ARITHMETIC:
         _record_constant(body, tree, expr)
     if assigns or name in ("++", "--", "<<", ">>", "delete"):  # of streams, the last ones write
@@ -47,14 +47,14 @@ def operator_expression(body: Body, tree: Tree, form: str, name: str, operands: 
 
 def _record_constant(body: Body, tree: Tree, expr: str) -> None:
     """What arithmetic on literals comes to; names are left out, as healing may have made up their values."""
-    if _NUMBERS.fullmatch(body.unit.text(body.unit.span(tree.cursor))):
+    if _NUMBERS.fullmatch(body.unit.text(body.unit.span_of(tree))):
         value = libclang.evaluate(tree.cursor)
         if value is not None:
             body.unit.add("expr_constant", expr, repr(value) if isinstance(value, float) else str(int(value)))
 
 
 def _lower_reference(body: Body, tree: Tree) -> str:
-    target = libclang.referenced(tree.cursor)
+    target = libclang.target(tree)
     if target.kind in _VARIABLES:
         expr, _ = body.node(tree, "use")
         body.unit.add("variable_use", expr, declare_variable(body.unit, target))
@@ -89,10 +89,10 @@ def _lower_overloaded(body: Body, tree: Tree, references: list[Tree]) -> str:
 
 
 def _lower_member(body: Body, tree: Tree) -> str:
-    target = libclang.referenced(tree.cursor)
+    target = libclang.target(tree)
     bases = expressions(tree)
     if target.kind in kinds.FUNCTIONS:
-        span = body.unit.span(tree.cursor)
+        span = body.unit.span_of(tree)
         expr = _lower_reference(body, tree)
         body.unit.remnants.append((expr, span.file, span.end))
         return expr
@@ -117,7 +117,7 @@ def _lower_unary(body: Body, tree: Tree) -> str:
     inner = strip(expressions(tree)[0]) if expressions(tree) else tree
     if name == "&" and inner is not tree:
         references = [inner, *inner.children]
-        if inner.kind == kinds.DECLARATION_REFERENCE and libclang.referenced(inner.cursor).kind in kinds.FUNCTIONS:
+        if inner.kind == kinds.DECLARATION_REFERENCE and libclang.target(inner).kind in kinds.FUNCTIONS:
             return _lower_reference(body, inner)
         if any(libclang.overload_count(reference.cursor) for reference in references):
             return _lower_overloaded(body, tree, references)

@@ -31,6 +31,7 @@ class Type(Structure):
 
     _fields_ = [("kind", c_int), ("d0", c_void_p), ("d1", c_void_p)]
     kind: int
+    d0: int | None
 
 
 class Location(Structure):
@@ -205,27 +206,36 @@ def overridden(cursor: Cursor) -> list[Cursor]:
     return result
 
 
+_found: list[Cursor] = []
+
+
+def _collect(child: Cursor, _parent: Cursor, _data: Any) -> int:
+    _found.append(child)
+    return 1
+
+
+_COLLECT = _Visitor(_collect)
+
+
 def children(cursor: Cursor) -> list[Cursor]:
     """The direct children of `cursor`, in source order."""
-    found: list[Cursor] = []
-
-    def visit(child: Cursor, _parent: Cursor, _data: Any) -> int:
-        found.append(child)
-        return 1
-
-    _visit(cursor, _Visitor(visit), None)
+    _visit(cursor, _COLLECT, None)
+    found = _found[:]
+    _found.clear()
     return found
 
 
 class Tree:
-    """A cursor with all its descendants, read in one visit."""
+    """A cursor with all its descendants, read in one visit; `span` and `target` are for what is asked of it, then kept."""
 
-    __slots__ = ("children", "cursor", "kind")
+    __slots__ = ("children", "cursor", "kind", "span", "target")
 
     def __init__(self, cursor: Cursor) -> None:
         self.kind = cursor.kind
         self.cursor = cursor
         self.children: list[Tree] = []
+        self.span: Any = None
+        self.target: Cursor | None = None
 
 
 _stack: list[tuple[tuple[int, int | None, int | None], Tree]] = []
@@ -234,14 +244,15 @@ _stack: list[tuple[tuple[int, int | None, int | None], Tree]] = []
 def _grow(child: Cursor, parent: Cursor, _data: Any) -> int:
     key = (parent.kind, parent.d0, parent.d1)
     stack = _stack
-    depth = len(stack)
-    while depth and stack[depth - 1][0] != key:
-        depth -= 1
-    if depth:  # some children, such as a lambda's captured values, name a parent that is not visited
-        del stack[depth:]
+    if stack[-1][0] != key:
+        depth = len(stack) - 1
+        while depth and stack[depth - 1][0] != key:
+            depth -= 1
+        if depth:  # some children, such as a lambda's captured values, name a parent that is not visited
+            del stack[depth:]
     node = Tree(child)
     stack[-1][1].children.append(node)
-    stack.append(((child.kind, child.d0, child.d1), node))
+    stack.append(((node.kind, child.d0, child.d1), node))
     return 2
 
 
@@ -267,6 +278,13 @@ def descendants(cursor: Cursor) -> Iterator[Cursor]:
 
     _visit(cursor, _Visitor(visit), None)
     yield from found
+
+
+def target(tree: Tree) -> Cursor:
+    """What the cursor of `tree` refers to."""
+    if tree.target is None:
+        tree.target = referenced(tree.cursor)
+    return tree.target
 
 
 def spelling_location(place: Location) -> tuple[str, int]:

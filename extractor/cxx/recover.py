@@ -12,6 +12,8 @@ from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import TypeVar
 
 from rosarch.extractor.cxx.declarations import declare_unknown_type
 from rosarch.extractor.cxx.literals import decode_string
@@ -23,7 +25,7 @@ _HIDDEN = re.compile(
     re.DOTALL | re.MULTILINE,
 )
 _CALL = re.compile(
-    rb"(?:(?P<receiver>(?:\w+(?:\[\w*\])?\s*(?:\.|->)\s*)*\w+(?:\[\w*\])?)\s*(?:\.|->)\s*(?:template\s+)?)?"
+    rb"(?<!\w)(?:(?P<receiver>(?:\w+(?:\[\w*\])?\s*(?:\.|->)\s*)*\w+(?:\[\w*\])?)\s*(?:\.|->)\s*(?:template\s+)?)?"
     rb"(?P<name>(?:\w+::)*\w+)\s*(?P<types><[\w:<>,\s]*>)?\s*\("
 )
 _KEYWORDS = frozenset(
@@ -34,6 +36,8 @@ _NAME = re.compile(r"&?\s*(?:\w+\s*(?:\.|->|::)\s*)*\w+")
 _NEW = re.compile(rb"\bnew\s+$")
 _TARGET = re.compile(rb"(?<![\w.>=!<+*/|&^%-])(\w+)\s*=\s*$")
 _STRINGS = re.compile(r"(?:\"(?:\\.|[^\"\\])*\"\s*)+")
+
+_Key = TypeVar("_Key", str, tuple[str, str])
 
 
 @dataclass
@@ -58,20 +62,24 @@ def recover(unit: UnitFacts) -> None:
         by_file.setdefault(id(function.file), (function.file, []))[1].append(function)
     for file, functions in by_file.values():
         seen = unit.call_sites[id(file)]
-        text = hide(file.data)
         skipped = unit.skipped.get(str(file.path), [])
         functions.sort(key=lambda function: (function.begin, -function.end))
         begins = [function.begin for function in functions]
-        for match in _CALL.finditer(text):
-            begin = match.start("name")
-            if match.end("name") in seen or any(start <= begin < stop for start, stop in skipped):
+        for begin, end, match in _calls_in(file.data):
+            if end in seen or any(start <= begin < stop for start, stop in skipped):
                 continue
             holder = _innermost(functions, begins, begin)
             if holder is not None:
-                _recover_call(_Reader(unit, names, holder, text), match)
+                _recover_call(_Reader(unit, names, holder, match.string), match)
     for expr, file, end in unit.remnants:
         if (id(file), end) in unit.recovered:
             unit.add("call_remnant", expr, unit.recovered[id(file), end])
+
+
+@lru_cache(maxsize=256)
+def _calls_in(data: bytes) -> list[tuple[int, int, re.Match[bytes]]]:
+    """What looks like a call in the text of a file, with where its name begins and ends; headers are asked for by many units."""
+    return [(*match.span("name"), match) for match in _CALL.finditer(hide(data))]
 
 
 def _innermost(functions: list[FunctionSpan], begins: list[int], offset: int) -> FunctionSpan | None:
@@ -100,29 +108,35 @@ def _names(unit: UnitFacts) -> _Names:
     callable_kinds = {str(function) for function, kind in unit.rows["function"] if kind in ("function", "method", "static_method")}
     constructors = {str(function) for function, kind in unit.rows["function"] if kind == "constructor"}
     names.classes = {str(function): str(owner) for function, owner in unit.rows["function_class"] if function in constructors}
-    for function, name in sorted(unit.rows["function_name"]):
+    for function, name in unit.rows["function_name"]:
         if function in constructors:
             names.constructors[str(name).rpartition("::")[2]].append((names.classes.get(str(function), ""), str(function)))
         elif function in callable_kinds:
             names.functions[str(name).rpartition("::")[2]].append((str(name), str(function)))
     owners = {str(variable): str(owner) for variable, owner in unit.rows["field_class"]}
     functions = {str(variable): str(function) for variable, function in unit.rows["variable_function"]}
-    for variable, name in sorted(unit.rows["variable_name"]):
+    for variable, name in unit.rows["variable_name"]:
         variable, name = str(variable), str(name)
         if variable in owners:
-            names.fields[owners[variable], name] = variable
+            _keep_last(names.fields, (owners[variable], name), variable)
             names.fields_by_name[name].append(variable)
         elif variable in functions:
-            names.locals[functions[variable], name] = variable
+            _keep_last(names.locals, (functions[variable], name), variable)
         else:
-            names.globals[name] = variable
+            _keep_last(names.globals, name, variable)
     return names
+
+
+def _keep_last(names: dict[_Key, str], key: _Key, variable: str) -> None:
+    """Of several variables of one name, keep the same one in every run: the last by its identifier."""
+    if names.get(key, "") <= variable:
+        names[key] = variable
 
 
 def _name_unknowns(unit: UnitFacts, names: _Names) -> None:
     """An expression without type that is a plain name: the functions called so."""
     texts = {expr: str(text) for expr, text in unit.rows["expr_text"]}
-    for expr, _reason in sorted(unit.rows["expr_unknown"]):
+    for expr, _reason in unit.rows["expr_unknown"]:
         text = texts.get(expr, "")
         if _NAME.fullmatch(text):
             for function in _functions_named(names, text):

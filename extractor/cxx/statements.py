@@ -75,16 +75,16 @@ def _lower_each(body: Body, tree: Tree) -> None:
 
 def _lower_arm(body: Body, tree: Tree) -> None:
     """A statement that begins a block."""
-    body.flow.mark(body.unit.span(tree.cursor).begin)
+    body.flow.mark(body.unit.span_of(tree).begin)
     lower_statement(body, tree)
 
 
 def _lower_compound(body: Body, tree: Tree) -> None:
     """Statements in a row; clang drops those that it does not understand, so where each ends is marked."""
-    body.flow.mark(body.unit.span(tree.cursor).begin)
+    body.flow.mark(body.unit.span_of(tree).begin)
     for child in tree.children:
         lower_statement(body, child)
-        body.flow.mark(body.unit.span(child.cursor).end)
+        body.flow.mark(body.unit.span_of(child).end)
 
 
 def _lower_declaration(body: Body, tree: Tree) -> None:
@@ -204,7 +204,7 @@ def _lower_for(body: Body, tree: Tree) -> None:
 
 def _for_parts(body: Body, tree: Tree) -> tuple[list[Tree], list[Tree], list[Tree]]:
     """Tell the parts of a for loop apart by its semicolons: clang leaves absent parts out without trace."""
-    span = body.unit.span(tree.cursor)
+    span = body.unit.span_of(tree)
     data, depth, semicolons = span.file.data, 0, []
     for offset in range(span.begin, span.end):
         char = data[offset : offset + 1]
@@ -218,7 +218,7 @@ def _for_parts(body: Body, tree: Tree) -> tuple[list[Tree], list[Tree], list[Tre
             semicolons.append(offset)
     parts: tuple[list[Tree], list[Tree], list[Tree]] = ([], [], [])
     for child in tree.children[:-1]:
-        begin = body.unit.span(child.cursor).begin
+        begin = body.unit.span_of(child).begin
         parts[sum(begin > semicolon for semicolon in semicolons[:2])].append(child)
     return parts
 
@@ -266,7 +266,7 @@ def _lower_case(body: Body, tree: Tree) -> None:
     if tree.kind == kinds.CASE:
         rest = tree.children[-1:] if len(tree.children) > 1 else []
     flow.start(block)
-    flow.mark(body.unit.span(tree.cursor).begin)
+    flow.mark(body.unit.span_of(tree).begin)
     for child in rest:
         lower_statement(body, child)
 

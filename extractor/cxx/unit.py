@@ -11,9 +11,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
 from rosarch.extractor.cxx import libclang
-from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range
+from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range, Tree, Type
 from rosarch.extractor.files import path_text, read_file
 
 TEXT_LIMIT = 2000
@@ -47,8 +48,7 @@ class SourceFile:
         return " ".join(self.data[begin:end].decode("utf-8", "replace").split())
 
 
-@dataclass(frozen=True)
-class Span:
+class Span(NamedTuple):
     """Where a cursor lies: `begin` and `end` are byte offsets into `file`."""
 
     file: SourceFile
@@ -81,7 +81,8 @@ class UnitFacts:
     rows: dict[str, set[tuple[str | int, ...]]] = field(default_factory=lambda: defaultdict(set))
     declared: dict[int, str] = field(default_factory=dict)
     scopes: dict[int, str] = field(default_factory=dict)
-    types: set[str] = field(default_factory=set)
+    types: dict[int, str] = field(default_factory=dict)
+    type_names: set[str] = field(default_factory=set)
     functions: list[FunctionSpan] = field(default_factory=list)
     walked: set[tuple[str, int, int, str]] = field(default_factory=set)
     call_sites: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
@@ -93,6 +94,8 @@ class UnitFacts:
     _files: dict[str, SourceFile] = field(default_factory=dict)
     _bases: list[int] = field(default_factory=list)
     _intervals: list[tuple[int, int, SourceFile]] = field(default_factory=list)
+    _latest: tuple[int, int, SourceFile | None] = (0, 0, None)
+    _spellings: dict[int, str] = field(default_factory=dict)
 
     def add(self, relation: str, *row: str | int) -> None:
         """Add one row to `relation`."""
@@ -130,7 +133,7 @@ class UnitFacts:
         if not raw & MACRO_BIT:
             index = bisect_right(self._bases, raw) - 1
             if index >= 0:
-                base, end, file = self._intervals[index]
+                base, end, file = self._latest = self._intervals[index]
                 if raw <= end:
                     return file, raw - base
         name, offset = libclang.file_location(place)
@@ -145,11 +148,22 @@ class UnitFacts:
     def span(self, cursor: Cursor) -> Span:
         """Return where `cursor` lies; an implicit cursor has an empty span in a file without name."""
         extent: Range = libclang.extent(cursor)
+        first, last = extent.begin, extent.end
+        base, stop, known = self._latest
+        if base <= first <= last <= stop and known is not None:
+            return Span(known, first - base, last - base)
         file, begin = self.locate(Location(extent.p0, extent.p1, extent.begin))
         if extent.end == extent.begin:
             return Span(file, begin, begin)
         end_file, end = self.locate(Location(extent.p0, extent.p1, extent.end))
         return Span(file, begin, end if end_file is file and end >= begin else begin)
+
+    def span_of(self, tree: Tree) -> Span:
+        """Return where the cursor of `tree` lies."""
+        if tree.span is None:
+            tree.span = self.span(tree.cursor)
+        span: Span = tree.span
+        return span
 
     def place(self, cursor: Cursor) -> tuple[SourceFile, int, int]:
         """Return file, line and column of the name that `cursor` declares."""
@@ -160,6 +174,14 @@ class UnitFacts:
         """The source text of `span`, folded and cut."""
         text = span.file.text(span.begin, span.end)
         return text if len(text) <= TEXT_LIMIT else text[: TEXT_LIMIT - 3] + "..."
+
+    def type_name(self, type_: Type) -> str:
+        """How clang spells a type; asked once for each."""
+        pointer = type_.d0 or 0
+        name = self._spellings.get(pointer)
+        if name is None:
+            name = self._spellings[pointer] = libclang.type_spelling(type_)
+        return name
 
     def node(self, span: Span, form: str) -> str:
         """Give out the identifier of an AST node and record its location."""

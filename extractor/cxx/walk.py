@@ -96,7 +96,7 @@ def walk_function(unit: UnitFacts, cursor: Cursor) -> None:
     _walk_initialisers(body, tree)
     for child in tree.children:
         if child.kind in (kinds.COMPOUND, kinds.TRY):
-            span = unit.span(child.cursor)
+            span = unit.span_of(child)
             unit.functions.append(FunctionSpan(function, owner, span.file, span.begin, span.end))
             lower_body(body, child)
 
@@ -110,7 +110,7 @@ def _walk_initialisers(body: Body, tree: Tree) -> None:
         elif kinds.is_expression(child.kind):
             value = lower_expression(body, child, text=True)
             if target is not None and target.kind == kinds.MEMBER_REFERENCE:
-                field = declare_variable(body.unit, libclang.referenced(target.cursor))
+                field = declare_variable(body.unit, libclang.target(target))
                 body.unit.add("field_initializer", body.function, field, value)
                 body.flow.evaluate(value)
             elif body.owner:
