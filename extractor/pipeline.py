@@ -30,7 +30,7 @@ from rosarch.extractor.workspace.graph import BROUGHT
 
 @dataclass(frozen=True)
 class ComponentFacts:
-    """One component: the files that hold the rows of its translation units, and its own rows.
+    """One component: the files that hold the rows of its translation units and of headers, and its own rows.
 
     `key` is a hash of all facts; None when some unit's are not known to be the same the next time.
     """
@@ -217,7 +217,7 @@ def _component_facts(
         component.package,
         component.kind,
         sources,
-        tuple(file.path for file in read),
+        tuple(dict.fromkeys(path for file in read for path in (file.path, *file.headers))),
         {**own, "message_class": defined.classes, "config_parameter": defined.configs},
         hash_of([*keys, "", *facts, "", *sources, "", defined.digest]) if certain else None,
     )

@@ -13,9 +13,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosarch.extractor.cache import Cache, extractor_version
+from rosarch.extractor.cache import Cache, extractor_version, hash_of, write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder
-from rosarch.extractor.cxx.translation_unit import CompileUnit, Problem, build_prelude, extract_unit, unit_key
+from rosarch.extractor.cxx.recover import Names
+from rosarch.extractor.cxx.shared import SharedHeaders
+from rosarch.extractor.cxx.translation_unit import CompileUnit, Problem, Rows, build_prelude, extract_unit, unit_key
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import read_file
 from rosarch.extractor.pool import Failure, run_tasks
@@ -29,12 +31,13 @@ PRELUDE_SECONDS = 60.0
 
 @dataclass(frozen=True)
 class UnitFile:
-    """A unit that was extracted: the file with its rows, how long it took, the errors that lost code.
+    """A unit that was extracted: the file with its rows, those of the headers it shares, how long it took, the errors that lost code.
 
     `key` is a hash of all that the rows depend on; None when that is not known.
     """
 
     path: Path
+    headers: tuple[Path, ...]
     key: str | None
     seconds: float
     problems: list[Problem]
@@ -51,26 +54,41 @@ class Reading:
 
 @dataclass(frozen=True)
 class UnitReader:
-    """Extracts units into files below `scratch`, or takes them from the cache."""
+    """Extracts units into files below `scratch`, or takes them from the cache.
+
+    A file holds a head and, apart from it, the rows: the head of a unit are the errors that lost code and the keys of the headers that
+    it shares, the head of a header the names that it declares.
+    """
 
     root: Path
     finder: HeaderFinder
     scratch: Path
     cache: Cache | None
+    _names: dict[str, Names] = field(default_factory=dict)
 
     def prepare(self) -> None:
         """What all units share: the precompiled declarations."""
-        data = self.cache.load(extractor_version()) if self.cache else None
-        if data is not None:
-            self._prelude.write_bytes(data)
-            return
-        build_prelude(self._prelude)
-        if self.cache:
-            self.cache.store(extractor_version(), self._prelude.read_bytes())
+        self._precompiled(())
 
-    @property
-    def _prelude(self) -> Path:
-        return self.scratch / "prelude.pch"
+    def _precompiled(self, headers: tuple[str, ...]) -> Path:
+        """The precompiled declarations, with those of some further headers."""
+        key = hash_of([extractor_version(), *headers]) if headers else extractor_version()
+        path = self.scratch / f"{key}.pch"
+        if not path.is_file():
+            data = self.cache.load(key) if self.cache else None
+            if data is not None:
+                write_whole(path, data)
+                return path
+            made = path.with_name(f"{path.name}.{os.getpid()}")
+            build_prelude(made, headers)
+            made.replace(path)
+            if self.cache:
+                self.cache.store(key, path.read_bytes())
+        return path
+
+    def anything_known(self) -> bool:
+        """Whether an earlier run left anything in the cache: the first that it left are the declarations."""
+        return self.cache is not None and self.cache.load(extractor_version()) is not None
 
     def known(self, unit: CompileUnit) -> UnitFile | None:
         """The unit as it is in the cache."""
@@ -80,32 +98,72 @@ class UnitReader:
             return None
         key = unit_key(unit, self.root, includes, self.finder)
         data = self.cache.load(key)
-        return self._file(key, data, key, start) if data is not None else None
+        if data is None:
+            return None
+        problems, headers = marshal.loads(data)[0]
+        if not all(self._header_file(header) for header in headers):
+            return None
+        return self._file(key, data, (problems, headers), key, start)
+
+    def load(self, key: str) -> Names | None:
+        """The names that a header declares; None when no unit has read it yet (see `HeaderStore`)."""
+        if key not in self._names:
+            path = self._header_file(key)
+            if path is None:
+                return None
+            self._names[key] = Names(*marshal.loads(marshal.loads(path.read_bytes())[0]))
+        return self._names[key]
+
+    def store(self, key: str, names: Names, rows: Rows) -> None:
+        """Keep the facts of a header."""
+        data = marshal.dumps((marshal.dumps(tuple(names)), _dump(rows)))
+        write_whole(self._header_path(key), data)
+        if self.cache:
+            self.cache.store(key, data)
+        self._names[key] = names
+
+    def _header_path(self, key: str) -> Path:
+        return self.scratch / f"{key}.header"
+
+    def _header_file(self, key: str) -> Path | None:
+        """The file of a header, if there is one by now."""
+        path = self._header_path(key)
+        if not path.is_file():
+            data = self.cache.load(key) if self.cache else None
+            if data is None:
+                return None
+            write_whole(path, data)
+        return path
 
     def read(self, unit: CompileUnit) -> UnitFile:
-        """Extract one unit.
-
-        Its file holds the errors that lost code and, apart from them, the rows.
-        """
+        """Extract one unit."""
         start = time.perf_counter()
         sys.setrecursionlimit(20_000)
         includes = self.finder.closure(unit.source, unit.include_dirs, unit.installed)
         key = unit_key(unit, self.root, includes, self.finder)
         problems: list[Problem] = []
-        rows = extract_unit(unit, self.root, self.finder, self._prelude, includes=includes, heal=True, problems=problems)
-        data = marshal.dumps((problems, marshal.dumps({name: list(found) for name, found in rows.items()})))  # sets would be sorted
+        headers = SharedHeaders(unit.source, (unit.include_dirs, unit.installed), (unit.language, *unit.definitions), self.finder, self)
+        prelude = self._precompiled(self.finder.large_headers(includes) if unit.language == "c++" else ())
+        rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
+        head = problems, sorted(headers.keys.values())
+        data = marshal.dumps((head, _dump(rows)))
         if self.cache and includes.predictable:
             self.cache.store(key, data)
-        return self._file(key, data, key if includes.predictable else None, start)
+        return self._file(key, data, head, key if includes.predictable else None, start)
 
-    def _file(self, name: str, data: bytes, key: str | None, start: float) -> UnitFile:
+    def _file(self, name: str, data: bytes, head: tuple[list[Problem], list[str]], key: str | None, start: float) -> UnitFile:
         path = self.scratch / f"{name}.unit"
         path.write_bytes(data)
-        return UnitFile(path, key, time.perf_counter() - start, marshal.loads(data)[0])
+        problems, headers = head
+        return UnitFile(path, tuple(map(self._header_path, headers)), key, time.perf_counter() - start, problems)
+
+
+def _dump(rows: Rows) -> bytes:
+    return marshal.dumps({name: list(found) for name, found in rows.items()})  # sets would be sorted first
 
 
 def unit_rows(path: Path) -> Mapping[str, list[tuple[str | int, ...]]]:
-    """The rows in the file of a unit."""
+    """The rows in the file of a unit or header."""
     rows: Mapping[str, list[tuple[str | int, ...]]] = marshal.loads(marshal.loads(path.read_bytes())[1])
     return rows
 
@@ -129,7 +187,7 @@ def read_units(units: Sequence[CompileUnit], reader: UnitReader, jobs: int, time
                 progress("sources", len(reading.files), len(units))
         return [waiting[index] for index in sorted(left)]
 
-    unknown = run(reader.known, largest) if reader.cache else largest
+    unknown = run(reader.known, largest) if reader.anything_known() else largest
     if unknown:
         _prepare(reader, timeout)
         run(reader.read, unknown)

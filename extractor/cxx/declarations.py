@@ -227,7 +227,7 @@ def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
     kind = "template" if pattern.kind in (kinds.CLASS_TEMPLATE, kinds.PARTIAL_SPECIALIZATION) else _CLASS_KINDS.get(pattern.kind, "class")
     unit.add("class", identifier, kind)
     body = libclang.definition(pattern)
-    for child in libclang.children(body if body.d0 else pattern) if pattern.kind in kinds.CLASSES else ():
+    for child in libclang.children(body if body.d0 and unit.sees(body) else pattern) if pattern.kind in kinds.CLASSES else ():
         if child.kind == kinds.BASE_SPECIFIER:
             base = libclang.cursor_type(child)
             if libclang.template_argument_count(base) > 0:

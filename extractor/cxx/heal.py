@@ -88,6 +88,11 @@ class _Sources:
         return _Place(data[max(0, offset - 400) : offset], data[offset : offset + 500])
 
 
+def files_with_errors(facts: UnitFacts, parsed: libclang.Unit) -> set[str]:
+    """The paths of files that clang had trouble with."""
+    return {str(facts.file(name).path) for name in {error.file for error in _errors(parsed)} if name}
+
+
 def worth_healing(facts: UnitFacts, parsed: libclang.Unit) -> bool:
     """Whether clang had trouble with a file of the workspace; what it drops there may leave no trace in the facts."""
     return any(facts.file(error.file).key for error in _errors(parsed) if error.file)

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from rosarch.extractor import observation
 from rosarch.extractor.cache import hash_of
@@ -18,6 +19,9 @@ SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
 _SHIPPED_PREFIX = f"{SHIPPED}{os.sep}"
 PRELUDE = SHIPPED / "prelude.h"
 CUDA_PRELUDE = SHIPPED / "prelude_cuda.h"
+LARGE = 15_000
+"""Bytes beyond which a header counts as large: more than nearly all have."""
+_SHIPPED_FOLDERS = tuple(map(str, SHIPPED_DIRS))
 
 _INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|\"([^\"\n]+)\")", re.MULTILINE)
 _UNPREDICTABLE = re.compile(  # a macro's include; a directive that is not written as `_INCLUDE` expects; what another run may see otherwise
@@ -38,11 +42,10 @@ class Missing:
     header: str
 
 
-@dataclass(frozen=True)
-class _Found:
+class _Found(NamedTuple):
     """What an include leads to: a file to go on with, the folder to search for it beyond the usual ones, or what nothing provides."""
 
-    file: Path | None = None
+    file: str | None = None
     folder: Path | None = None
     missing: Missing | None = None
 
@@ -53,36 +56,50 @@ _Folders = tuple[tuple[Path, ...], tuple[Path, ...]]
 
 @dataclass
 class Includes:
-    """What one source includes, directly and through others; `made` are the folders of generated and absent headers.
+    """What one source includes, directly and through others, as paths; `made` are the folders of generated and absent headers.
 
     A source is not `predictable` when macros decide what it includes: what it depends on is then not known in full.
     """
 
     made: list[Path] = field(default_factory=list)
-    files: Collection[Path] = ()
+    files: Collection[str] = ()
     missing: list[Missing] = field(default_factory=list)
     predictable: bool = True
+
+
+class _Search:
+    """Looks for headers in the folders of a compile command; remembers what the includes of each file, and each name, lead to."""
+
+    def __init__(self, folders: _Folders) -> None:
+        self.own = [str(folder) for folder in folders[0]]
+        self.installed = [str(folder) for folder in folders[1]]
+        self.of_file: dict[str, list[_Found]] = {}
+        self.of_name: dict[str, _Found | None] = {}
+        self.described: dict[str, tuple[Includes, str]] = {}
 
 
 class HeaderFinder:
     """Resolves includes against a workspace; what has to be made is written below `scratch`.
 
     `message_header` gives the text of a generated header by the name that code includes it by, else None. Headers that no folder of a
-    source has are looked for in all of the workspace when it is `searched`.
+    source has are looked for in all of the workspace when it is `searched`. Within, paths are text: there are many, and they are
+    compared all the time.
     """
 
     def __init__(self, root: Path, scratch: Path, message_header: Callable[[str], str | None], *, searched: bool = True) -> None:
         self.root = root
         self.scratch = scratch
         self.message_header = message_header
-        self._by_name: dict[str, list[Path]] | None = None if searched else {}
-        self._included: dict[Path, list[tuple[int, str, bool]]] = {}
-        self._digests: dict[Path, bytes] = {}
-        self._unpredictable: set[Path] = set()
+        self._by_name: dict[str, list[str]] | None = None if searched else {}
+        self._included: dict[str, list[tuple[int, str, bool]]] = {}
+        self._digests: dict[str, bytes] = {}
+        self._unpredictable: set[str] = set()
         self._exists: dict[str, bool] = {}
         self._made: dict[str, Path | None] = {}
-        self._found: dict[tuple[_Folders, Path], list[_Found]] = {}
-        self._stamps: dict[Path, str] = {}
+        self._searches: dict[_Folders, _Search] = {}
+        self._stamps: dict[str, str] = {}
+        self._large: dict[str, frozenset[str]] | None = None
+        self._marks = [(mark, f"{folder}{os.sep}") for mark, folder in (("", root), ("made:", scratch), ("shipped:", SHIPPED))]
 
     def closure(self, source: Path, include_dirs: Sequence[Path], installed: Sequence[Path] = ()) -> Includes:
         """Find all that `source` includes, making what is generated or absent.
@@ -90,21 +107,54 @@ class HeaderFinder:
         Headers of `installed` folders are taken only when the workspace, rosarch and message definitions have none: what the rules know
         is declared the same way everywhere.
         """
+        return self._closure(str(source), self._search(include_dirs, installed))
+
+    def described(self, header: Path, include_dirs: Sequence[Path], installed: Sequence[Path] = ()) -> tuple[Includes, str]:
+        """The closure of a header and its fingerprint; found once."""
+        search = self._search(include_dirs, installed)
+        key = str(header)
+        if key not in search.described:
+            includes = self._closure(key, search)
+            search.described[key] = includes, self.fingerprint(includes)
+        return search.described[key]
+
+    def large_headers(self, includes: Includes) -> tuple[str, ...]:
+        """The largest of the shipped headers among `includes`, beyond the prelude: it pays to have them precompiled.
+
+        A header counts only if all that it includes is among `includes` too: nothing of it comes from elsewhere then.
+        """
+        if self._large is None:
+            known = self.described(PRELUDE, ())[0].files
+            sizes = {path: os.path.getsize(path) for folder in SHIPPED_DIRS for path in map(str, folder.rglob("*")) if os.path.isfile(path)}
+            large = sorted(path for path, size in sizes.items() if size > LARGE and path not in known)
+            self._large = {path: frozenset(self.described(Path(path), ())[0].files) for path in large}
+            self._large = {path: files for path, files in self._large.items() if all(map(is_shipped, files))}
+        return tuple(path for path, files in self._large.items() if path in includes.files and files.issubset(includes.files))
+
+    def _search(self, include_dirs: Sequence[Path], installed: Sequence[Path]) -> _Search:
+        folders = (tuple(include_dirs), tuple(installed))
+        if folders not in self._searches:
+            self._searches[folders] = _Search(folders)
+        return self._searches[folders]
+
+    def _closure(self, source: str, search: _Search) -> Includes:
         result = Includes()
         extra: dict[Path, None] = {}
         seen = {source}
         queue = [source]
-        folders = (tuple(include_dirs), tuple(installed))
         while queue:
             file = queue.pop()
-            for found in self._found_in(file, folders):
-                if found.folder is not None:
-                    extra[found.folder] = None
-                if found.missing is not None:
-                    result.missing.append(found.missing)
-                if found.file is not None and found.file not in seen:
-                    seen.add(found.file)
-                    queue.append(found.file)
+            found_all = search.of_file.get(file)
+            if found_all is None:
+                found_all = search.of_file[file] = [self._resolve(file, search, *include) for include in self._includes_of(file)]
+            for target, folder, missing in found_all:
+                if folder is not None:
+                    extra[folder] = None
+                if missing is not None:
+                    result.missing.append(missing)
+                if target is not None and target not in seen:
+                    seen.add(target)
+                    queue.append(target)
         result.files = seen
         result.made = sorted(extra)
         result.predictable = self._unpredictable.isdisjoint(seen)
@@ -115,31 +165,31 @@ class HeaderFinder:
     def fingerprint(self, includes: Includes) -> str:
         """A hash of what `closure` found: which files, with what content, and what is missing; the same wherever the workspace lies."""
         parts = ["".join(sorted(map(self._stamp, includes.files)))]
-        parts += [f"{self._name(missing.file)}:{missing.line} {missing.header}" for missing in includes.missing]
-        parts += [self._name(folder) for folder in includes.made]
+        parts += [f"{self._name(str(missing.file))}:{missing.line} {missing.header}" for missing in includes.missing]
+        parts += [self._name(str(folder)) for folder in includes.made]
         return hash_of(parts)
 
-    def _stamp(self, path: Path) -> str:
+    def _stamp(self, path: str) -> str:
         """A hash of the name and the content of a file."""
         if path not in self._stamps:
             self._stamps[path] = hash_of([self._name(path), self._digests.get(path, b"")])
         return self._stamps[path]
 
-    def _name(self, path: Path) -> str:
+    def _name(self, path: str) -> str:
         """A path relative to the workspace, to what is made for it, or to what rosarch brings."""
-        for mark, folder in (("", self.root), ("made:", self.scratch), ("shipped:", SHIPPED)):
-            if path.is_relative_to(folder):
-                return mark + path.relative_to(folder).as_posix()
-        return str(path)
+        for mark, folder in self._marks:
+            if path.startswith(folder):
+                return mark + path[len(folder) :]
+        return path
 
-    def _includes_of(self, file: Path) -> list[tuple[int, str, bool]]:
+    def _includes_of(self, file: str) -> list[tuple[int, str, bool]]:
         if file not in self._included:
             try:
                 data = read_file(file)
             except OSError:
                 data = b""
             self._digests[file] = hashlib.sha256(data).digest()
-            if _UNPREDICTABLE.search(data) and not file.is_relative_to(SHIPPED):
+            if not is_shipped(file) and _UNPREDICTABLE.search(data):
                 self._unpredictable.add(file)
             self._included[file] = [
                 (
@@ -154,39 +204,41 @@ class HeaderFinder:
     def _is_file(self, path: str) -> bool:
         known = self._exists.get(path)
         if known is None:
-            if not path.startswith(_SHIPPED_PREFIX):
+            if not is_shipped(path):
                 observation.probe(path)
             known = self._exists[path] = os.path.isfile(path)
         return known
 
-    def _found_in(self, file: Path, folders: _Folders) -> list[_Found]:
-        """What the includes of a file lead to; the same for all sources that look in the same folders."""
-        key = (folders, file)
-        if key not in self._found:
-            self._found[key] = [self._resolve(file, name, quoted, folders, line) for line, name, quoted in self._includes_of(file)]
-        return self._found[key]
-
-    def _resolve(self, file: Path, name: str, quoted: bool, folders: _Folders, line: int) -> _Found:
+    def _resolve(self, file: str, search: _Search, line: int, name: str, quoted: bool) -> _Found:
         if name.startswith("/"):
-            return _Found(Path(name)) if self._is_file(name) else _Found()
-        if quoted and self._is_file(beside := os.path.join(file.parent, name)):
-            return _Found(Path(os.path.normpath(beside)))
-        for folder in folders[0]:
-            if self._is_file(path := os.path.join(folder, name)):
-                return _Found(Path(os.path.normpath(path)))
-        for folder in SHIPPED_DIRS:
-            if self._is_file(path := os.path.join(folder, name)):
-                return _Found(Path(path))  # it may include messages in turn
-        made = self._generated(name)
-        if made is not None:
-            return _Found(made, self.scratch / "messages")
-        for folder in folders[1]:
-            if self._is_file(path := os.path.join(folder, name)):
-                return _Found(Path(path), self._forward(name, Path(path)))
+            return _Found(name) if self._is_file(name) else _Found()
+        if quoted and self._is_file(beside := f"{os.path.dirname(file)}/{name}"):
+            return _Found(os.path.normpath(beside))
+        if name not in search.of_name:
+            search.of_name[name] = self._by_folders(name, search)
+        found = search.of_name[name]
+        if found is not None:
+            return found
         elsewhere = self._elsewhere(file, name)
         if elsewhere is not None:
             return _Found(elsewhere, self._forward(name, elsewhere))
-        return _Found(None, self._absent(name), Missing(file, line, name))
+        return _Found(None, self._absent(name), Missing(Path(file), line, name))
+
+    def _by_folders(self, name: str, search: _Search) -> _Found | None:
+        """What a name leads to, whichever file includes it."""
+        for folder in search.own:
+            if self._is_file(path := f"{folder}/{name}"):
+                return _Found(os.path.normpath(path))
+        for shipped in _SHIPPED_FOLDERS:
+            if self._is_file(path := f"{shipped}/{name}"):
+                return _Found(os.path.normpath(path))  # it may include messages in turn
+        made = self._generated(name)
+        if made is not None:
+            return _Found(str(made), self.scratch / "messages")
+        for folder in search.installed:
+            if self._is_file(path := f"{folder}/{name}"):
+                return _Found(path, self._forward(name, path))
+        return None
 
     def _generated(self, name: str) -> Path | None:
         if name not in self._made:
@@ -194,17 +246,17 @@ class HeaderFinder:
             self._made[name] = self._write("messages", name, text) if text is not None else None
         return self._made[name]
 
-    def _elsewhere(self, file: Path, name: str) -> Path | None:
+    def _elsewhere(self, file: str, name: str) -> str | None:
         """The header of the tree whose path ends in `name`; of several, the one nearest to the including file."""
         if self._by_name is None:
             self._by_name = _headers_below(self.root)
         suffix = "/" + os.path.normpath(name).lstrip("./")
-        candidates = [path for path in self._by_name.get(os.path.basename(name), ()) if str(path).endswith(suffix)]
+        candidates = [path for path in self._by_name.get(os.path.basename(name), ()) if path.endswith(suffix)]
         if not candidates:
             return None
-        return max(candidates, key=lambda path: (len(os.path.commonpath([path, file])), -len(str(path)), str(path)))
+        return max(candidates, key=lambda path: (len(os.path.commonpath([path, file])), -len(path), path))
 
-    def _forward(self, name: str, target: Path) -> Path:
+    def _forward(self, name: str, target: str) -> Path:
         """A folder in which `name` is a header that includes `target`."""
         key = "forward/" + hash_of([name, self._name(target)])[:10]
         if key not in self._made:
@@ -232,6 +284,11 @@ class HeaderFinder:
         return path
 
 
+def is_shipped(path: str) -> bool:
+    """Whether a header is one of those that rosarch brings."""
+    return path.startswith(_SHIPPED_PREFIX)
+
+
 def assumed_message_class(header: str) -> tuple[str, str] | None:
     """The (C++ class, `pkg/Name`) that a missing header named like a message's is taken to declare."""
     match = _MESSAGE_HEADER.fullmatch(header)
@@ -250,9 +307,9 @@ def _assumed_message(package: str, name: str) -> str:
     )
 
 
-def _headers_below(root: Path) -> dict[str, list[Path]]:
-    """All headers below a folder by base name; hidden folders and symbolic links to folders are left out."""
-    found: dict[str, list[Path]] = {}
+def _headers_below(root: Path) -> dict[str, list[str]]:
+    """The paths of all headers below a folder by base name; hidden folders and symbolic links to folders are left out."""
+    found: dict[str, list[str]] = {}
     stack = [str(root)]
     while stack:
         try:
@@ -264,5 +321,5 @@ def _headers_below(root: Path) -> dict[str, list[Path]]:
                 if not entry.name.startswith("."):
                     stack.append(entry.path)
             elif entry.name.endswith(_HEADER_SUFFIXES):
-                found.setdefault(entry.name, []).append(Path(entry.path))
+                found.setdefault(entry.name, []).append(entry.path)
     return found

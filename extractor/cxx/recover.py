@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right
-from collections import defaultdict
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from rosarch.extractor.cxx.declarations import declare_unknown_type
 from rosarch.extractor.cxx.literals import decode_string
@@ -38,24 +37,23 @@ _TARGET = re.compile(rb"(?<![\w.>=!<+*/|&^%-])(\w+)\s*=\s*$")
 _STRINGS = re.compile(r"(?:\"(?:\\.|[^\"\\])*\"\s*)+")
 
 _Key = TypeVar("_Key", str, tuple[str, str])
+Rows = Mapping[str, set[tuple[str | int, ...]]]
 
 
-@dataclass
-class _Names:
-    """The unit's declared entities by unqualified name."""
+class Names(NamedTuple):
+    """Declared entities by unqualified name."""
 
-    functions: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
-    constructors: dict[str, list[tuple[str, str]]] = field(default_factory=lambda: defaultdict(list))
-    classes: dict[str, str] = field(default_factory=dict)
-    locals: dict[tuple[str, str], str] = field(default_factory=dict)
-    fields: dict[tuple[str, str], str] = field(default_factory=dict)
-    fields_by_name: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
-    globals: dict[str, str] = field(default_factory=dict)
+    functions: dict[str, list[tuple[str, str]]]
+    constructors: dict[str, list[tuple[str, str]]]
+    classes: dict[str, str]
+    locals: dict[tuple[str, str], str]
+    fields: dict[tuple[str, str], str]
+    fields_by_name: dict[str, list[str]]
+    globals: dict[str, str]
 
 
-def recover(unit: UnitFacts) -> None:
-    """Add the calls and names that the walk of the syntax tree did not meet."""
-    names = _names(unit)
+def recover(unit: UnitFacts, names: Sequence[Names]) -> None:
+    """Add the calls and names that the walk of the syntax tree did not meet; `names` are those that the text may use."""
     _name_unknowns(unit, names)
     by_file: dict[int, tuple[SourceFile, list[FunctionSpan]]] = {}
     for function in unit.functions:
@@ -103,23 +101,24 @@ def hide(data: bytes) -> bytes:
     return _HIDDEN.sub(blank, data)
 
 
-def _names(unit: UnitFacts) -> _Names:
-    names = _Names()
-    callable_kinds = {str(function) for function, kind in unit.rows["function"] if kind in ("function", "method", "static_method")}
-    constructors = {str(function) for function, kind in unit.rows["function"] if kind == "constructor"}
-    names.classes = {str(function): str(owner) for function, owner in unit.rows["function_class"] if function in constructors}
-    for function, name in unit.rows["function_name"]:
+def declared_names(rows: Rows) -> Names:
+    """The names of what the facts `rows` declare."""
+    callable_kinds = {str(function) for function, kind in rows["function"] if kind in ("function", "method", "static_method")}
+    constructors = {str(function) for function, kind in rows["function"] if kind == "constructor"}
+    classes = {str(function): str(owner) for function, owner in rows["function_class"] if function in constructors}
+    names = Names({}, {}, classes, {}, {}, {}, {})
+    for function, name in rows["function_name"]:
         if function in constructors:
-            names.constructors[str(name).rpartition("::")[2]].append((names.classes.get(str(function), ""), str(function)))
+            names.constructors.setdefault(str(name).rpartition("::")[2], []).append((classes.get(str(function), ""), str(function)))
         elif function in callable_kinds:
-            names.functions[str(name).rpartition("::")[2]].append((str(name), str(function)))
-    owners = {str(variable): str(owner) for variable, owner in unit.rows["field_class"]}
-    functions = {str(variable): str(function) for variable, function in unit.rows["variable_function"]}
-    for variable, name in unit.rows["variable_name"]:
+            names.functions.setdefault(str(name).rpartition("::")[2], []).append((str(name), str(function)))
+    owners = {str(variable): str(owner) for variable, owner in rows["field_class"]}
+    functions = {str(variable): str(function) for variable, function in rows["variable_function"]}
+    for variable, name in rows["variable_name"]:
         variable, name = str(variable), str(name)
         if variable in owners:
             _keep_last(names.fields, (owners[variable], name), variable)
-            names.fields_by_name[name].append(variable)
+            names.fields_by_name.setdefault(name, []).append(variable)
         elif variable in functions:
             _keep_last(names.locals, (functions[variable], name), variable)
         else:
@@ -133,7 +132,7 @@ def _keep_last(names: dict[_Key, str], key: _Key, variable: str) -> None:
         names[key] = variable
 
 
-def _name_unknowns(unit: UnitFacts, names: _Names) -> None:
+def _name_unknowns(unit: UnitFacts, names: Sequence[Names]) -> None:
     """An expression without type that is a plain name: the functions called so."""
     texts = {expr: str(text) for expr, text in unit.rows["expr_text"]}
     for expr, _reason in unit.rows["expr_unknown"]:
@@ -143,15 +142,18 @@ def _name_unknowns(unit: UnitFacts, names: _Names) -> None:
                 unit.add("function_use", expr, function)
 
 
-def _constructors_named(names: _Names, text: str) -> list[str]:
+def _constructors_named(names: Sequence[Names], text: str) -> list[str]:
     """The constructors of the class that `text` may name."""
     short = text.rpartition("::")[2]
-    return [function for owner, function in names.constructors.get(short, ()) if owner == text or owner.endswith(f"::{text}")]
+    found = (entry for table in names for entry in table.constructors.get(short, ()))
+    return [function for owner, function in found if owner == text or owner.endswith(f"::{text}")]
 
 
-def _functions_named(names: _Names, text: str) -> list[str]:
+def _functions_named(names: Sequence[Names], text: str) -> list[str]:
     name = re.sub(r"[&\s]", "", text)
-    return [function for full, function in names.functions.get(name.rpartition("::")[2], ()) if full == name or full.endswith(f"::{name}")]
+    short = name.rpartition("::")[2]
+    found = (entry for table in names for entry in table.functions.get(short, ()))
+    return [function for full, function in found if full == name or full.endswith(f"::{name}")]
 
 
 @dataclass(frozen=True)
@@ -159,7 +161,7 @@ class _Reader:
     """Reads expressions of one function from text."""
 
     unit: UnitFacts
-    names: _Names
+    names: Sequence[Names]
     holder: FunctionSpan
     hidden: bytes
 
@@ -178,15 +180,21 @@ class _Reader:
             _, block, position = marks[index]
             self.unit.add("block_expr", block, position, expr)
 
+    def class_of(self, constructor: str) -> str:
+        """The class that a constructor belongs to."""
+        return next(table.classes[constructor] for table in self.names if constructor in table.classes)
+
     def source(self, begin: int, end: int) -> str:
         return self.holder.file.data[begin:end].decode("utf-8", "replace")
 
     def variable(self, name: str) -> str | None:
         """The variable that a name means in the function: local, parameter, field, global."""
-        found = self.names.locals.get((self.holder.function, name)) or self.names.fields.get((self.holder.owner, name))
-        if found is None and len(self.names.fields_by_name.get(name, ())) == 1:
-            found = self.names.fields_by_name[name][0]
-        return found or self.names.globals.get(name)
+        local = max(table.locals.get((self.holder.function, name), "") for table in self.names)
+        own = local or max(table.fields.get((self.holder.owner, name), "") for table in self.names)
+        if own:
+            return own
+        of_any = {field for table in self.names for field in table.fields_by_name.get(name, ())}
+        return of_any.pop() if len(of_any) == 1 else max(table.globals.get(name, "") for table in self.names) or None
 
     def expression(self, begin: int, end: int) -> str:
         """Record the expression written at [begin, end)."""
@@ -284,14 +292,14 @@ def _recover_call(reader: _Reader, match: re.Match[bytes]) -> str | None:
     for function in functions:
         unit.add("call_function", call, function)
         if made:
-            unit.add("call_constructs", call, reader.names.classes[function])
+            unit.add("call_constructs", call, reader.class_of(function))
     if receiver:
         unit.add("call_receiver", call, reader.expression(match.start("receiver"), match.end("receiver")))
     for index, (start, stop) in enumerate(split(text[match.end() : close], b",")):
         if text[match.end() + start : match.end() + stop].strip():
             unit.add("call_argument", call, index, reader.expression(match.end() + start, match.end() + stop))
     _recover_target(reader, call, begin)
-    _recover_types(reader, call, (match.group("types") or b"")[1:-1], [reader.names.classes[function] for function in functions if made])
+    _recover_types(reader, call, (match.group("types") or b"")[1:-1], [reader.class_of(function) for function in functions if made])
     return call
 
 

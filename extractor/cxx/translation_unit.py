@@ -14,9 +14,10 @@ from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.heal import OPTIONS, healed, keeps_calls, without_unknown, worth_healing
 from rosarch.extractor.cxx.includes import CUDA_PRELUDE, PRELUDE, SHIPPED_DIRS, HeaderFinder, Includes, assumed_message_class
 from rosarch.extractor.cxx.libclang import Location
-from rosarch.extractor.cxx.recover import recover
+from rosarch.extractor.cxx.recover import declared_names, recover
+from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.unit import UnitFacts, file_key
-from rosarch.extractor.cxx.walk import walk_unit
+from rosarch.extractor.cxx.walk import walk_declaration
 from rosarch.extractor.files import path_text
 
 # gnu++17: the shipped headers need deduction guides; a fixed target: the same types on every host;
@@ -54,9 +55,10 @@ def _system(folders: Iterable[Path]) -> list[str]:
     return [word for folder in folders for word in ("-isystem", str(folder))]
 
 
-def build_prelude(path: Path) -> None:
-    """Precompile the shipped declarations that nearly every source includes."""
+def build_prelude(path: Path, headers: Iterable[str] = ()) -> None:
+    """Precompile the shipped declarations that nearly every source includes, and further shipped `headers`."""
     arguments = ["-x", "c++-header", *BASE_ARGUMENTS[2:], *_system(SHIPPED_DIRS)]
+    arguments += [word for header in headers for word in ("-include", header)]
     with libclang.Unit(PRELUDE, arguments, libclang.KEEP_GOING | libclang.INCOMPLETE | libclang.FOR_SERIALIZATION) as unit:
         unit.save(path)
 
@@ -78,13 +80,15 @@ def extract_unit(
     includes: Includes | None = None,
     heal: bool = False,
     problems: list[Problem] | None = None,
+    headers: SharedHeaders | None = None,
 ) -> Rows:
     """Return the rows of one translation unit; `heal` declares what absent headers would have declared.
 
-    `includes` is the closure of the unit's source, where it is known already. `problems` gets the errors that lose code.
+    `includes` is the closure of the unit's source, where it is known already. `problems` gets the errors that lose code, `headers`
+    those whose facts are kept apart from those of the unit.
     Raises `libclang.ParseError` when clang gives no translation unit at all.
     """
-    with parsed_unit(unit, root, finder, prelude, includes=includes, heal=heal) as (parsed, facts):
+    with parsed_unit(unit, root, finder, prelude, includes=includes, heal=heal, headers=headers) as (parsed, facts):
         if problems is not None:
             problems += _lost_code(facts, parsed)
         return facts.rows
@@ -92,7 +96,14 @@ def extract_unit(
 
 @contextmanager
 def parsed_unit(
-    unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path | None, *, includes: Includes | None = None, heal: bool = False
+    unit: CompileUnit,
+    root: Path,
+    finder: HeaderFinder,
+    prelude: Path | None,
+    *,
+    includes: Includes | None = None,
+    heal: bool = False,
+    headers: SharedHeaders | None = None,
 ) -> Iterator[tuple[libclang.Unit, UnitFacts]]:
     """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
     includes = includes or finder.closure(unit.source, unit.include_dirs, unit.installed)
@@ -105,10 +116,10 @@ def parsed_unit(
     if prelude is not None and unit.language == "c++":
         arguments += ["-include-pch", str(prelude)]
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
-        facts = _facts(root, includes, parsed)
+        facts = _facts(root, includes, parsed, headers)
         if heal and unit.language != "c" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
-                again = _facts(root, includes, better) if better else None
+                again = _facts(root, includes, better, headers) if better else None
                 if better and again and keeps_calls(facts.rows, again.rows):
                     without_unknown(again.rows)
                     yield better, again
@@ -139,7 +150,7 @@ def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[Problem]:
         yield path, line, column, f"code from here on may be missing: {message}{more}"
 
 
-def _facts(root: Path, includes: Includes, parsed: libclang.Unit) -> UnitFacts:
+def _facts(root: Path, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None) -> UnitFacts:
     """Walk a parsed unit."""
     facts = UnitFacts(root)
     for missing in includes.missing:
@@ -156,6 +167,8 @@ def _facts(root: Path, includes: Includes, parsed: libclang.Unit) -> UnitFacts:
         facts.skipped.setdefault(str(file.path), []).append((begin, end))
         if file.key:
             facts.add("lines_skipped", file.key, file.line_column(begin)[0], file.line_column(end)[0])
-    walk_unit(facts, parsed.cursor)
-    recover(facts)
+    cursors = libclang.children(parsed.cursor)
+    for cursor in headers.leave_out(facts, parsed, cursors) if headers else cursors:
+        walk_declaration(facts, cursor)
+    recover(facts, [declared_names(facts.rows), *(headers.names if headers else ())])
     return facts

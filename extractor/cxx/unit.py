@@ -7,7 +7,7 @@ import os
 import re
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
@@ -74,7 +74,7 @@ class UnitFacts:
     `call_sites` holds, per file, the offsets at which the names of the calls met so far end; `remnants`
     are names of methods whose calls clang dropped, with the offset at which the name ends; `marks`, per function, tell which
     block and index in it what stands after an offset belongs to; `skipped`, per path, the
-    ranges that conditional compilation leaves out.
+    ranges that conditional compilation leaves out. `sees` tells which definitions of declared classes count.
     """
 
     root: Path
@@ -90,12 +90,33 @@ class UnitFacts:
     remnants: list[tuple[str, SourceFile, int]] = field(default_factory=list)
     marks: dict[str, list[tuple[int, str, int]]] = field(default_factory=dict)
     skipped: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
+    sees: Callable[[Cursor], bool] = lambda _definition: True
     _ids: dict[str, int] = field(default_factory=dict)
     _files: dict[str, SourceFile] = field(default_factory=dict)
     _bases: list[int] = field(default_factory=list)
     _intervals: list[tuple[int, int, SourceFile]] = field(default_factory=list)
+    _sources: set[tuple[str | int, ...]] = field(default_factory=set)
     _latest: tuple[int, int, SourceFile | None] = (0, 0, None)
     _spellings: dict[int, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._sources = self._sources or self.rows["source_file"]
+
+    def part(self, sees: Callable[[Cursor], bool]) -> UnitFacts:
+        """Facts of a part of the unit, kept apart and complete in themselves: only where files lie is known already.
+
+        Of classes that are declared and defined, it `sees` those definitions of which this is true.
+        """
+        return UnitFacts(
+            self.root,
+            skipped=self.skipped,
+            sees=sees,
+            _files=self._files,
+            _bases=self._bases,
+            _intervals=self._intervals,
+            _spellings=self._spellings,
+            _sources=self.rows["source_file"],
+        )
 
     def add(self, relation: str, *row: str | int) -> None:
         """Add one row to `relation`."""
@@ -119,7 +140,7 @@ class UnitFacts:
             relative = path_text(path.relative_to(self.root)) if path.is_relative_to(self.root) else None
             key = file_key(relative) if relative else None
             if key and relative:
-                self.add("source_file", key, relative)
+                self._sources.add((key, relative))
             known = self._files[name] = SourceFile(path, key, data)
         return known
 

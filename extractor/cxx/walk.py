@@ -21,13 +21,8 @@ from rosarch.extractor.cxx.unit import FunctionSpan, UnitFacts
 _TRANSPARENT = frozenset({kinds.NAMESPACE, kinds.LINKAGE_SPEC, kinds.UNEXPOSED_DECLARATION})
 
 
-def walk_unit(unit: UnitFacts, root: Cursor) -> None:
-    """Record everything that the unit declares in files of the workspace."""
-    for cursor in libclang.children(root):
-        _walk_declaration(unit, cursor)
-
-
-def _walk_declaration(unit: UnitFacts, cursor: Cursor) -> None:
+def walk_declaration(unit: UnitFacts, cursor: Cursor) -> None:
+    """Record a declaration, with all in it, when it stands in a file of the workspace."""
     file, offset = unit.locate(libclang.location(cursor))
     if file.key is None:
         return
@@ -38,7 +33,7 @@ def _walk_declaration(unit: UnitFacts, cursor: Cursor) -> None:
     unit.walked.add(seen)
     if kind in _TRANSPARENT:
         for child in libclang.children(cursor):
-            _walk_declaration(unit, child)
+            walk_declaration(unit, child)
     elif kind in kinds.FUNCTIONS:
         if not libclang.is_definition(cursor):
             declare_function(unit, cursor)  # so that a call that clang drops finds it
@@ -74,7 +69,7 @@ def walk_class(unit: UnitFacts, cursor: Cursor) -> None:
             declare_variable(unit, child)
             lower_variable(Body(unit, Flow(), "", owner), libclang.tree(child))
         elif child.kind in kinds.CLASSES or child.kind in kinds.FUNCTIONS or child.kind in (kinds.TYPEDEF, kinds.TYPE_ALIAS):
-            _walk_declaration(unit, child)
+            walk_declaration(unit, child)
 
 
 def walk_function(unit: UnitFacts, cursor: Cursor) -> None:

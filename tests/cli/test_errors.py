@@ -268,7 +268,7 @@ def test_a_full_disk_ends_the_run(rosarch: Callable, workspace: Path, monkeypatc
 
 
 def test_no_room_for_the_declarations(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosarch.extractor.units.build_prelude", lambda _path: os.abort())
+    monkeypatch.setattr("rosarch.extractor.units.build_prelude", lambda *_arguments: os.abort())
     monkeypatch.setattr("rosarch.extractor.units.PRELUDE_BYTES", 1 << 60)
     outcome = rosarch("analyze", "ws", "--no-cache")
     assert (outcome.code, outcome.out) == (2, "")
