@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rosarch.extractor.cache import Cache, extractor_version, hash_of, write_whole
-from rosarch.extractor.cxx.includes import HeaderFinder
+from rosarch.extractor.cxx.includes import HeaderFinder, Includes
 from rosarch.extractor.cxx.recover import Names
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.translation_unit import CompileUnit, Problem, Rows, build_prelude, extract_unit, unit_key
@@ -86,6 +86,10 @@ class UnitReader:
                 self.cache.store(key, path.read_bytes())
         return path
 
+    def precompiled_for(self, unit: CompileUnit, includes: Includes) -> Path | None:
+        """The precompiled declarations that a unit begins with; it includes all of them."""
+        return self._precompiled(self.finder.large_headers(includes)) if unit.language == "c++" else None
+
     def anything_known(self) -> bool:
         """Whether an earlier run left anything in the cache: the first that it left are the declarations."""
         return self.cache is not None and self.cache.load(extractor_version()) is not None
@@ -143,7 +147,7 @@ class UnitReader:
         key = unit_key(unit, self.root, includes, self.finder)
         problems: list[Problem] = []
         headers = SharedHeaders(unit.source, (unit.include_dirs, unit.installed), (unit.language, *unit.definitions), self.finder, self)
-        prelude = self._precompiled(self.finder.large_headers(includes) if unit.language == "c++" else ())
+        prelude = self.precompiled_for(unit, includes)
         rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
         head = problems, sorted(headers.keys.values())
         data = marshal.dumps((head, _dump(rows)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from rosarch.extractor.cxx import kinds, libclang
+from rosarch.extractor.cxx.includes import SHIPPED
 from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
 from rosarch.extractor.cxx.unit import UnitFacts
 
@@ -255,11 +256,16 @@ def declare_type(unit: UnitFacts, type_: Type) -> str:
     if known is not None:
         return known
     type_ = libclang.canonical_type(type_)
-    name = unit.types[pointer] = unit.types[type_.d0 or 0] = unit.type_name(type_).replace(f"{unit.root}/", "")
+    name = unit.types[pointer] = unit.types[type_.d0 or 0] = _without_folders(unit, unit.type_name(type_))
     if name not in unit.type_names:
         unit.type_names.add(name)
         _record_type(unit, type_, name)
     return name
+
+
+def _without_folders(unit: UnitFacts, name: str) -> str:
+    """The name of a type; one without a name is called by its place, which must not tell where workspace and rosarch lie."""
+    return name.replace(f"{unit.root}/", "").replace(f"{SHIPPED}/", "") if "/" in name else name
 
 
 def _record_type(unit: UnitFacts, type_: Type, name: str) -> None:

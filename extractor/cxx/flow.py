@@ -179,8 +179,7 @@ class Flow:
         for block in kept:
             name = names[id(block)]
             unit.add("block", name, function)
-            for index, expr in enumerate(block.exprs):
-                unit.add("block_expr", name, index, expr)
+            unit.rows["block_expr"].update((name, index, expr) for index, expr in enumerate(block.exprs))
             for target, label in block.edges:
                 unit.add("block_edge", name, names[id(target)], label)
             for target, value in block.cases:

@@ -253,7 +253,7 @@ def _grow(child: Cursor, parent: Cursor, _data: Any) -> int:
     node = Tree(child)
     stack[-1][1].children.append(node)
     stack.append(((node.kind, child.d0, child.d1), node))
-    return 2
+    return 2  # CXChildVisit_Recurse
 
 
 _GROW = _Visitor(_grow)

@@ -24,7 +24,6 @@ from rosarch.extractor.files import path_text
 
 _NAMING = kinds.REFERENCES | {kinds.DECLARATION_REFERENCE, kinds.MEMBER_ACCESS, kinds.CALL, kinds.BASE_SPECIFIER}
 _REDECLARED = kinds.FUNCTIONS | {kinds.VARIABLE}
-_PREPROCESSING = frozenset({kinds.MACRO_DEFINITION, kinds.MACRO_EXPANSION, kinds.INCLUSION})
 
 Rows = Mapping[str, set[tuple[str | int, ...]]]
 
@@ -54,21 +53,17 @@ class SharedHeaders:
 
     def leave_out(self, facts: UnitFacts, parsed: libclang.Unit, cursors: Sequence[Cursor]) -> list[Cursor]:
         """The declarations that the unit itself has to read; a further parse of the unit leaves out what the first one does."""
-        if not self._decided:
-            self._decided = True
-            self._decide(facts, parsed, cursors)
-        return [cursor for cursor in cursors if _file(facts, cursor).path not in self.keys]
-
-    def _decide(self, facts: UnitFacts, parsed: libclang.Unit, cursors: Sequence[Cursor]) -> None:
         by_file: dict[SourceFile, list[Cursor]] = {}
         for cursor in cursors:
-            file = _file(facts, cursor)
-            if file.key is not None and file.path != self.source:
-                by_file.setdefault(file, []).append(cursor)
-        wrong = files_with_errors(facts, parsed)
-        for file, own in by_file.items():
-            if any(cursor.kind not in _PREPROCESSING for cursor in own):
-                self._share(facts, file, own, wrong)
+            by_file.setdefault(_file(facts, cursor), []).append(cursor)
+        own = {file: found for file, found in by_file.items() if file.key is not None}
+        if not self._decided:
+            self._decided = True
+            wrong = files_with_errors(facts, parsed)
+            for file, found in own.items():
+                if file.path != self.source and any(cursor.kind not in kinds.PREPROCESSING for cursor in found):
+                    self._share(facts, file, found, wrong)
+        return [cursor for file, found in own.items() if file.path not in self.keys for cursor in found]
 
     def _share(self, facts: UnitFacts, file: SourceFile, cursors: Sequence[Cursor], wrong: set[str]) -> None:
         """Leave the header `file` to the store, if that is possible; read it for the store where it is not there yet."""
@@ -113,7 +108,7 @@ def _foreign_names(facts: UnitFacts, cursors: Sequence[Cursor], includes: Includ
     for top in cursors:
         for cursor in (top, *libclang.descendants(top)):
             if cursor.kind in _NAMING:
-                target = libclang.referenced(cursor)
+                target = libclang.canonical(libclang.referenced(cursor))  # of a class that was only declared, the declaration
             elif cursor.kind in _REDECLARED:
                 target = libclang.canonical(cursor)
             else:

@@ -63,6 +63,19 @@ def build_prelude(path: Path, headers: Iterable[str] = ()) -> None:
         unit.save(path)
 
 
+def arguments_of(unit: CompileUnit, includes: Includes, prelude: Path | None) -> list[str]:
+    """What clang is called with for a unit."""
+    arguments = [
+        *{"c": C_ARGUMENTS, "cuda": CUDA_ARGUMENTS, "c++": BASE_ARGUMENTS}[unit.language],
+        *(f"-D{definition}" for definition in unit.definitions),
+        *(f"-I{folder}" for folder in unit.include_dirs),
+        *_system([*SHIPPED_DIRS, *includes.made]),
+    ]
+    if prelude is not None and unit.language == "c++":
+        arguments += ["-include-pch", str(prelude)]
+    return arguments
+
+
 def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFinder) -> str:
     """A hash of all that the rows of a unit depend on."""
     folders = [os.path.relpath(folder, root) for folder in unit.include_dirs]
@@ -107,14 +120,7 @@ def parsed_unit(
 ) -> Iterator[tuple[libclang.Unit, UnitFacts]]:
     """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
     includes = includes or finder.closure(unit.source, unit.include_dirs, unit.installed)
-    arguments = [
-        *{"c": C_ARGUMENTS, "cuda": CUDA_ARGUMENTS, "c++": BASE_ARGUMENTS}[unit.language],
-        *(f"-D{definition}" for definition in unit.definitions),
-        *(f"-I{folder}" for folder in unit.include_dirs),
-    ]
-    arguments += _system([*SHIPPED_DIRS, *includes.made])
-    if prelude is not None and unit.language == "c++":
-        arguments += ["-include-pch", str(prelude)]
+    arguments = arguments_of(unit, includes, prelude)
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts = _facts(root, includes, parsed, headers)
         if heal and unit.language != "c" and worth_healing(facts, parsed):

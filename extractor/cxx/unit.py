@@ -122,12 +122,6 @@ class UnitFacts:
         """Add one row to `relation`."""
         self.rows[relation].add(row)
 
-    def unique(self, base: str) -> str:
-        """Return `base`, or `base` with an ordinal when it was given out before."""
-        count = self._ids.get(base, 0) + 1
-        self._ids[base] = count
-        return base if count == 1 else f"{base}'{count}"
-
     def file(self, name: str) -> SourceFile:
         """The file that clang knows as `name`."""
         known = self._files.get(name)
@@ -206,9 +200,14 @@ class UnitFacts:
 
     def node(self, span: Span, form: str) -> str:
         """Give out the identifier of an AST node and record its location."""
-        line, column = span.file.line_column(span.begin)
-        identifier = self.unique(f"{span.file.label}:{line}:{column}:{form}")
-        self.add("location", identifier, span.file.label, line, column)
+        file = span.file
+        line, column = file.line_column(span.begin)
+        identifier = f"{file.label}:{line}:{column}:{form}"
+        count = self._ids.get(identifier, 0) + 1
+        self._ids[identifier] = count
+        if count > 1:
+            identifier = f"{identifier}'{count}"
+        self.rows["location"].add((identifier, file.label, line, column))
         return identifier
 
 

@@ -27,6 +27,8 @@ def walk_declaration(unit: UnitFacts, cursor: Cursor) -> None:
     if file.key is None:
         return
     kind = cursor.kind
+    if kind in kinds.PREPROCESSING:
+        return
     seen = (file.key, offset, kind, libclang.spelling(cursor))
     if kind not in _TRANSPARENT and seen in unit.walked:
         return  # a file that is read several times says the same each time

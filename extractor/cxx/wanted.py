@@ -177,7 +177,7 @@ class Wanted:
     def ban(self, names: Collection[str]) -> bool:
         """Leave out names that the workspace declares itself; the outermost of that name is in its way. Return whether any is new."""
         new = not self.banned.issuperset(names)
-        for name in names:
+        for name in sorted(names):
             self.banned.add(name)
             if self.top.pop(name, None) is None and self.macros.pop(name, None) is None:
                 for scope in self._scopes():

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import marshal
 import os
+import random
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -129,3 +131,84 @@ def test_the_entries_unused_for_longest_go_first(tmp_path: Path) -> None:
 
 def test_hashes_tell_apart_where_texts_end() -> None:
     assert len({hash_of(parts) for parts in (["ab", "c"], ["a", "bc"], ["abc"], ["abc", ""], [b"abc", b"", b""])}) == 5
+
+
+TWO = CMAKE.replace("talker.cpp)", "talker.cpp other.cpp third.cpp)")
+
+
+@pytest.fixture
+def sources_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[str]]:
+    """The names of the sources that were extracted since it was last asked."""
+    from rosarch.extractor import units
+
+    log, real = tmp_path / "log", units.extract_unit
+
+    def logged(unit, *arguments, **options):  # type: ignore[no-untyped-def]
+        with log.open("a") as file:
+            file.write(f"{unit.source.name}\n")
+        return real(unit, *arguments, **options)
+
+    monkeypatch.setattr(units, "extract_unit", logged)
+
+    def read() -> list[str]:
+        names = sorted(log.read_text().split()) if log.exists() else []
+        log.unlink(missing_ok=True)
+        return names
+
+    return read
+
+
+def test_one_change_reads_what_depends_on_it(workspace: Path, tmp_path: Path, sources_read: Callable[[], list[str]]) -> None:
+    cache = Cache(tmp_path / "cache")
+    (workspace / "CMakeLists.txt").write_text(TWO)
+    (workspace / "other.cpp").write_text('#include "names.h"\nvoid other() { help(2); }\n')
+    (workspace / "third.cpp").write_text("int third;\n")
+    for file, text, read in (
+        ("names.h", "inline int help(int x) { return x + 1; }\n", ["other.cpp", "talker.cpp", "third.cpp"]),
+        ("other.cpp", '#include "names.h"\nvoid other() { help(3); }\n', ["other.cpp"]),
+        ("names.h", "inline int help(int x) { return x + 2; }\n", ["other.cpp", "talker.cpp"]),
+        ("third.cpp", "int third = 3;\n", ["third.cpp"]),
+    ):
+        (workspace / file).write_text(text)
+        after = facts(workspace, cache)
+        assert sources_read() == read
+        assert after == facts(workspace, None)
+        sources_read()
+
+
+def test_headers_that_are_gone_are_read_again(workspace: Path, tmp_path: Path, sources_read: Callable[[], list[str]]) -> None:
+    cache = Cache(tmp_path / "cache")
+    (workspace / "names.h").write_text("inline int help(int x) { return x + 1; }\n")
+    first = facts(workspace, cache)
+    found = {entry: marshal.loads(marshal.loads(entry.read_bytes()[32:])[1]) for entry in entries(cache)}
+    (header,) = [entry for entry, rows in found.items() if "source_file" not in rows]
+    header.unlink()
+    sources_read()
+    assert facts(workspace, cache) == first
+    assert sources_read() == ["talker.cpp"]
+    assert header.is_file()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_random_edits(workspace: Path, tmp_path: Path, seed: int) -> None:
+    choose = random.Random(seed)
+    cache = Cache(tmp_path / "cache")
+    (workspace / "CMakeLists.txt").write_text(TWO)
+    headers = [
+        "struct Base { int value = %d; };\n", "#define LEVEL %d\n", "#pragma once\ninline int help(int x) { return x + %d; }\n",
+        '#include "inner.h"\nstruct Part { int part() { return inner(%d); } };\n', "%d is no declaration\n", "#ifdef LEVEL\nint level = %d;\n#endif\n",
+    ]  # fmt: skip
+    includes = ['#include "names.h"\n', '#include "inner.h"\n', "#define LEVEL 7\n", '#include "absent.h"\n', ""]
+    for name in ("inner.h", "other.cpp", "third.cpp"):
+        (workspace / name).write_text("int inner(int x);\n")
+    for _ in range(6):
+        name = choose.choice(["names.h", "inner.h", "absent.h", "other.cpp", "third.cpp"])
+        if name.endswith(".h"):
+            text = "".join(choose.choice(headers) % choose.randrange(9) for _ in range(2))
+        else:
+            text = (
+                "".join(choose.sample(includes, 3))
+                + f"void {name[:5]}() {{ help(LEVEL); Part p; p.part(); int n = {choose.randrange(9)}; }}\n"
+            )
+        (workspace / name).write_text(text)
+        assert facts(workspace, cache) == facts(workspace, None)
