@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 
 from rosarch.extractor.cxx import kinds, libclang
@@ -23,6 +24,7 @@ _QUALIFIERS = re.compile(r"\bconst\b|\bvolatile\b|\[\d*\]|[&*\s]")
 _SPECIFIERS = re.compile(r"\b(const|constexpr|static|mutable|extern|inline|volatile|register|typename|struct|class)\b")
 _TEMPLATE_PARAMETER = re.compile(r"type-parameter-\d+-(\d+)")
 _TEMPLATE_MEMBER = re.compile(r"typename (type-parameter-\d+-(\d+))::(\w+)")
+_PLACE = re.compile(r" at (.*?):(\d+:\d+)\)")
 _ANONYMOUS = re.compile(r"\(.*? at .*\)")
 
 
@@ -256,16 +258,21 @@ def declare_type(unit: UnitFacts, type_: Type) -> str:
     if known is not None:
         return known
     type_ = libclang.canonical_type(type_)
-    name = unit.types[pointer] = unit.types[type_.d0 or 0] = _without_folders(unit, unit.type_name(type_))
+    name = unit.types[pointer] = unit.types[type_.d0 or 0] = _placed(unit, unit.type_name(type_))
     if name not in unit.type_names:
         unit.type_names.add(name)
         _record_type(unit, type_, name)
     return name
 
 
-def _without_folders(unit: UnitFacts, name: str) -> str:
-    """The name of a type; one without a name is called by its place, which must not tell where workspace and rosarch lie."""
-    return name.replace(f"{unit.root}/", "").replace(f"{SHIPPED}/", "") if "/" in name else name
+def _placed(unit: UnitFacts, name: str) -> str:
+    """The name of a type; one without a name is called by its place, whatever way led there and wherever workspace and rosarch lie."""
+
+    def place(match: re.Match[str]) -> str:
+        path = os.path.normpath(match.group(1))
+        return f" at {path.removeprefix(f'{unit.root}/').removeprefix(f'{SHIPPED}/')}:{match.group(2)})"
+
+    return _PLACE.sub(place, name) if " at " in name else name
 
 
 def _record_type(unit: UnitFacts, type_: Type, name: str) -> None:

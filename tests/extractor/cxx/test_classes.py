@@ -109,3 +109,10 @@ def test_slots_are_marked(facts_of) -> None:
     )
     names = dict(facts["function_name"])
     assert {(names[function], mark) for function, mark in facts["function_annotation"]} == {(f"W::{name}", "qt_slot") for name in "abd"}
+
+
+def test_a_type_without_name_is_called_by_its_place_whatever_way_leads_there(extract) -> None:
+    files = {"inner/part.h": "#pragma once\nstruct Part { struct { int level; } tank; };\n", "outer/x.h": ""}
+    snippet = extract('#include "outer/../inner/part.h"\nPart part;\n', files=files)
+    types = {row[1] for row in snippet.raw["variable_type"] if row[0] == "Part::tank"}
+    assert types == {"Part::(unnamed struct at inner/part.h:2:15)"}
