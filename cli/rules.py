@@ -11,12 +11,13 @@ import typer
 from rosarch.cli.checks import checks
 from rosarch.cli.derivations import Component, Profiled, asked, check_profile, datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_folder, unwritable
+from rosarch.cli.inputs import unwritable
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.rules_mutate import mutate
 from rosarch.cli.rules_test import test
 from rosarch.cli.systems import Systems
-from rosarch.cli.terminal import emit, progress
+from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
@@ -129,29 +130,6 @@ def lint(
         raise typer.Exit(1)
 
 
-@app.command("mutate")
-def mutate(
-    folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="The folder with the tests, at any depth.")] = Path(),
-    rules: Annotated[
-        list[Path] | None,
-        typer.Option("--rules", "-r", metavar="FILE", help="Only clauses of these files are changed.", show_default=False),
-    ] = None,
-    sample: Annotated[int | None, typer.Option("--sample", metavar="N", min=1, help="Only N mutants, chosen at random.")] = None,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", help="What the choice starts from.")] = 0,
-    jobs: Jobs = None,
-) -> None:
-    """Change rules a literal at a time and list the changes that no test below FOLDER notices. Exit code 1 when there are any."""
-    from rosarch.datalog.mutation import survivors_text
-    from rosarch.models.rule_mutation import judge_rules
-
-    check_folder(folder)
-    with datalog_errors(), progress() as report:
-        found = judge_rules(folder, rules or (), sample=sample, seed=seed, jobs=jobs, progress=report)
-    emit(survivors_text(found, shorten=shorten))
-    if any(not verdict.killed_by for verdict in found):
-        raise typer.Exit(1)
-
-
 @app.command("doc")
 def doc(
     rules: Files = None,
@@ -175,4 +153,5 @@ def doc(
 
 
 app.command("test")(test)
+app.command("mutate")(mutate)
 app.command("checks")(checks)

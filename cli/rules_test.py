@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -19,6 +19,7 @@ from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
+    from rosarch.expectations.observation import Systems
     from rosarch.expectations.run import CaseOutcome
     from rosarch.models.component import ComponentModel
     from rosarch.models.findings import Finding
@@ -50,7 +51,7 @@ def test(
     from rosarch.expectations.grammar import ExpectationError
     from rosarch.expectations.run import Running, run_cases
 
-    given = [_checked(path) for path in paths or [Path()]]
+    given = [checked_path(path) for path in paths or [Path()]]
     check_engine(engine)
     rules = parse_rules(own, variants, settings)
     try:
@@ -59,10 +60,7 @@ def test(
             told = "a test is a source with comments `expect: ...`, or a folder with facts/*.facts and expected/*.csv"
             raise InputError(f"{', '.join(map(str, given))}: no tests; {told}")
         with datalog_errors(), progress() as report:
-
-            def systems(folder: Path) -> _Systems:
-                return _Systems(SystemInputs(folder, engine=engine, jobs=jobs, timeout=timeout, cached=cached, rules=rules), rules)
-
+            systems = systems_of(rules, engine=engine, jobs=jobs, timeout=timeout, cached=cached)
             how = Running(rules, systems, engine.value, jobs, timeout, extraction_cache(cached), report)
             outcomes = list(run_cases(found.cases, how))
     except ExpectationError as error:
@@ -74,7 +72,8 @@ def test(
         raise typer.Exit(1)
 
 
-def _checked(path: Path) -> Path:
+def checked_path(path: Path) -> Path:
+    """A file or folder that can be read."""
     if path.is_dir():
         return check_folder(path)
     read_input(path)
@@ -104,6 +103,13 @@ class _Systems:
     def rows(self) -> Sequence[dict[str, list[tuple[Any, ...]]]]:
         shared, launches = load_surrounding(self.inputs)
         return [{name: list(rows) for name, rows in shared.rows(launch).items()} for launch in launches]
+
+
+def systems_of(
+    rules: RuleSet, *, engine: Engine = Engine.embedded, jobs: int | None = None, timeout: float = 60.0, cached: bool = True
+) -> Callable[[Path], Systems]:
+    """Gives the systems of a workspace."""
+    return lambda folder: _Systems(SystemInputs(folder, engine=engine, jobs=jobs, timeout=timeout, cached=cached, rules=rules), rules)
 
 
 def _tell(outcomes: Sequence[CaseOutcome], verbose: bool) -> bool:

@@ -29,11 +29,21 @@ PATIENCE = 5.0  # seconds for one mutant on one case: one that takes longer is n
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A test: the rows of all relations, and those relations whose rows the test compares."""
+    """A test: the rows of all relations, and those relations whose rows the test looks at.
+
+    `fails` tells whether the test does with other rows; without it, it does when any observed relation has others.
+    """
 
     name: str
     rows: Mapping[str, Collection[Row]]
     observed: frozenset[str]
+    fails: Callable[[Mapping[str, Collection[Row]]], bool] | None = None
+
+    def notices(self, changed: Mapping[str, Collection[Row]]) -> bool:
+        """Whether the test fails when these relations have these rows."""
+        if all(set(rows) == set(self.rows[name]) for name, rows in changed.items() if name in self.observed):
+            return False
+        return self.fails is None or self.fails({**self.rows, **changed})
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,9 +118,7 @@ class MutationTest:
             return None
         for case in self._likely(mutant):
             rows = self._evaluate(changed, case, needed, group)
-            if rows is None or any(rows[n] != set(case.rows[n]) for n in group & case.observed):
-                return Verdict(mutant, case.name)
-            if any(rows[n] != set(case.rows[n]) for n in group) and self._reaches(group, rows, case):
+            if rows is None or (any(rows[n] != set(case.rows[n]) for n in group) and self._noticed(group, rows, case)):
                 return Verdict(mutant, case.name)
         return Verdict(mutant, "")
 
@@ -120,17 +128,17 @@ class MutationTest:
         atoms = [{literal.name for literal in body if isinstance(literal, Atom)} for body in bodies]
         return [c for c in self.cases if any(all(c.rows.get(name) for name in names) for names in atoms)]
 
-    def _reaches(self, group: frozenset[str], rows: Mapping[str, set[Row]], case: Case) -> bool:
-        """Whether what an observed relation has changes with the rows of the group."""
+    def _noticed(self, group: frozenset[str], rows: Mapping[str, set[Row]], case: Case) -> bool:
+        """Whether a case notices that the relations of the group have these rows, and what reads them those that follow."""
         if group not in self._downstream:
             self._downstream[group] = self._after(group)
         found = self._downstream[group]
         if found is None:
-            return False
+            return case.notices(rows)
         program, needed = found
         observed = case.observed & program.relations.keys() - needed
         derived = self._evaluate(program, replace(case, rows={**case.rows, **rows}), needed, observed)
-        return derived is None or any(derived[n] != set(case.rows[n]) for n in observed)
+        return derived is None or case.notices({**rows, **derived})
 
     def _after(self, group: frozenset[str]) -> tuple[Program, frozenset[str]] | None:
         """The program of what reads the group, up to observed relations, with the group as its input."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -94,13 +95,18 @@ def _unknown_check(expectation: Expectation, checks: Sequence[str]) -> str:
     return f"{marked.path}:{marked.line}:{column}: unknown check `{name}`{hint(name, checks)}"
 
 
-def _run(case: Case, program: Program, how: Running) -> CaseOutcome:
+@contextmanager
+def observed(case: Case, program: Program, how: Running) -> Iterator[Observation]:
+    """What is found in the sources of a case."""
     loose = case.sources is not None
     workspace = loose_workspace(case.root.absolute(), [source.absolute() for source in case.sources or ()]) if loose else None
     systems = Alone(case.root, how.rules, how.engine) if loose else how.systems(case.root)
-
     with extract(case.root, jobs=how.jobs, timeout=how.timeout, cache=how.cache, progress=how.progress, workspace=workspace) as extraction:
-        observation = Observation(case.root, extraction, program, how.engine, systems)
+        yield Observation(case.root, extraction, program, how.engine, systems)
+
+
+def _run(case: Case, program: Program, how: Running) -> CaseOutcome:
+    with observed(case, program, how) as observation:
         by_file: dict[str, list[Expectation]] = {}
         for expectation in case.expectations:
             by_file.setdefault(expectation.marked.path, []).append(expectation)
@@ -108,4 +114,4 @@ def _run(case: Case, program: Program, how: Running) -> CaseOutcome:
         for path, expectations in by_file.items():
             judged = [unmet(expectation, observation) for expectation in expectations]
             files.append(FileOutcome(case.root / path, len(expectations), tuple(found for found in judged if found)))
-        return CaseOutcome(tuple(files), tuple(extraction.diagnostics))
+        return CaseOutcome(tuple(files), tuple(observation.extraction.diagnostics))

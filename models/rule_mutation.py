@@ -13,10 +13,10 @@ from rosarch.datalog.rule_tests import EXPECTED, FACTS, PROGRAM, find_tests
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.models.analysis import COMPONENT_TIMEOUT
-from rosarch.models.rule_sets import component_program, rule_set
 from rosarch.models.selection import select
 
 Progress = Callable[[str, int, int], None]
+_EXCEEDED = ("time limit", "memory")
 TASK = 20  # mutants of one relation that a worker judges at once
 
 
@@ -54,7 +54,7 @@ def mutants_of(test: MutationTest, files: Sequence[Path], sample: int | None, se
 def judge_all(
     test: MutationTest, chosen: Sequence[Mutant], *, jobs: int | None = None, progress: Progress | None = None
 ) -> list[Verdict]:  # fmt: skip
-    """The verdicts on mutants that are legal programs, in the order of the mutants. One on which a worker ends counts as killed."""
+    """The verdicts on mutants that are legal programs, in their order. One that takes too long or too much counts as killed."""
     tasks = []
     order = sorted(range(len(chosen)), key=lambda i: (chosen[i].rule.clause.head.name, i))
     for _, group in groupby(order, key=lambda i: chosen[i].rule.clause.head.name):  # they share what reads their relation
@@ -66,18 +66,10 @@ def judge_all(
 
     killed: dict[int, str | None] = {}
     for done, (number, outcome) in enumerate(run_tasks(work, tasks, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT), 1):
+        if isinstance(outcome, Failure) and outcome.reason not in _EXCEEDED:
+            raise RuntimeError(f"{chosen[tasks[number][0]].location}: {outcome.reason}: {outcome.detail}")
         answers = [outcome.reason] * len(tasks[number]) if isinstance(outcome, Failure) else outcome
         killed.update(zip(tasks[number], answers, strict=True))
         if progress is not None:
             progress("mutants", done, len(tasks))
     return [Verdict(chosen[i], found) for i, found in sorted(killed.items()) if found is not None]
-
-
-def judge_rules(
-    folder: Path, files: Sequence[Path], *,
-    sample: int | None = None, seed: int = 0, jobs: int | None = None, progress: Progress | None = None,
-) -> list[Verdict]:  # fmt: skip
-    """The verdicts of the tests below a folder on mutants of files of rules, or of all rules."""
-    program = component_program(rule_set(files))
-    test = MutationTest(program, list(drop_in_cases(program, folder)))
-    return judge_all(test, mutants_of(test, files, sample, seed), jobs=jobs, progress=progress)

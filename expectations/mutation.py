@@ -1,0 +1,42 @@
+"""Expectations as cases of the mutation of rules: a changed rule is noticed when one of them is not met any more."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+
+from rosarch.datalog import Program, Result
+from rosarch.datalog.mutation import Case as MutationCase
+from rosarch.datalog.rows import Row
+from rosarch.expectations.cases import Case
+from rosarch.expectations.elements import FINDING
+from rosarch.expectations.grammar import Expectation
+from rosarch.expectations.judgement import unmet
+from rosarch.expectations.observation import Observation, ObservedComponent, is_source
+from rosarch.expectations.run import Running, observed
+
+
+def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Iterator[MutationCase]:
+    """A case for each component that has expectations in its sources; what is expected of systems, and of no source, is left out."""
+    for case in cases:
+        about = [e for e in case.expectations if is_source(e.marked.path) and (e.kind is None or e.kind.name != FINDING)]
+        with observed(case, program, how) as observation:
+            for component in observation.components:
+                own = [e for e in about if component in observation.of(e.marked.path)]
+                if own and component.rows:
+                    rows = {name: component.result.rows(name) for name in component.result.names()}
+                    fails = partial(_fails, observation, component, own)
+                    yield MutationCase(f"{case.root}: {component.facts.name}", rows, frozenset(program.relations), fails)
+
+
+def _fails(
+    observation: Observation, component: ObservedComponent, expected: Sequence[Expectation], rows: Mapping[str, Collection[Row]]
+) -> bool:  # fmt: skip
+    """Whether an expectation that is met is not when the component has these rows."""
+    changed = replace(component)
+    changed.rows = component.rows  # the extraction is over
+    changed.result = Result(rows, {name: len(d.attributes) for name, d in component.program.relations.items()})
+    seen = replace(observation)
+    seen.components = [changed if each is component else each for each in observation.components]
+    return any(unmet(e, seen) is not None for e in expected)
