@@ -9,7 +9,7 @@ left where there is only one; where the clause has constants beside variables, t
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -22,6 +22,15 @@ from .syntax import Argument, Atom, Branch, Constraint, Nil, Number, Record, Str
 
 MAX_LOOPS = 16
 IndexKey = tuple[str, tuple[int, ...], tuple[tuple[int, Any], ...]]  # relation, key columns, columns with a constant
+TableKey = tuple[str, tuple[int, ...]]  # relation, key columns
+
+
+class RowsNeeded(Exception):
+    """A rule cannot ask `relation` for single keys only: all of its rows must be there."""
+
+    def __init__(self, relation: str) -> None:
+        super().__init__(relation)
+        self.relation = relation
 
 
 @dataclass(slots=True)
@@ -32,6 +41,13 @@ class Storage:
     indexes: dict[IndexKey, int] = field(default_factory=dict)  # numbered in the order of their first use
     probed: set[str] = field(default_factory=set)  # relations that are asked for whole rows
     listed: set[IndexKey] = field(default_factory=set)  # those that are iterated; others only tell whether a key exists
+    demanded: set[str] = field(default_factory=set)  # relations of which only the keys that are asked for are derived
+    tables: dict[TableKey, int] = field(default_factory=dict)  # what is asked of them
+    ranks: Mapping[str, float] = field(default_factory=dict)  # of relations to begin with, the higher the sooner
+
+    def table(self, key: TableKey) -> int:
+        """The number of a table."""
+        return self.tables.setdefault(key, len(self.tables))
 
     def index(self, key: IndexKey) -> int:
         """The number of an index."""
@@ -54,22 +70,31 @@ class Emitter:
     """Writes the function of one clause, or of one delta version of it."""
 
     def __init__(
-        self, storage: Storage, expressions: Expressions, *, ordered: bool, delta: int | None, growing: Collection[str]
+        self, storage: Storage, expressions: Expressions, *, ordered: bool, delta: int | None, growing: Collection[str],
+        own: TableKey | None = None,
     ) -> None:  # fmt: skip
         self.storage = storage
         self.expressions = expressions
         self.ordered = ordered  # loop in sorted order: something in the clause depends on the order
         self.delta = delta
         self.growing = growing  # relations to which the function may add while it loops over them
+        self.own = own  # the table that the function is for, which it knows as `own`
         self.lines: list[str] = []
         self.depth = 1
         self.loops = 0
         self.temporaries = 0
         self.relations: set[str] = set()
         self.indexes: dict[int, tuple[Origin, ...]] = {}
+        self.tables: set[int] = set()
         self.origins: dict[str, tuple[str, int]] = {}  # of a Python name: the relation and column whose values it takes
         self.names: dict[str, str] = {}
+        self.constant: set[str] = set()  # variables that are equal to a constant
         self.functions: list[int] = []  # depths of open nested functions
+
+    def arguments(self) -> list[str]:
+        """The names of the relations, indexes and tables that the function is given."""
+        numbers = (*(f"i{n}" for n in sorted(self.indexes)), *(f"k{n}" for n in sorted(self.tables)))
+        return [*map(local, sorted(self.relations)), *numbers]
 
     # -- writing ------------------------------------------------------------------------------------
 
@@ -196,6 +221,8 @@ class Emitter:
         columns = tuple(
             i for i, a in enumerate(atom.args) if not (isinstance(a, Unnamed) or (isinstance(a, Variable) and a.name not in bound))
         )
+        if atom.name in self.storage.demanded:
+            return self._exists_in_table(atom, columns, bound)
         if not columns or len(columns) == len(atom.args):
             self.relations.add(atom.name)
             self.storage.probed.update([atom.name] if columns else [])
@@ -203,6 +230,36 @@ class Emitter:
             return f"{key} in {local(atom.name)}" if columns else local(atom.name)
         index, key = self._index(atom, columns, bound)
         return f"{key} in {self._index_name(index, atom, bound)}"
+
+    def _exists_in_table(self, atom: Atom, columns: tuple[int, ...], bound: dict[str, str]) -> str:
+        """The condition that some row of a relation that is derived on demand matches."""
+        keys = self._table_keys(atom, columns)
+        if keys == columns:
+            return self._table(atom, columns, bound)
+        rest = [i for i in columns if i not in keys]
+        if len(keys) + 1 != len(atom.args):
+            raise RowsNeeded(atom.name)
+        return f"{self.expressions.write(atom.args[rest[0]], bound)} in {self._table(atom, keys, bound)}"
+
+    def _table_keys(self, atom: Atom, columns: tuple[int, ...]) -> tuple[int, ...]:
+        """The columns to ask a table by; those of the own table are given, and of pairs the first is taken when both are known."""
+        keys = columns
+        if self.own is not None and self._is_own(atom):
+            keys = self.own[1]
+        elif columns == (0, 1) and len(atom.args) == 2 and isinstance(atom.args[0], Variable):
+            keys = (0,)
+        if not keys or not set(keys) <= set(columns):
+            raise RowsNeeded(atom.name)
+        return keys
+
+    def _table(self, atom: Atom, keys: Sequence[int], bound: dict[str, str]) -> str:
+        """The expression for what a table has for these bound columns of an atom."""
+        key = row_of([self.expressions.write(atom.args[i], bound) for i in keys])
+        if self.own == (atom.name, tuple(keys)):
+            return f"own[{key}]"
+        number = self.storage.table((atom.name, tuple(keys)))
+        self.tables.add(number)
+        return f"k{number}[{key}]"
 
     def _index(self, atom: Atom, columns: Sequence[int], bound: dict[str, str]) -> tuple[IndexKey, str]:
         """The index for these bound columns of an atom, and the expression of the key to ask it for."""
@@ -233,6 +290,8 @@ class Emitter:
             return False
         for source, target in ((step.left, step.right), (step.right, step.left)):
             if isinstance(target, (Variable, Unnamed, Record, Branch)) and is_bound(source, names):
+                if isinstance(target, Variable) and isinstance(source, (Number, String)):
+                    self.constant.add(target.name)
                 pending.remove(step)
                 self._match(target, self.expressions.write(source, bound), bound)
                 return True
@@ -287,18 +346,39 @@ class Emitter:
                 if step.index == self.delta and step.index >= 0:
                     return step
                 keyed = [a for a in step.atom.args if is_bound(a, names)]
-                joined = any(isinstance(a, Variable) for a in keyed)  # else its rows multiply with all so far
-                score = (10.0 if joined else 0.0) + 3.0 * len(keyed) / max(len(step.atom.args), 1) + bool(keyed)
+                joined = self._joined(keyed)  # else its rows multiply with all so far
+                if self.own is not None and self._is_own(step.atom) and not all(is_bound(step.atom.args[i], names) for i in self.own[1]):
+                    continue
+                score = 3.0 * len(keyed) / max(len(step.atom.args), 1) + bool(keyed)
+                if joined:
+                    score += 10.0
+                elif step.atom.name in self.storage.demanded:
+                    score = self.storage.ranks.get(step.atom.name, 0.0)  # it would have to be whole, whatever is known
+                else:
+                    score += self.storage.ranks.get(step.atom.name, 0.0)
             elif isinstance(step, Generate) and all(is_bound(a, names) for a in step.functor.args):
                 score = 0.5
             else:
                 continue
             if best is None or (-score, position) < best:
                 best, chosen = (-score, position), step
+        if isinstance(chosen, Scan) and chosen.atom.name in self.storage.demanded and not self._is_own(chosen.atom):
+            keyed = [a for a in chosen.atom.args if is_bound(a, names)]
+            if not self._joined(keyed):  # by constants alone a table is not asked: many rows would have them
+                raise RowsNeeded(chosen.atom.name)
+        if chosen is None and self.own is not None and any(isinstance(s, Scan) and self._is_own(s.atom) for s in pending):
+            raise RowsNeeded(self.own[0])
         if chosen is None:
             at = next((s.location for s in pending if isinstance(s, Constraint)), None)
             raise DatalogError([Diagnostic("no order of evaluation binds every variable of this rule", at)])
         return chosen
+
+    def _joined(self, keyed: Sequence[Argument]) -> bool:
+        """Whether known arguments of an atom tie it to what has been looped over."""
+        return any(isinstance(a, Variable) and a.name not in self.constant for a in keyed)
+
+    def _is_own(self, atom: Atom) -> bool:
+        return self.own is not None and atom.name == self.own[0]
 
     def _generate(self, step: Generate, bound: dict[str, str]) -> None:
         values = self.expressions.write(step.functor, bound)
@@ -314,6 +394,8 @@ class Emitter:
         needed = self._needed(pending, wanted)
         is_delta = step.index == self.delta and step.index >= 0
         columns = () if is_delta else tuple(i for i, a in enumerate(atom.args) if is_bound(a, names))
+        if atom.name in self.storage.demanded and not is_delta:
+            columns = self._table_keys(atom, columns)
         targets: list[str] = []
         tests: list[str] = []
         fresh: dict[str, str] = {}
@@ -330,7 +412,7 @@ class Emitter:
                 tests.append(f"{targets[-1]} != {self.expressions.write(arg, bound | fresh)}")
         self.open_loop(f"for {self._loop_target(targets, columns)} in {self._source(atom, columns, bound, is_delta)}:")
         bound.update(fresh)
-        if not is_delta:
+        if not is_delta and atom.name not in self.storage.demanded:
             named = ((i, a.name) for i, a in enumerate(atom.args) if isinstance(a, Variable))
             self.origins.update((fresh[name], (atom.name, i)) for i, name in named if name in fresh)
         for test in tests:
@@ -348,6 +430,8 @@ class Emitter:
     def _source(self, atom: Atom, columns: tuple[int, ...], bound: dict[str, str], is_delta: bool) -> str:
         if is_delta:
             source = "delta"
+        elif atom.name in self.storage.demanded:
+            source = self._table(atom, columns, bound)
         elif not columns:
             self.relations.add(atom.name)
             source = f"tuple({local(atom.name)})" if atom.name in self.growing else local(atom.name)

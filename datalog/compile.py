@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
 from .bulk_rules import pair_clause, write_bulk
-from .codegen import Emitter, Storage, local, row_of
+from .codegen import Emitter, Storage, row_of
 from .expressions import Expressions, number_value
 from .ground import grounded_variables, is_bound
 from .indexes import Index
@@ -36,13 +36,15 @@ from .syntax import (
 from .types import Types
 
 
-class _Compiler:
+class Compiler:
+    """Generates the functions of clauses."""
+
     def __init__(self, relations: Mapping[str, Relation], types: Types) -> None:
         self.relations = relations
         self.types = types
         slots = {name: i for i, name in enumerate(relations)}
         self.storage = Storage({name: len(r.attributes) for name, r in relations.items()})
-        self.functions: list[str] = []
+        self.functions: dict[str, str] = {}
         self.matchers: dict[str, str] = {}
         self.code = Code(relation_slot=slots, arity=self.storage.arity)
 
@@ -74,14 +76,10 @@ class _Compiler:
         self.code.facts.setdefault(clause.head.name, []).append(row[0] if len(row) == 1 else row)
         return True
 
-    def rule(self, clause: Clause, types: ClauseTypes, number: int, stratum: _Plan) -> tuple[list[Rule], list[Rule]]:
+    def rule(self, clause: Clause, types: ClauseTypes, number: int, stratum: Plan) -> tuple[list[Rule], list[Rule]]:
         """Generate the functions of a clause: those to run once and those to run in the loop."""
-        normaliser = Normaliser(types)
-        given: set[str] = set()
-        outside = {v.name for a in clause.head.args for v in walk(a) if isinstance(v, Variable)}
-        body = clause.body if clause.dominating is None else (clause.head, clause.dominating, *clause.body)
-        steps = normaliser.body(body, outside, given, top=True)
-        head = normaliser.head(clause.head, steps, grounded_variables(body))
+        form = normalised(clause, types)
+        head, steps = form.head, form.steps
         atoms = [s for s in steps if isinstance(s, Scan) and s.index >= 0 and s.atom.name in stratum.names]
         recursive = [s.index for s in atoms]
         if clause.dominating is not None:
@@ -94,7 +92,7 @@ class _Compiler:
         return [], [self.function(f"{name}_{i}", clause, head, steps, types, i, stratum) for i in recursive]
 
     def _bulk(
-        self, clause: Clause, head: Atom, steps: Sequence[Step], recursive: Sequence[int], name: str, stratum: _Plan
+        self, clause: Clause, head: Atom, steps: Sequence[Step], recursive: Sequence[int], name: str, stratum: Plan
     ) -> None:  # fmt: skip
         """Generate the functions that join whole sets; a stratum has them for all of its rules or for none."""
         pairs = pair_clause(head, steps)
@@ -116,9 +114,9 @@ class _Compiler:
         return len(attributes) == 2 and all(self.types.kind(a.type) in "ius" for a in attributes)
 
     def function(
-        self, name: str, clause: Clause, head: Atom, steps: Sequence[Step], types: ClauseTypes, delta: int | None, stratum: _Plan
+        self, name: str, clause: Clause, head: Atom, steps: Sequence[Step], types: ClauseTypes, delta: int | None, stratum: Plan
     ) -> Rule:  # fmt: skip
-        counts, ordinals = _effects(clause)
+        counts, ordinals = effects(clause)
         self.code.uses_ordinals |= ordinals
         expressions = Expressions(self.types, types, self.matchers, interned=True)
         growing = () if delta is None else stratum.names
@@ -160,16 +158,36 @@ class _Compiler:
             prologue = "add = new.add"
         else:
             prologue = "add = full.add" if delta is None else "add = full.add; append = new.append"
-        relations, indexes = sorted(emitter.relations), sorted(emitter.indexes)
-        arguments = ", ".join(["S", "full", *map(local, relations), *(f"i{n}" for n in indexes), "delta", "new"])
-        self.functions.append("\n".join([f"def {name}({arguments}):", f"    {prologue}", *emitter.lines]))
-        required = {s.atom.name for s in steps if isinstance(s, Scan) and s.index != delta}
+        arguments = ", ".join(["S", "full", *emitter.arguments(), "delta", "new"])
+        self.functions[name] = "\n".join([f"def {name}({arguments}):", f"    {prologue}", *emitter.lines])
         delta_name = next((s.atom.name for s in steps if isinstance(s, Scan) and s.index == delta), "")
+        return self.described(name, clause, steps, delta, delta_name, emitter)
+
+    def described(
+        self, name: str, clause: Clause, steps: Sequence[Step], delta: int | None, delta_name: str, emitter: Emitter
+    ) -> Rule:  # fmt: skip
+        """What an evaluation has to know of a function that was written."""
         slot = self.code.relation_slot
+        required = {s.atom.name for s in steps if isinstance(s, Scan) and s.index != delta} - self.storage.demanded
         return Rule(
             name, clause.head.name, str(clause.location), delta_name, tuple(sorted(slot[r] for r in required)),
-            tuple(slot[r] for r in relations), tuple((len(slot) + n, emitter.indexes[n]) for n in indexes),
+            tuple(slot[r] for r in sorted(emitter.relations)),
+            tuple((len(slot) + n, emitter.indexes[n]) for n in sorted(emitter.indexes)), tuple(sorted(emitter.tables)),
         )  # fmt: skip
+
+    def add(self, clause: Clause, types: ClauseTypes, number: int, stratum: Plan) -> None:
+        """Generate the functions of a clause and add them to the plan of its stratum."""
+        once, again = self.rule(clause, types, number, stratum)
+        stratum.base.extend(once)
+        if clause.dominating is not None:
+            stratum.subsumption.setdefault(clause.head.name, []).extend(again)
+        else:
+            stratum.loop.extend(again)
+
+    def stratum(self, plan: Plan, drops: tuple[int, ...] = ()) -> Stratum:
+        """What is cached of a plan."""
+        members = tuple(self.member(n, plan.subsumption.get(n, ())) for n in plan.names)
+        return Stratum(members, tuple(plan.base), tuple(plan.loop), plan.staged, tuple(plan.bulk or ()), drops)
 
     # -- assembly -----------------------------------------------------------------------------------
 
@@ -180,7 +198,7 @@ class _Compiler:
             Index(slot[key[0]], arity[key[0]], key[1], key[2], key in self.storage.listed) for key in self.storage.indexes
         )
         matchers = [f"{name} = full_match({pattern!r})" for pattern, name in self.matchers.items()]
-        self.code.source = "\n\n".join([*matchers, *self.functions]) + "\n"
+        self.code.source = "\n\n".join([*matchers, *self.functions.values()]) + "\n"
 
     def index_slots(self, name: str) -> tuple[int, ...]:
         """The slots of the indexes of a relation."""
@@ -195,7 +213,7 @@ class _Compiler:
 
 
 @dataclass(slots=True)
-class _Plan:
+class Plan:
     """A stratum while its rules are compiled."""
 
     names: Sequence[str]
@@ -212,8 +230,26 @@ class _Plan:
         return [*self.base, *self.loop, *(r for rules in self.subsumption.values() for r in rules)]
 
 
+@dataclass(frozen=True, slots=True)
+class Normalised:
+    """A clause in the form that code is generated from; `normaliser` keeps the terms whose types are found by identity."""
+
+    head: Atom
+    steps: list[Step]
+    normaliser: Normaliser
+
+
+def normalised(clause: Clause, types: ClauseTypes) -> Normalised:
+    """The clause in this form."""
+    normaliser = Normaliser(types)
+    outside = {v.name for a in clause.head.args for v in walk(a) if isinstance(v, Variable)}
+    body = clause.body if clause.dominating is None else (clause.head, clause.dominating, *clause.body)
+    steps = normaliser.body(body, outside, set(), top=True)
+    return Normalised(normaliser.head(clause.head, steps, grounded_variables(body)), steps, normaliser)
+
+
 @lru_cache(maxsize=1024)
-def _effects(clause: Clause) -> tuple[bool, bool]:
+def effects(clause: Clause) -> tuple[bool, bool]:
     """Whether the values of a clause depend on how often it was evaluated, and whether it numbers symbols."""
     nodes = [n for literal in clause_literals(clause) for n in walk(literal)]
     return (
@@ -236,45 +272,57 @@ def eqrel_clauses(relation: Relation) -> list[Clause]:
     ]
 
 
-def compile_program(
-    relations: Mapping[str, Relation], strata: Sequence[Sequence[str]], clauses: Mapping[str, Sequence[tuple[Clause, ClauseTypes]]],
-    types: Types,
-) -> Code:  # fmt: skip
+Clauses = Mapping[str, Sequence[tuple[Clause, ClauseTypes]]]
+
+
+def compile_program(relations: Mapping[str, Relation], strata: Sequence[Sequence[str]], clauses: Clauses, types: Types) -> Code:
     """Generate the code of a program whose clauses are grouped by head relation."""
-    compiler = _Compiler(relations, types)
+    compiler = Compiler(relations, types)
     number = 0
-    plans: list[_Plan] = []
+    plans: list[Plan] = []
     for names in strata:
-        own = [(clause, clause_types) for name in names for clause, clause_types in clauses.get(name, ())]
-        chooses = any(relations[n].choices for n in names)
-        staged = chooses or any(relations[n].limit for n in names) or any(c.dominating is not None or any(_effects(c)) for c, _ in own)
-        plan = _Plan(names, chooses, staged, None if staged or not all(map(compiler.plain, names)) else [])
+        own = [pair for name in names for pair in clauses.get(name, ())]
+        plan = new_plan(compiler, names, [clause for clause, _ in own])
         for clause, clause_types in own:
             if compiler.fact(clause, clause_types):
                 continue
             number += 1
-            once, again = compiler.rule(clause, clause_types, number, plan)
-            plan.base.extend(once)
-            if clause.dominating is not None:
-                plan.subsumption.setdefault(clause.head.name, []).extend(again)
-            else:
-                plan.loop.extend(again)
+            compiler.add(clause, clause_types, number, plan)
         plans.append(plan)
+    return assembled(compiler, plans)
+
+
+def new_plan(compiler: Compiler, names: Sequence[str], clauses: Iterable[Clause]) -> Plan:
+    """The plan of a stratum with these clauses, still without rules."""
+    relations = compiler.relations
+    chooses = any(relations[n].choices for n in names)
+    staged = chooses or any(relations[n].limit for n in names) or any(c.dominating is not None or any(effects(c)) for c in clauses)
+    return Plan(names, chooses, staged, None if staged or not all(map(compiler.plain, names)) else [])
+
+
+def assembled(compiler: Compiler, plans: Sequence[Plan]) -> Code:
+    """The code of a program whose functions have been generated."""
     compiler.assemble()
+    code, relations, types = compiler.code, compiler.relations, compiler.types
     kinds = {name: [types.kind(a.type) for a in relation.attributes] for name, relation in relations.items()}
-    compiler.code.nested = {name: found for name, ks in kinds.items() if (found := tuple(i for i, k in enumerate(ks) if k in "r+"))}
-    compiler.code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
-    heads = {*compiler.code.facts, *(rule.target for plan in plans for rule in plan.rules())}
-    compiler.code.scanned = frozenset(relations) - heads - compiler.storage.probed
+    code.nested = {name: found for name, ks in kinds.items() if (found := tuple(i for i, k in enumerate(ks) if k in "r+"))}
+    code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
+    heads = {*code.facts, *(rule.target for plan in plans for rule in plan.rules())}
+    code.scanned = frozenset(relations) - heads - compiler.storage.probed
     last_use: dict[int, int] = {}  # slot to stratum
     for position, plan in enumerate(plans):
         for rule in plan.rules():
-            indexes = {slot for slot, _ in rule.indexes}
-            indexed = {compiler.code.indexes[slot - len(relations)].relation for slot in indexes}
-            last_use.update(dict.fromkeys({*rule.required, *rule.relations, *indexes, *indexed}, position))
-        last_use.update(dict.fromkeys((compiler.code.relation_slot[name] for name in plan.names), position))
+            last_use.update(dict.fromkeys(_used(rule, code), position))
+        last_use.update(dict.fromkeys((code.relation_slot[name] for name in plan.names), position))
+    for table in code.tables:  # who asks a table, and when, is not followed
+        for rule in (*table.keyed_rules(), *((*table.whole.base, *table.whole.loop) if table.whole else ())):
+            last_use.update(dict.fromkeys(_used(rule, code), len(plans)))
     for position, plan in enumerate(plans):
-        members = tuple(compiler.member(n, plan.subsumption.get(n, ())) for n in plan.names)
-        drops = tuple(slot for slot, last in last_use.items() if last == position)
-        compiler.code.strata.append(Stratum(members, tuple(plan.base), tuple(plan.loop), plan.staged, tuple(plan.bulk or ()), drops))
-    return compiler.code
+        code.strata.append(compiler.stratum(plan, tuple(slot for slot, last in last_use.items() if last == position)))
+    return code
+
+
+def _used(rule: Rule, code: Code) -> set[int]:
+    """The slots that a rule reads, its indexes' relations among them."""
+    indexes = {slot for slot, _ in rule.indexes}
+    return {*rule.required, *rule.relations, *indexes, *(code.indexes[slot - len(code.relation_slot)].relation for slot in indexes)}

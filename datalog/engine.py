@@ -13,12 +13,13 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from .errors import DatalogError, Diagnostic, parse_location
-from .plan import BulkRule, Code, Member, Origin, Rule, Stratum
+from .plan import BulkRule, Code, Member, Origin, Rule, Stratum, TablePlan
 from .records import unpack_rows
 from .runtime import NAMES, EvaluationError, State, ordered
 
 if TYPE_CHECKING:
     from .bulk import BulkLoop, Codes
+    from .on_demand import Table
 
 Functions = Mapping[str, Callable[..., None]]
 
@@ -53,10 +54,10 @@ class Control:
 
     @staticmethod
     def _stop(rule: Rule | BulkRule, reason: str) -> None:
-        raise _failure(rule, f"evaluation stopped, `{rule.target}`: {reason}")
+        raise failure(rule, f"evaluation stopped, `{rule.target}`: {reason}")
 
 
-def _failure(rule: Rule | BulkRule, message: str) -> DatalogError:
+def failure(rule: Rule | BulkRule, message: str) -> DatalogError:
     """An error at the clause of a rule."""
     return DatalogError([Diagnostic(message, parse_location(rule.location))])
 
@@ -103,6 +104,8 @@ class Evaluation:
         self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
         self.slots: list[Any] = [set(self._packed(name, code.facts.get(name, ()))) for name in code.relation_slot]
         self.slots += [None] * len(code.indexes)
+        self.tables = self._new_tables()
+        self.whole: set[str] = set()  # relations of tables that have been derived as a whole
         for name, given in facts.items():
             rows = self._packed(name, _loaded(name, given, code.arity[name]))
             if name in code.scanned:
@@ -138,12 +141,36 @@ class Evaluation:
     def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
         """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""
         slots = self.slots
-        for slot in rule.required:
-            if not slots[slot]:
-                return None
+        if not all(slots[slot] for slot in rule.required):
+            return None
         read = [slots[slot] for slot in rule.relations]
         read += [slots[slot] or self._index(slot, origins, growing) for slot, origins in rule.indexes]
+        read += [self.tables[number] for number in rule.tables]
         return partial(self.functions[rule.function], self.state, slots[self.code.relation_slot[rule.target]], *read)
+
+    def _new_tables(self) -> Sequence[Table]:
+        if not self.code.tables:
+            return ()
+        from .on_demand import make_table
+
+        return [make_table(plan, self) for plan in self.code.tables]
+
+    def whole_relation(self, plan: TablePlan) -> Collection[Any]:
+        """All rows of a relation that is derived on demand."""
+        if plan.whole is not None and plan.relation not in self.whole:
+            self.whole.add(plan.relation)
+            self._run_stratum(plan.whole)
+        rows: Collection[Any] = self.slots[self.code.relation_slot[plan.relation]]
+        return rows
+
+    def prepare_for_table(self, rule: Rule, table: Table) -> Callable[..., None] | None:
+        """The function of a rule as one of a key and what takes new rows; None while a relation it needs is empty."""
+        if not all(self.slots[slot] for slot in rule.required):
+            return None
+        read = [self.slots[slot] for slot in rule.relations]
+        read += [self.slots[slot] or self._index(slot, (), ()) for slot, _ in rule.indexes]
+        read += [self.tables[number] for number in rule.tables]
+        return partial(self.functions[rule.function], self.state, table, *read)
 
     def call(self, rule: Rule, delta: Collection[Any] | None, new: Any, growing: Collection[int] = ()) -> None:
         """Call the function of a rule once."""
@@ -153,9 +180,9 @@ class Evaluation:
         try:
             function(delta, new)
         except EvaluationError as error:
-            raise _failure(rule, str(error)) from None
+            raise failure(rule, str(error)) from None
         except MemoryError:
-            raise _failure(rule, f"evaluation stopped, `{rule.target}`: out of memory") from None
+            raise failure(rule, f"evaluation stopped, `{rule.target}`: out of memory") from None
         except OverflowError:
             if not self._unpack():
                 raise
@@ -260,6 +287,8 @@ class Evaluation:
         found = [slot for slot in relations if type(self.slots[slot]).__name__ == "BitMap"]
         for slot in found:
             self.slots[slot] = set(self.slots[slot])
+        if found:
+            self.tables = self._new_tables()
         return bool(found)
 
     def _run_bulk(self, stratum: Stratum, deltas: Mapping[str, Iterable[Any]]) -> bool:

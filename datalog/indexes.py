@@ -43,8 +43,7 @@ class Index:
             return set(map(itemgetter(*self.keys), rows))
         if not growing:
             found = self._by_key(rows)
-            if found is not None:
-                return found
+            return self._grouped(rows) if found is None else found
         index: dict[Any, Sequence[Any]] = {}
         self._append(index, rows)
         return index
@@ -77,6 +76,13 @@ class Index:
                 found.append(value)
             else:
                 index[key] = [*found, value]
+
+    def _grouped(self, rows: Collection[Any]) -> dict[Any, list[Any]]:
+        """The index of rows many of which share a key."""
+        index: defaultdict[Any, list[Any]] = defaultdict(list)
+        for key, value in zip(map(itemgetter(*self.keys), rows), self._values(rows), strict=True):
+            index[key].append(value)
+        return index
 
     def _by_key(self, rows: Collection[Any]) -> dict[Any, tuple[Any, ...]] | None:
         """The index of rows of which few share a key: less memory than lists, and hardly a loop in Python."""

@@ -28,6 +28,7 @@ class Rule:
     required: tuple[int, ...]  # relations without which it derives nothing
     relations: tuple[int, ...]  # arguments of the function, followed by the indexes
     indexes: tuple[tuple[int, tuple[Origin, ...]], ...]
+    tables: tuple[int, ...] = ()  # arguments that follow the indexes
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +84,28 @@ class Stratum:
         return any(m.choices for m in self.members)
 
 
+@dataclass(frozen=True, slots=True)
+class TablePlan:
+    """How the rows of a relation that have a key are found when they are asked for.
+
+    A table has what `keys` leave of its rows: the value of the only other column, or the whole row, or nothing but that there is one.
+    `recursive`: rules ask the table itself. `loop`: rules that find further rows of a key from those that are new. `whole`: the rules that
+    derive all rows of the relation, for when many keys are asked for; None when there are none.
+    """
+
+    relation: str
+    arity: int
+    keys: tuple[int, ...]
+    rules: tuple[Rule, ...]
+    recursive: bool = False
+    loop: tuple[Rule, ...] = ()
+    whole: Stratum | None = None
+
+    def keyed_rules(self) -> tuple[Rule, ...]:
+        """The rules that find the rows of a key."""
+        return (*self.rules, *self.loop)
+
+
 @dataclass(slots=True)
 class Code:
     """What is cached: everything needed to evaluate, independent of the syntax tree."""
@@ -95,5 +118,6 @@ class Code:
     arity: dict[str, int] = field(default_factory=dict)
     nested: dict[str, tuple[int, ...]] = field(default_factory=dict)  # columns of records, of relations that have some
     indexes: tuple[Index, ...] = ()  # their slots follow those of the relations
+    tables: tuple[TablePlan, ...] = ()  # their slots follow those of the indexes
     scanned: frozenset[str] = frozenset()  # relations that are never asked whether they have a row, nor added to
     uses_ordinals: bool = False

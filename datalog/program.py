@@ -99,6 +99,7 @@ class Program:
     functor_uses: dict[str, FunctorUse]
     bytecode: bytes
     overridden: tuple[Overridden, ...] = ()
+    on_demand: bool = False  # only the rows of outputs are there
     functors: Functors = field(default_factory=dict)  # user-defined ones, as Python functions
     _functions: dict[str, Any] | None = None
 
@@ -182,10 +183,12 @@ class Program:
         if keep is None:
             return self.outputs
         if isinstance(keep, str):
-            return list(self.relations) if keep == "all" else self._kept([keep])
+            return self._kept(list(self.relations) if keep == "all" else [keep])
         for name in keep:
             if name not in self.relations:
                 raise DatalogError([Diagnostic(f"unknown relation `{name}`", hint=did_you_mean(name, self.relations))])
+            if self.on_demand and not self.relations[name].is_output:
+                raise DatalogError(f"no rows of `{name}`: the program derives those of its outputs only")
         return list(dict.fromkeys(keep))
 
     def _check_facts(self, facts: Mapping[str, Iterable[Row]]) -> None:
@@ -210,19 +213,21 @@ class Program:
 def load_program(
     path: Path | str | Sequence[Path | str], *, extra_source: str = "", preprocess: bool = False, macros: Sequence[str] = (),
     include: Sequence[Path | str] = (), instead: Mapping[Path, Path] | None = None, bits: int = 32, functors: Functors | None = None,
+    on_demand: bool = False,
 ) -> Program:  # fmt: skip
     """Parse, check and compile a program: one or more root files and what they include.
 
     `extra_source` is appended as if it were a last file. `preprocess` runs the C preprocessor over texts with its directives, with
     `macros` (`NAME` or `NAME=VALUE`) defined; `include` are folders for `.include` and `#include`, and an `.include` of a file of `instead`
     takes the file it is mapped to. `bits` is the width of numbers, 32 or 64. `functors` are the functions behind `.functor` declarations.
-    Compiled programs are cached by the content of all files. Raises DatalogError with every diagnostic.
+    A program `on_demand` derives what its outputs need, and has the rows of no other relation. Compiled programs are cached by the content
+    of all files. Raises DatalogError with every diagnostic.
     """
     if bits not in (32, 64):
         raise DatalogError(f"numbers have 32 or 64 bits, not {bits}")
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
     reading = _reading(preprocess, macros, tuple(Path(p) for p in include), instead, bits)
-    key = _cache_key(extra_source, reading, bits)
+    key = _cache_key(extra_source, reading, bits, on_demand)
     program = cache.load(paths, key)
     if not isinstance(program, Program):
         from .sources import (  # what a cached program does without is imported when it is needed
@@ -234,7 +239,7 @@ def load_program(
 
         unit, sources, report = read_program(paths, extra_source, reading)
         try:
-            program = compile_unit(unit, sources, report, bits)
+            program = compile_unit(unit, sources, report, bits, on_demand=on_demand)
         except RecursionError:
             report.error(TOO_DEEP, deepest(sources.parsed))
             raise DatalogError(report.errors[-1:]) from None
@@ -244,28 +249,35 @@ def load_program(
     return program
 
 
-def is_compiled(paths: Sequence[Path], *, extra_source: str = "", instead: Mapping[Path, Path] | None = None) -> bool:
+def is_compiled(
+    paths: Sequence[Path], *, extra_source: str = "", instead: Mapping[Path, Path] | None = None, on_demand: bool = False
+) -> bool:  # fmt: skip
     """Whether there is a compiled program of these files, which `load_program` takes unless a file has changed since."""
-    return cache.known(paths, _cache_key(extra_source, _reading(False, (), (), instead, 32), 32))
+    return cache.known(paths, _cache_key(extra_source, _reading(False, (), (), instead, 32), 32, on_demand))
 
 
 def _reading(preprocess: bool, macros: Sequence[str], folders: tuple[Path, ...], instead: Mapping[Path, Path] | None, bits: int) -> Reading:
     return Reading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), folders, tuple(sorted((instead or {}).items())))
 
 
-def _cache_key(extra_source: str, reading: Reading, bits: int) -> str:
-    return f"{extra_source}\0{reading!r}\0{bits}"
+def _cache_key(extra_source: str, reading: Reading, bits: int, on_demand: bool) -> str:
+    return f"{extra_source}\0{reading!r}\0{bits}\0{on_demand}"
 
 
-def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -> Program:
+def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32, *, on_demand: bool = False) -> Program:
     """Check and compile a syntax tree."""
     from .compile import compile_program
+    from .demand import compile_on_demand
     from .preparation import prepare
 
     checked, _ = prepare(unit, report, bits)
     unit = checked.unit
     try:
-        code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
+        if on_demand:
+            goals = sorted({d.relation for d in unit.directives if d.kind in ("output", "printsize")})
+            code = compile_on_demand(checked.relations, checked.strata, checked.clauses, checked.types, goals)
+        else:
+            code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
     except DatalogError as error:
         raise with_lines(error, sources.texts) from None
     bytecode = marshal.dumps(compile(code.source, "<datalog>", "exec"))
@@ -285,6 +297,7 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32) -
         functor_uses(unit, checked.types),
         bytecode,
         sources.overridden,
+        on_demand,
     )
 
 

@@ -170,3 +170,15 @@ def test_both_engines_compute_the_same(tmp_path: Path, terms: list[str], values:
     loaded = load_program(tmp_path / "terms.dl")
     facts = {"n": [(v,) for v in values]}
     assert loaded.evaluate(facts).rows("r") == loaded.evaluate(facts, engine="souffle").rows("r")
+
+
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(program=st.lists(rules(), min_size=1, max_size=6), facts=FACTS, goal=st.sampled_from(sorted(set(ARITY) - set(INPUTS))))
+def test_on_demand_the_rows_are_the_same(
+    tmp_path: Path, program: list[Rule], facts: dict[str, set[tuple[int, ...]]], goal: str
+) -> None:  # fmt: skip
+    lines = [f".decl {n}({', '.join(f'c{i}: number' for i in range(a))})" for n, a in ARITY.items()]
+    lines += [*(f".input {name}" for name in INPUTS), f".output {goal}"]
+    (tmp_path / "random.dl").write_text("\n".join([*lines, *map(str, program)]) + "\n")
+    result = load_program(tmp_path / "random.dl", on_demand=True).evaluate(facts)
+    assert set(result.rows(goal)) == naive(program, facts)[goal]
