@@ -18,7 +18,7 @@ from rosarch.experiments.run import Runner
 from rosarch.experiments.single import run_single, subjects_of
 from rosarch.experiments.subjects import Extracting
 from rosarch.experiments.truth import read_truth
-from rosarch.models.rule_sets import component_program
+from rosarch.models.rule_sets import model_program
 from rosarch.reports.json_models import write_document
 from rosarch.reports.scores import score_text
 
@@ -47,7 +47,7 @@ def main() -> int:
         print(f"{system}: {components} components after {time.perf_counter() - start:.1f} s", file=sys.stderr)
 
     runner = Runner(options.engine, options.jobs)
-    run = run_single(truths, subjects, component_program(), Extracting(options.jobs), runner, absent=True, done=done)
+    run = run_single(truths, subjects, model_program(), Extracting(options.jobs), runner, absent=True, done=done)
     for diagnostic in run.diagnostics:
         if diagnostic.kind in ("component", "source", "workspace"):
             print(str(diagnostic).partition("\n")[0], file=sys.stderr)

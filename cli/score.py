@@ -123,10 +123,10 @@ def _analyzed(
     from rosarch.experiments.single import run_single, subjects_of
     from rosarch.experiments.subjects import Extracting
     from rosarch.extractor.manifest import ManifestError
-    from rosarch.models.rule_sets import component_program
+    from rosarch.models.rule_sets import model_program
 
     with datalog_errors():
-        program = component_program(rules)
+        program = model_program(rules)
     with progress() as report:
         how = Extracting(jobs, timeout, extraction_cache(cached), report)
         try:

@@ -11,7 +11,9 @@ from .engine import failure
 from .indexes import Index
 from .plan import Rule, TablePlan
 
-FOUND = ((),)  # what a table has for a key that is a whole row
+Rows = tuple[Any, ...]
+NONE: Rows = ()
+FOUND: Rows = ((),)  # what a table has for a key that is a whole row
 MANY_KEYS = 500  # that have been asked for; then all others are found at once, if there are rules for that
 Find = Callable[..., None]  # given a key, perhaps rows that are new, and a set for what it finds
 
@@ -33,7 +35,7 @@ class Deriving(Protocol):
         """All rows of the relation of a table."""
 
 
-class Table(dict[Any, Any]):
+class Table(dict[Any, Rows]):
     """What is left of the rows of each key that has been asked for; by `[]` a key is asked for."""
 
     def __init__(self, plan: TablePlan, evaluation: Deriving) -> None:
@@ -44,12 +46,12 @@ class Table(dict[Any, Any]):
         self._rules: list[_Prepared] | None = None
         self._loop: list[_Prepared] = []
 
-    def __missing__(self, key: Any) -> tuple[Any, ...]:
+    def __missing__(self, key: Any) -> Rows:
         if self._filled:
-            return ()
+            return NONE
         if len(self) >= MANY_KEYS and self.plan.whole is not None:
             self._fill()
-            return self.get(key, ())
+            return self.get(key, NONE)
         self[key] = found = tuple(self._found(key))
         return found
 
@@ -105,20 +107,20 @@ class RecursiveTable(Table):
         super().__init__(plan, evaluation)
         self._asked: list[Any] | None = None  # unknown keys that the rules have asked for, while one is looked for
 
-    def __missing__(self, key: Any) -> tuple[Any, ...]:
+    def __missing__(self, key: Any) -> Rows:
         if self._asked is not None:
             self._asked.append(key)
-            return ()
+            return NONE
         if self._filled:
-            return ()
+            return NONE
         if len(self) >= MANY_KEYS and self.plan.whole is not None:
             self._fill()
-            return self.get(key, ())
+            return self.get(key, NONE)
         try:
             self._settle(key)
         finally:
             self._asked = None
-        return self[key]  # type: ignore[no-any-return]
+        return self[key]
 
     def _settle(self, key: Any) -> None:
         """Find the rows of a key after those of the keys that it needs."""

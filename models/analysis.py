@@ -18,7 +18,7 @@ from rosarch.extractor.manifest import entries_below, facts_folder, read_manifes
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.models.cache import ModelCache
 from rosarch.models.component import ComponentModel, Relations, build_model
-from rosarch.models.rule_sets import SHIPPED, RuleSet, component_program, is_loaded_soon, rules_digest
+from rosarch.models.rule_sets import SHIPPED, RuleSet, is_loaded_soon, model_program, rules_digest
 
 if TYPE_CHECKING:
     from rosarch.extractor.pipeline import ComponentFacts
@@ -68,7 +68,7 @@ def analyze(
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root` by `rules`. See `extract` for the other options."""
     start = time.perf_counter()
-    with meanwhile(partial(component_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
+    with meanwhile(partial(model_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
 
         with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress, only=only) as extraction:
@@ -143,7 +143,7 @@ def _derived(
     components: Sequence[ComponentFacts | _StoredFacts], rules: RuleSet, engine: str, jobs: int | None
 ) -> Iterator[tuple[ComponentFacts | _StoredFacts, Relations | Failure]]:
     """What the rules derive of each component, in worker processes."""
-    program = component_program(rules)
+    program = model_program(rules)
 
     def work(component: ComponentFacts | _StoredFacts) -> Relations:
         gc.disable()  # rows hold no cycles, and a component's memory goes with its evaluation

@@ -87,6 +87,11 @@ def component_program(rules: RuleSet = SHIPPED) -> Program:
     return _program("component", rules)
 
 
+def model_program(rules: RuleSet = SHIPPED) -> Program:
+    """The rules of a component for what its model is made of, and no other rows."""
+    return _program("component", rules, on_demand=True)
+
+
 def system_rules(rules: RuleSet = SHIPPED) -> SystemRules:
     """The rules of systems with all checks that ship, and those of the user's own.
 
@@ -134,13 +139,13 @@ def chosen_variants(rules: RuleSet) -> list[tuple[Decision, Path]]:
     return found
 
 
-def _program(program: str, rules: RuleSet) -> Program:
-    return _loaded(program, rules, _stamp(rules))
+def _program(program: str, rules: RuleSet, *, on_demand: bool = False) -> Program:
+    return _loaded(program, rules, _stamp(rules), on_demand)
 
 
 @lru_cache(maxsize=8)
-def _loaded(program: str, rules: RuleSet, _stamp: tuple[int, ...]) -> Program:
-    return load_program(roots(program, rules), **_settings(rules))
+def _loaded(program: str, rules: RuleSet, _stamp: tuple[int, ...], on_demand: bool) -> Program:
+    return load_program(roots(program, rules), on_demand=on_demand, **_settings(rules))
 
 
 def rule_history(program: str, rules: RuleSet) -> RuleHistory:
@@ -160,7 +165,7 @@ def _stamp(rules: RuleSet) -> tuple[int, ...]:
 
 def is_loaded_soon(rules: RuleSet) -> bool:
     """Whether the rules of components were compiled before, so that they need not be while sources are read."""
-    return is_compiled(roots("component", rules), **_settings(rules))
+    return is_compiled(roots("component", rules), on_demand=True, **_settings(rules))
 
 
 def check_own(rules: RuleSet) -> None:
@@ -200,7 +205,7 @@ def overridden(rules: RuleSet) -> tuple[Overridden, ...]:
 
 def rules_digest(rules: RuleSet) -> str:
     """A hash of the rules of components, contents of files included; empty for those that ship."""
-    return "" if rules == SHIPPED else component_program(rules).hash
+    return "" if rules == SHIPPED else model_program(rules).hash
 
 
 def described(rules: RuleSet) -> dict[str, Any]:

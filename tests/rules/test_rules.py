@@ -16,6 +16,7 @@ import pytest
 from rosarch.datalog import Program, load_program
 from rosarch.datalog.facts import show_cell
 from rosarch.extractor.manifest import rules_folder
+from rosarch.models.rule_sets import model_program
 
 HERE = Path(__file__).parent
 CASES = sorted(folder.parent for folder in HERE.glob("*/*/expected"))
@@ -51,6 +52,17 @@ def test_case(case: Path) -> None:
     expected, actual = evaluate(case, "embedded")
     assert expected
     assert actual == expected
+
+
+@pytest.mark.parametrize(
+    "case", [case for case in CASES if not (case / "program.dl").is_file()], ids=lambda case: str(case.relative_to(HERE))
+)
+def test_what_models_are_made_of_is_derived_on_demand(case: Path) -> None:
+    whole, demanded = program_of(rules_folder() / "component.dl"), model_program()
+    expected = whole.evaluate(case / "facts")
+    actual = demanded.evaluate(case / "facts")
+    assert demanded.outputs
+    assert {name: actual.rows(name) for name in demanded.outputs} == {name: expected.rows(name) for name in demanded.outputs}
 
 
 @pytest.mark.skipif(shutil.which("souffle") is None, reason="there is no souffle on PATH")
