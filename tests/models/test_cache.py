@@ -77,7 +77,7 @@ def test_a_second_run_evaluates_nothing_and_gives_the_same_models(workspace: Pat
     def refuse() -> None:
         raise AssertionError("evaluated again")
 
-    monkeypatch.setattr("rosarch.models.analysis.component_program", refuse)
+    monkeypatch.setattr("rosarch.models.analysis.model_program", refuse)
     assert documents(workspace, cache) == first
     monkeypatch.undo()
     assert documents(workspace, None) == first
