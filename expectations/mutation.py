@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -27,7 +28,14 @@ def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Ite
                 if own and component.rows:
                     rows = {name: component.result.rows(name) for name in component.result.names()}
                     fails = partial(_fails, observation, component, own)
-                    yield MutationCase(f"{case.root}: {component.facts.name}", rows, frozenset(program.relations), fails)
+                    yield MutationCase(f"{case.root}: {component.facts.name}", rows, _observed(program, own), fails)
+
+
+def _observed(program: Program, expected: Sequence[Expectation]) -> frozenset[str]:
+    """The relations that expectations look at: those in queries, and what models are made from where elements are expected."""
+    words = {word for e in expected if e.kind is None for word in re.findall(r"[\w.]+", e.query)}
+    models = frozenset(program.outputs) if any(e.kind is not None for e in expected) else frozenset()
+    return models | (words & program.relations.keys())
 
 
 def _fails(

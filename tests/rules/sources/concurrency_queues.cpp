@@ -1,0 +1,50 @@
+// Queues and the threads that serve them: which callbacks may run at once.
+//
+// expect: Count = count : { queue_served(C, Queue, Threads) }, Count = 4
+// expect: queue_served(_, "", "2")
+// expect: queue_served(_, Queue, "1"), variable_name(as(Queue, Variable), "own_queue")
+// expect: queue_served(_, Queue, "0"), variable_name(as(Queue, Variable), "all_queue")
+// expect: queue_served(_, Queue, "?"), variable_name(as(Queue, Variable), "some_queue")
+// expect: queue_concurrent("")
+// expect: Count = count : { queue_concurrent(Queue) }, Count = 3
+// expect: concurrent_callbacks(F, G), function_name(F, "onGlobal"), function_name(G, "onOther")
+// expect: concurrent_callbacks(F, G), function_name(F, "onOwn"), function_name(G, "onGlobal")
+// expect: concurrent_callbacks(F, G), function_name(F, "onGlobal"), function_name(G, "onOwn")
+// expect-not: concurrent_callbacks(F, G), function_name(F, "onOwn"), function_name(G, "onOwnToo")
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_msgs/Empty.h>
+
+void onGlobal(const std_msgs::Empty&)
+{
+}
+
+void onOther(const std_msgs::Empty&)
+{
+}
+
+void onOwn(const std_msgs::Empty&)
+{
+}
+
+void onOwnToo(const std_msgs::Empty&)
+{
+}
+
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "node");
+  ros::NodeHandle nh, own_nh;
+  ros::CallbackQueue own_queue, all_queue, some_queue;
+  own_nh.setCallbackQueue(&own_queue);
+  ros::Subscriber global_sub = nh.subscribe("/global", 1, onGlobal);
+  ros::Subscriber other_sub = nh.subscribe("/other", 1, onOther);
+  ros::Subscriber own_sub = own_nh.subscribe("/own", 1, onOwn);
+  ros::Subscriber own_too_sub = own_nh.subscribe("/own_too", 1, onOwnToo);
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  ros::AsyncSpinner all_spinner(0, &all_queue);
+  ros::AsyncSpinner some_spinner(argc, &some_queue);
+  while (ros::ok())
+    own_queue.callAvailable(ros::WallDuration(0.1));
+}
