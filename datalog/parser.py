@@ -74,6 +74,13 @@ def parse_text(text: str, path: str, report: Report, texts: dict[str, str] | Non
     return []
 
 
+def is_word(name: str) -> bool:
+    """Whether a name is one of the language's own words, which no relation can have."""
+    report = Report({})
+    parse_text(f".decl {name}()\n{name}() :- {name}().\n", "", report)
+    return bool(report.errors)
+
+
 def tokens(text: str) -> tuple[list[Token], list[Token]]:
     """The tokens of a text, and its `///` lines; characters that begin no token are left out."""
     lark, _, docs = _parser()

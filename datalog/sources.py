@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -51,6 +52,8 @@ def digest(text: str) -> str:
 def read_text(path: Path, shown: str, included_at: Location | None, report: Report) -> str | None:
     """The text of a rule file; None, and an error where the byte or the `.include` stands, when it cannot be read."""
     try:
+        if path.is_char_device() or path.is_fifo():  # may have no end
+            raise OSError(errno.EINVAL, "Not a regular file")
         data = path.read_bytes()
     except OSError as error:
         report.error(f"cannot read `{shown}`: {error.strerror}", included_at)

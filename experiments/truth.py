@@ -104,7 +104,11 @@ def _read(path: Path, problems: list[str]) -> Truth | None:
     except yaml.YAMLError as error:
         problems.append(yaml_problem(str(path), error))
         return None
-    except (OSError, UnicodeDecodeError, RecursionError, ValueError) as error:
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        problems.append(f"{path}:{line}:1: not UTF-8 text: byte 0x{error.object[error.start]:02x}")
+        return None
+    except (OSError, RecursionError, ValueError) as error:
         problems.append(f"{path}:1:1: cannot be read ({' '.join(str(error).split()).lower()})")
         return None
     if not isinstance(document, dict) or "component" not in document:

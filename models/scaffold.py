@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.datalog import load_declarations
+from rosarch.datalog.parser import is_word
 from rosarch.extractor.cache import write_whole
 from rosarch.extractor.manifest import rules_folder
 from rosarch.models.checks import check_files, read_check
@@ -38,6 +39,8 @@ def scaffold(kind: str, name: str, folder: Path) -> list[NewFile]:
     if not re.fullmatch(form, name):
         raise RuleSetError(f"`{name}` is no name for {'an' if kind == 'api' else 'a'} {kind}: {told}")
     relation = name.replace("-", "_")
+    if kind != "api" and is_word(relation):
+        raise RuleSetError(f"`{relation}` is a word of the language of rules and no name for a relation")
     _require_free(kind, name, relation)
     words = {"@NAME@": name, "@RELATION@": relation, "@FOLDER@": folder.as_posix()}
     templates = rules_folder() / "templates" / kind

@@ -8,6 +8,7 @@ from typing import Any
 
 from rosarch.experiments.comparison import CATEGORIES, EXTRA, MISSED
 from rosarch.experiments.scores import Score, misses
+from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 from rosarch.reports.tables import Table, table_csv, table_latex, table_markdown, table_text, tables_as
 
@@ -31,7 +32,7 @@ def score_tables(score: Score) -> list[Table]:
 def head_text(score: Score) -> str:
     """How many components there are, and which have no model."""
     absent = ", ".join(truth.title for truth in score.absent)
-    return f"{len(score.comparisons)} components, {len(score.absent)} without a model{f': {absent}' if absent else ''}"
+    return f"{counted(len(score.comparisons), 'component')}, {len(score.absent)} without a model{f': {absent}' if absent else ''}"
 
 
 def misses_text(score: Score) -> str:

@@ -48,11 +48,22 @@ class RuleServer(LanguageServer):
         self.answers = Answers(self.programs)
         self._timer: asyncio.TimerHandle | None = None
         self._published: set[Path] = set()
+        self._uris: dict[Path, str] = {}
 
     def _candidates(self, path: Path) -> list[Entry]:
         """The programs that a file may be part of: of files that include it, by itself, with what it extends."""
         including: list[Entry] = [Entry((file,)) for file in includers(self.programs, path, self.answers.rule_files())]
         return [*including, *self.entries(path)]
+
+    def opened(self, uri: str) -> Path:
+        """The file of a document that the client has opened."""
+        path = path_of(uri)
+        self._uris[path] = uri
+        return path
+
+    def uri(self, path: Path) -> str:
+        """What the client calls a file: it may have opened it through a link, or it may not be on disk."""
+        return self._uris.get(path) or path.as_uri()
 
     def lines(self, path: Path) -> list[str]:
         """The lines of a file with their ends."""
@@ -72,7 +83,7 @@ class RuleServer(LanguageServer):
 
     def location(self, place: Place) -> lsp.Location:
         """The place as a location of the protocol."""
-        return lsp.Location(uri_of(place.path), self.range(place))
+        return lsp.Location(self.uri(place.path), self.range(place))
 
     def changed(self) -> None:
         """Check again when nobody has typed for a while."""
@@ -86,9 +97,9 @@ class RuleServer(LanguageServer):
         now = {Path(p) for p in self.programs.edited}
         for path in now:
             shown = [self._diagnostic(path, d) for d in self.programs.program(path).of(path)]
-            self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri_of(path), shown))
+            self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(self.uri(path), shown))
         for path in self._published - now:
-            self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri_of(path), []))
+            self.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(self.uri(path), []))
         self._published = now
 
     def _diagnostic(self, path: Path, found: Diagnostic) -> lsp.Diagnostic:
@@ -103,11 +114,6 @@ class RuleServer(LanguageServer):
 def path_of(uri: str) -> Path:
     """The file of a URI."""
     return Path(uris.to_fs_path(uri) or uri).resolve()
-
-
-def uri_of(path: Path) -> str:
-    """The URI of a file."""
-    return path.as_uri()
 
 
 def rule_server(version: str, entries: Callable[[Path], Sequence[Entry]]) -> RuleServer:
@@ -126,7 +132,7 @@ def _documents(server: RuleServer) -> None:
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
     def opened(params: lsp.DidOpenTextDocumentParams) -> None:
-        server.programs.edit(path_of(params.text_document.uri), params.text_document.text)
+        server.programs.edit(server.opened(params.text_document.uri), params.text_document.text)
         server.changed()
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
@@ -236,7 +242,7 @@ def _edits(server: RuleServer) -> None:
             raise JsonRpcInvalidParams(str(error)) from None
         changes: dict[str, list[lsp.TextEdit]] = {}
         for place in places:
-            changes.setdefault(uri_of(place.path), []).append(lsp.TextEdit(server.range(place), params.new_name))
+            changes.setdefault(server.uri(place.path), []).append(lsp.TextEdit(server.range(place), params.new_name))
         return lsp.WorkspaceEdit(changes)
 
     @server.feature(lsp.TEXT_DOCUMENT_CODE_ACTION, lsp.CodeActionOptions([lsp.CodeActionKind.QuickFix]))

@@ -217,6 +217,7 @@ def test_hints_settle_what_the_source_does_not_tell(rosarch: Run, workspace: Pat
     [
         (("check", "Foo"), "`Foo` is no name for a check: small letters and digits with dashes between: `queue-too-short`"),
         (("relation", "a-b"), "`a-b` is no name for a relation: small letters and digits with underscores between: `answers_late`"),
+        (("relation", "count"), "`count` is a word of the language of rules and no name for a relation"),
         (("api", "1st"), "`1st` is no name for an api: a C++ namespace in small letters: `my_library`"),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import pickle
 import subprocess
 import sys
@@ -50,6 +51,15 @@ def test_includes_are_relative_and_entered_once(tmp_path: Path) -> None:
     (tmp_path / "sub" / "schema.dl").write_text('.include "types.dl"\n.decl e(x: T)\n.input e\n')
     (tmp_path / "main.dl").write_text('.include "sub/schema.dl"\n.include "sub/types.dl"\n.decl r(x: T)\n.output r\nr(x) :- e(x).\n')
     assert load_program(tmp_path / "main.dl").evaluate({"e": [("v",)]}).rows("r") == [("v",)]
+
+
+@pytest.mark.parametrize("endless", ["/dev/zero", "fifo"])
+def test_include_without_end(tmp_path: Path, endless: str) -> None:
+    os.mkfifo(tmp_path / "fifo")
+    (tmp_path / "main.dl").write_text(f'.include "{endless}"\n')
+    with pytest.raises(DatalogError) as caught:
+        load_program(tmp_path / "main.dl")
+    assert caught.value.diagnostics[0].headline == f"{tmp_path}/main.dl:1:10: cannot read `{tmp_path / endless}`: Not a regular file"
 
 
 def test_missing_include(tmp_path: Path) -> None:

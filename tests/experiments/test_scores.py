@@ -143,6 +143,13 @@ def test_wrong_truth(rosarch: Callable, workspace: Path, tmp_path: Path, text: s
     assert list((tmp_path / "models").iterdir()) == []
 
 
+def test_truth_that_is_no_text(tmp_path: Path) -> None:
+    (tmp_path / "a.yml").write_bytes(b"component: talker\npackage: \xff\n")
+    with pytest.raises(TruthError) as caught:
+        read_truth(tmp_path)
+    assert str(caught.value) == f"{tmp_path}/a.yml:2:1: not UTF-8 text: byte 0xff"
+
+
 def test_truth_that_is_told_twice(tmp_path: Path) -> None:
     for name in ("a", "b"):
         (tmp_path / f"{name}.yml").write_text(TRUTH)

@@ -196,3 +196,23 @@ def test_the_outline_and_an_include(tmp_path: Path) -> None:
         assert await editor.open("types.dl", ".type T <: symbl\n") == ["1:7: unknown type `symbl`, did you mean `symbol`?"]
 
     session(tmp_path, script)
+
+
+def test_documents_keep_the_names_that_the_client_gives_them(tmp_path: Path) -> None:
+    """A file that is opened through a link, and a text that is nowhere on disk, get their diagnostics and edits under their own names."""
+    (tmp_path / "real").mkdir()
+    (tmp_path / "link").symlink_to("real")
+
+    async def script(editor: Session) -> None:
+        for uri in ((tmp_path / "link" / "own.dl").as_uri(), "untitled:Untitled-1"):
+            item = lsp.TextDocumentItem(uri, "souffle", 1, RULES.replace("port(", "prt("))
+            editor.client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
+            while (said := await asyncio.wait_for(editor.said.get(), 60)).uri != uri:
+                pass
+            assert [d.message for d in said.diagnostics] == ["unknown relation `prt`, did you mean `port`?"]
+            document = lsp.TextDocumentIdentifier(uri)
+            edit = await editor.client.text_document_rename_async(lsp.RenameParams(document, lsp.Position(1, 7), "hears"))
+            assert edit is not None and list(edit.changes or ()) == [uri]
+            editor.client.text_document_did_close(lsp.DidCloseTextDocumentParams(document))
+
+    session(tmp_path, script)
