@@ -46,6 +46,7 @@ def test_several_are_explained(rosarch: Callable) -> None:
     assert re.findall(r"^([a-z-]+)  (?:error|warning|note) \(", out, re.MULTILINE) == [
         "duplicate-node",
         "topic-name-mismatch",
+        "topic-renamed",
         "topic-type-mismatch",
     ]
     assert re.findall(r"^rules: (.*)$", out, re.MULTILINE)[0] == "rules/checks/duplicate-node.dl"

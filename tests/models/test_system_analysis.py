@@ -55,7 +55,7 @@ def test_ports(analysis: SystemAnalysis) -> None:
     one = next(node for node in analysis.systems[0].nodes if node.name == "/robot/one")
     (port,) = one.ports
     assert (port.kind, port.name, port.written, port.type) == ("publisher", "/words", "chatter", "std_msgs/String")
-    assert port.at == Place("talker/talker.cpp", 8, 1)
+    assert port.at == Place("talker/talker.cpp", 8, 24)  # of the call
 
 
 def test_connectors(analysis: SystemAnalysis) -> None:
