@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -29,8 +30,8 @@ def lines(model: ComponentModel) -> list[str]:
     """The traits, one line each: ports by name, places by line."""
     ports = {port.id: port.name for port in model.ports}
 
-    def shown(kind: str, value: str) -> str:
-        return ports[value] if kind == "port" else value.rpartition(":")[2] if kind == "place" else value
+    def shown(kind: str, value: Any) -> str:
+        return ports[value] if kind == "port" else str(value.line) if kind == "place" else value
 
     return sorted(" ".join([t.name, *map(shown, TRAITS[t.name], t.values)]) for t in model.traits)
 
