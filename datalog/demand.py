@@ -17,7 +17,7 @@ from .ground import is_bound
 from .inference import ClauseTypes
 from .normalise import Scan, Step
 from .plan import Code, Rule, Stratum, TablePlan
-from .strata import atoms_of
+from .strata import atoms_of, turned_around
 from .syntax import Argument, Atom, Clause, Constraint, Relation, Variable, walk
 from .types import Types
 
@@ -44,10 +44,7 @@ class _Program:
         self.stratum = {name: names for names in strata for name in names}
         self.ranks = {name: 3.0 if any(clause.body for clause, _ in own) else 6.0 for name, own in clauses.items()}
         self.mentioned = {name: {atom for clause, _ in own for atom in _mentioned(clause)} for name, own in clauses.items()}
-        self.readers: dict[str, set[str]] = {name: set() for name in relations}
-        for name, found in self.mentioned.items():
-            for other in found:
-                self.readers[other].add(name)
+        self.readers = turned_around({name: self.mentioned.get(name, ()) for name in relations})
 
     def candidates(self, goals: Collection[str]) -> set[str]:
         """The relations that can be derived on demand, as far as their own clauses tell."""

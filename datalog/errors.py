@@ -77,10 +77,15 @@ def parse_location(text: str) -> Location:
     return Location(path, int(line), int(column))
 
 
+def closest(name: str, known: Iterable[str]) -> str:
+    """The name that a misspelt one may have been meant to be, or an empty string when nothing known is close."""
+    return next(iter(difflib.get_close_matches(name, list(known), n=1, cutoff=0.7)), "")
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """The hint for a misspelt `name`, or an empty string when nothing known is close."""
-    close = difflib.get_close_matches(name, list(known), n=1, cutoff=0.7)
-    return f"did you mean `{close[0]}`?" if close else ""
+    close = closest(name, known)
+    return f"did you mean `{close}`?" if close else ""
 
 
 class Report:

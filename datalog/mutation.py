@@ -10,7 +10,7 @@ known to have; only where its rows differ, what reads it, up to the observed rel
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -19,9 +19,10 @@ from .errors import DatalogError, Location, Report
 from .program import Program, compile_unit
 from .rows import Row
 from .show import Writer
+from .slices import slice_unit
 from .sources import Sources
-from .strata import dependencies
-from .syntax import Atom, Clause, Directive, Literal, Truth, Unit
+from .strata import reachable, turned_around
+from .syntax import Atom, Clause, Literal, Truth
 from .tree import negate_literal
 
 PATIENCE = 5.0  # seconds for one mutant on one case: one that takes longer is noticed
@@ -100,12 +101,8 @@ class MutationTest:
         self._downstream: dict[frozenset[str], tuple[Program, frozenset[str]] | None] = {}
 
     @cached_property
-    def _readers(self) -> Mapping[str, frozenset[str]]:
-        found: dict[str, set[str]] = {name: set() for name in self.rules.relations}
-        for name, read in self.rules.reads.items():
-            for other in read:
-                found[other].add(name)
-        return {name: frozenset(readers) for name, readers in found.items()}
+    def _readers(self) -> Mapping[str, Collection[str]]:
+        return turned_around(self.rules.reads)
 
     def judge(self, mutant: Mutant) -> Verdict | None:
         """Whether a case kills a mutant; None when the mutant is no legal program."""
@@ -113,7 +110,7 @@ class MutationTest:
         group = self.rules.recursive.get(name, frozenset((name,)))
         clauses = [mutant.clause if c is mutant.rule.clause else c for c in self._clauses(group)]
         try:
-            changed, needed = self._part(group, clauses, {name} if len(group) == 1 else group)
+            changed, needed = self._part(group, clauses)
         except DatalogError:
             return None
         for case in self._likely(mutant):
@@ -143,38 +140,17 @@ class MutationTest:
     def _after(self, group: frozenset[str]) -> tuple[Program, frozenset[str]] | None:
         """The program of what reads the group, up to observed relations, with the group as its input."""
         observed = frozenset(n for case in self.cases for n in case.observed)
-        after = self._closure(group, self._readers) - group
-        before = self._closure(observed & after, self.rules.reads)
+        after = reachable(group, self._readers) - group
+        before = reachable(observed & after, self.rules.reads)
         wanted = after & before
-        return self._part(wanted, self._clauses(wanted), wanted) if wanted else None
-
-    @staticmethod
-    def _closure(start: Iterable[str], edges: Mapping[str, Collection[str]]) -> set[str]:
-        found: set[str] = set()
-        work = list(start)
-        while work:
-            name = work.pop()
-            if name not in found:
-                found.add(name)
-                work.extend(edges[name])
-        return found
+        return self._part(wanted, self._clauses(wanted)) if wanted else None
 
     def _clauses(self, names: Collection[str]) -> list[Clause]:
         return [rule.clause for name in names for rule in self.rules.by_head.get(name, ())]
 
-    def _part(self, names: Collection[str], clauses: Sequence[Clause], kept: Collection[str]) -> tuple[Program, frozenset[str]]:
+    def _part(self, names: Collection[str], clauses: Sequence[Clause]) -> tuple[Program, frozenset[str]]:
         """A program of some relations; the others that they read are its input."""
-        reads = dependencies(self.rules.relations, clauses).reads
-        needed = frozenset(other for name in names for other in reads[name]) - frozenset(names)
-        at = Location("", 1, 1)
-        plain = [replace(self.rules.relations[name], qualifiers=frozenset(), choices=()) for name in sorted(needed)]
-        unit = Unit(
-            list(self.rules.unit.types),
-            [*plain, *(self.rules.relations[name] for name in sorted(names))],
-            list(clauses),
-            [*(Directive("input", n, (), at) for n in sorted(needed)), *(Directive("output", n, (), at) for n in sorted(kept))],
-            list(self.rules.unit.functors),
-        )
+        unit, needed = slice_unit(self.rules.unit, names, clauses)
         return compile_unit(unit, Sources(), Report({}), self.rules.types.bits), needed
 
     @staticmethod

@@ -15,12 +15,13 @@ from pathlib import Path
 from typing import Any
 
 from .components import instantiate
-from .errors import Location, Report
+from .errors import Report
 from .preprocess import Reading
 from .program import Program, RelationDecl, compile_unit, declarations
 from .semantics import check
+from .slices import slice_unit
 from .sources import ParseMemory, Sources, read_program
-from .strata import dependencies
+from .strata import dependencies, reachable, turned_around
 from .syntax import Directive, Relation, Unit
 
 HALF = 0.5  # of the clauses: from there on a slice saves nothing
@@ -68,7 +69,7 @@ class RuleHistory:
             return None
         declared = {r.name for r in unit.relations}
         reads = dependencies(declared, (c for c in unit.clauses if c.head.name in declared)).reads
-        affected = _reached(changed, reads)
+        affected = frozenset(reachable(changed, turned_around(reads)) & declared)
         clauses = [c for c in unit.clauses if c.head.name in affected or c.head.name not in declared]
         if len(clauses) > HALF * len(unit.clauses):
             return None
@@ -76,7 +77,8 @@ class RuleHistory:
         declared_now = declarations(unit, checked.types)
         if not affected:
             return Edit(declared_now, affected, frozenset(), None)
-        part, needed = _slice(unit, affected, reads)
+        own = _with_inlined(affected, unit, reads)
+        part, needed = slice_unit(unit, own, [c for c in unit.clauses if c.head.name in own])
         return Edit(declared_now, affected, needed, compile_unit(part, sources, report, self.bits))
 
     def _read(self) -> tuple[Unit, Sources, Report]:
@@ -84,29 +86,10 @@ class RuleHistory:
         return instantiate(unit, report), sources, report
 
 
-def _slice(unit: Unit, affected: frozenset[str], reads: Mapping[str, set[str]]) -> tuple[Unit, frozenset[str]]:
-    """The program of the affected relations, and what it needs of the others."""
-    relations = {r.name: r for r in unit.relations}
-    own = set(affected)
-    work = list(affected)
-    needed: set[str] = set()
-    while work:
-        for name in reads[work.pop()] - own:
-            if "inline" in relations[name].qualifiers:  # it has no rows: its clauses are needed
-                own.add(name)
-                work.append(name)
-            else:
-                needed.add(name)
-    at = Location("", 1, 1)
-    given = [replace(relations[name], qualifiers=frozenset(), choices=()) for name in sorted(needed)]
-    directives = [d for d in unit.directives if d.relation in own and d.kind == "limitsize"]
-    part = replace(
-        unit,
-        relations=[*given, *(relations[name] for name in relations if name in own)],
-        clauses=[c for c in unit.clauses if c.head.name in own],
-        directives=[*directives, *(Directive("input", name, (), at) for name in sorted(needed))],
-    )
-    return part, frozenset(needed)
+def _with_inlined(names: frozenset[str], unit: Unit, reads: Mapping[str, Collection[str]]) -> set[str]:
+    """The relations, and the inline ones that they read: these have no rows, so that their clauses are needed."""
+    inline = {r.name for r in unit.relations if "inline" in r.qualifiers}
+    return set(names) | reachable(names, {name: (other for other in read if other in inline) for name, read in reads.items()})
 
 
 def _changed(before: Unit, now: Unit) -> set[str] | None:
@@ -134,22 +117,6 @@ def _relation(item: Relation | Directive) -> str:
 
 def _undocumented(item: Relation | Directive) -> Relation | Directive:
     return replace(item, doc="") if isinstance(item, Relation) else item
-
-
-def _reached(changed: Collection[str], reads: Mapping[str, Collection[str]]) -> frozenset[str]:
-    """The relations that changed ones feed, and these themselves as far as they are still there."""
-    readers: dict[str, list[str]] = {}
-    for name, read in reads.items():
-        for other in read:
-            readers.setdefault(other, []).append(name)
-    found: set[str] = set()
-    work = list(changed)
-    while work:
-        name = work.pop()
-        if name not in found:
-            found.add(name)
-            work.extend(readers.get(name, ()))
-    return frozenset(found & set(reads))
 
 
 def _shape(node: Any) -> Any:

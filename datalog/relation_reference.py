@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from .clauses import rules_of
+from .strata import turned_around
 
 if TYPE_CHECKING:
     from .program import Attribute, Program
@@ -47,10 +48,7 @@ def reference(program: Program) -> list[Entry]:
     What a rule uses through a relation that is private to its file counts as used by the rule.
     """
     rules = rules_of(program)
-    readers: dict[str, set[str]] = {name: set() for name in program.relations}
-    for name, read in rules.reads.items():
-        for other in read:
-            readers[other].add(name)
+    readers = turned_around(rules.reads)
     entries = []
     for name, declared in program.relations.items():
         own = rules.by_head.get(name, ())

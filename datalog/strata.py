@@ -42,6 +42,27 @@ def dependencies(relations: Iterable[str], clauses: Iterable[Clause]) -> Depende
     return found
 
 
+def turned_around(reads: Mapping[str, Iterable[str]]) -> dict[str, set[str]]:
+    """The graph with every edge the other way: who reads each relation."""
+    found: dict[str, set[str]] = {name: set() for name in reads}
+    for name, others in reads.items():
+        for other in others:
+            found.setdefault(other, set()).add(name)
+    return found
+
+
+def reachable(start: Iterable[str], edges: Mapping[str, Iterable[str]]) -> set[str]:
+    """Some relations and all that edges lead to from them."""
+    found: set[str] = set()
+    work = list(start)
+    while work:
+        name = work.pop()
+        if name not in found:
+            found.add(name)
+            work.extend(edges.get(name, ()))
+    return found
+
+
 def components(graph: Mapping[str, Iterable[str]]) -> list[list[str]]:
     """Strongly connected components, each after the ones it reads (Tarjan's algorithm, without recursion)."""
     index: dict[str, int] = {}

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..errors import did_you_mean
+from ..errors import closest
+from ..parser import is_word
 from .occurrences import Call, Declared, Names, Occurrence, call_around
 from .programs import Programs, included
 
@@ -161,7 +162,7 @@ class Answers:
         found = self.at(path, line, column)
         if found is None or found.kind == "file" or (found.kind == "type" and found.name in PRIMITIVES):
             raise RenameError("nothing here can be renamed")
-        if not _IDENTIFIER.fullmatch(new) or new in WORDS:
+        if not _IDENTIFIER.fullmatch(new) or is_word(new):
             raise RenameError(f"`{new}` is no name: letters, digits and `_`, not one of the language's own words")
         local = found.kind in ("variable", "attribute")
         if local:
@@ -309,7 +310,4 @@ class Answers:
     def fix(self, path: Path, line: int, column: int) -> str:
         """A declared name close to the unknown one at a place."""
         found = self.at(path, line, column)
-        if found is None:
-            return ""
-        hint = did_you_mean(found.name, [o.name for _, _, o in self._declared(path, found.kind)])
-        return hint.partition("`")[2].partition("`")[0]
+        return closest(found.name, [o.name for _, _, o in self._declared(path, found.kind)]) if found else ""
