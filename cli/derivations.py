@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,7 +16,7 @@ from rosarch.cli.options import Engine, parse_defines
 from rosarch.cli.terminal import progress, show_diagnostics
 
 if TYPE_CHECKING:
-    from rosarch.datalog import Program, Result
+    from rosarch.datalog import Program, RelationDecl, Result
     from rosarch.models.rule_sets import RuleSet
     from rosarch.models.selection import SelectedComponent
 
@@ -100,41 +99,6 @@ def selected(
         raise InputError(str(error)) from None
 
 
-@contextmanager
-def asked(
-    folder: Path,
-    packages: Sequence[str] | None,
-    component: str | None,
-    launches: Sequence[str] | None,
-    *,
-    rules: RuleSet,
-    jobs: int | None,
-    timeout: float,
-    defines: Sequence[str] | None,
-    cached: bool,
-    verbose: bool,
-    engine: Engine,
-) -> Iterator[Sequence[SelectedComponent]]:
-    """What a question is about: components, or with `launches` the systems that these compose."""
-    if not launches:
-        with selected(
-            folder, packages, component, jobs=jobs, timeout=timeout, defines=defines, cached=cached, verbose=verbose, engine=engine
-        ) as components:
-            yield components
-        return
-    if packages or component:
-        raise InputError("--launch asks about whole systems; --package and --component are about components")
-    from rosarch.cli.systems import SystemInputs, load_surrounding
-    from rosarch.models.selection import SelectedComponent
-
-    inputs = SystemInputs(
-        folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached, rules=rules
-    )
-    shared, found = load_surrounding(inputs)
-    show_diagnostics(shared.diagnostics, verbose)
-    yield [SelectedComponent(launch.name, "", folder, partial(shared.rows, launch)) for launch in found]
-
-
 def facts_of(component: SelectedComponent, program: Program) -> Facts:
     """The facts of a component that the rules read."""
     wanted = set(program.inputs)
@@ -159,6 +123,17 @@ def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, 
     found = profile(program, facts)
     sys.stderr.write(f"== {component.title}\n{profile_text(found, shorten=shorten)}")
     return found.result, facts
+
+
+def chosen_relations(relations: Mapping[str, RelationDecl], names: Sequence[str], files: Iterable[Path]) -> list[str]:
+    """The relations of `--relation`, or else those that files of the user's own put out."""
+    for name in names:
+        if name not in relations:
+            from rosarch.extractor.hints import hint
+
+            raise InputError(f"--relation {name}: no such relation{hint(name, relations)}")
+    own = {str(path) for path in files}
+    return list(names) or [r.name for r in relations.values() if r.is_output and r.location.path in own]
 
 
 def heading(components: Sequence[SelectedComponent]) -> Callable[[SelectedComponent], str]:

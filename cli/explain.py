@@ -6,11 +6,9 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, asked, datalog_errors, evaluate, heading, load_rules, shorten
+from rosarch.cli.derivations import datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import Systems
+from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit
 
 Goal = Annotated[
@@ -25,24 +23,13 @@ Depth = Annotated[int, typer.Option("--depth", metavar="N", min=0, help="How man
 Most = Annotated[int, typer.Option("--most", "-n", metavar="N", min=1, help="Explain no more rows than this per component.")]
 
 
+@asks()
 def explain(
-    folder: Input,
+    question: Question,
     goal: Goal,
-    packages: Packages = None,
-    component: Component = None,
-    launches: Systems = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
     depth: Depth = 4,
     show_rules: Annotated[bool, typer.Option("--show-rules", help="Print every rule under the row it derives.")] = False,
     most: Most = 1,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about."""
     from rosarch.datalog import Layout, RowStore, SourceLines, explain_all, folder_reader, proof_text
@@ -50,26 +37,14 @@ def explain(
 
     layout = Layout(depth=depth or None, rules=show_rules, shorten=shorten)
     with datalog_errors():
-        rules = parse_rules(own, variants, settings)
-        program = load_rules(rules, systems=bool(launches))
+        rules = question.rules()
+        program = load_rules(rules, systems=question.systems)
         check_goal(program, goal)
         texts = []
-        with asked(
-            folder,
-            packages,
-            component,
-            launches,
-            rules=rules,
-            jobs=jobs,
-            timeout=timeout,
-            defines=defines,
-            cached=cached,
-            verbose=verbose,
-            engine=engine,
-        ) as components:
+        with question.asked(rules) as components:
             title = heading(components)
             for each in components:
-                store = RowStore(*evaluate(program, each, engine))
+                store = RowStore(*evaluate(program, each, question.engine))
                 if not has_rows(program, store, goal):
                     continue
                 lines = SourceLines(program, store, folder_reader(each.root))
@@ -80,21 +55,10 @@ def explain(
     emit("\n".join(texts))
 
 
+@asks()
 def why_not(
-    folder: Input,
+    question: Question,
     goal: Goal,
-    packages: Packages = None,
-    component: Component = None,
-    launches: Systems = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there."""
     from rosarch.datalog import RowStore, why_not_text
@@ -102,25 +66,13 @@ def why_not(
     from rosarch.datalog.prover import check_goal
 
     with datalog_errors():
-        rules = parse_rules(own, variants, settings)
-        program = load_rules(rules, systems=bool(launches))
+        rules = question.rules()
+        program = load_rules(rules, systems=question.systems)
         check_goal(program, goal)
-        with asked(
-            folder,
-            packages,
-            component,
-            launches,
-            rules=rules,
-            jobs=jobs,
-            timeout=timeout,
-            defines=defines,
-            cached=cached,
-            verbose=verbose,
-            engine=engine,
-        ) as components:
+        with question.asked(rules) as components:
             if len(components) > 1:
                 names = ", ".join(c.title for c in components)
-                raise InputError(f"{folder}: {len(components)} components; choose one with --component: {names}")
-            store = RowStore(*evaluate(program, components[0], engine))
+                raise InputError(f"{question.folder}: {len(components)} components; choose one with --component: {names}")
+            store = RowStore(*evaluate(program, components[0], question.engine))
         text = why_not_text(ask(program, store, goal), shorten)
     emit(text)

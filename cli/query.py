@@ -6,61 +6,37 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, Profiled, asked, check_profile, datalog_errors, evaluate, heading, load_rules
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, ModelFormat, Packages, Timeout, Verbose
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import Systems
+from rosarch.cli.derivations import Profiled, check_profile, datalog_errors, evaluate, heading, load_rules
+from rosarch.cli.options import ModelFormat
+from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit
 
 Query = Annotated[str, typer.Argument(metavar="QUERY", help="A rule body: 'port(P), !port_type(P, _)'.", show_default=False)]
 Most = Annotated[int | None, typer.Option("--most", "-n", metavar="N", min=1, help="No more rows than this; all by default.")]
 
 
+@asks()
 def query(
-    folder: Input,
+    question: Question,
     text: Query,
-    packages: Packages = None,
-    component: Component = None,
-    launches: Systems = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
     output_format: Annotated[ModelFormat, typer.Option("--format", help="The form of the answer on stdout.")] = ModelFormat.table,
     most: Most = None,
     profile: Profiled = False,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR."""
     from rosarch.datalog import query as ask
     from rosarch.datalog import table_text
     from rosarch.datalog.queries import check_query, table_values
 
-    check_profile(profile, engine)
+    check_profile(profile, question.engine)
     with datalog_errors():
-        rules = parse_rules(own, variants, settings)
-        program = load_rules(rules, systems=bool(launches))
+        rules = question.rules()
+        program = load_rules(rules, systems=question.systems)
         check_query(program, text)
-        with asked(
-            folder,
-            packages,
-            component,
-            launches,
-            rules=rules,
-            jobs=jobs,
-            timeout=timeout,
-            defines=defines,
-            cached=cached,
-            verbose=verbose,
-            engine=engine,
-        ) as components:
+        with question.asked(rules) as components:
             answers = []
             for each in components:
-                table = ask(program, evaluate(program, each, engine, profiled=profile)[0], text)
+                table = ask(program, evaluate(program, each, question.engine, profiled=profile)[0], text)
                 answers.append((each, table))
             title = heading(components)
     if output_format is ModelFormat.json:

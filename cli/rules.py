@@ -9,18 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.checks import checks
-from rosarch.cli.derivations import Component, Profiled, asked, check_profile, datalog_errors, evaluate, heading, load_rules, shorten
+from rosarch.cli.derivations import Profiled, check_profile, chosen_relations, datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import unwritable
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.questions import Question, asks
+from rosarch.cli.rule_options import Rules, parse_rules
 from rosarch.cli.rules_mutate import mutate
 from rosarch.cli.rules_test import test
-from rosarch.cli.systems import Systems
 from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
-    from rosarch.datalog import Program
+    pass
 
 app = typer.Typer(help="Run, test and document rules.", no_args_is_help=False)
 
@@ -47,8 +46,9 @@ def list_rules(
 
 
 @app.command("run")
+@asks()
 def run(
-    folder: Input,
+    question: Question,
     files: Annotated[
         list[Path], typer.Argument(metavar="FILE...", help="Files of rules of your own, beside rosarch's.", show_default=False)
     ],
@@ -56,61 +56,26 @@ def run(
         list[str] | None,
         typer.Option("--relation", "-R", metavar="NAME", help="Print this relation; by default the `.output` of FILE.", show_default=False),
     ] = None,
-    packages: Packages = None,
-    component: Component = None,
-    launches: Systems = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
     profile: Profiled = False,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Run rules of your own on each node and nodelet below DIR and print the relations they put out."""
     from rosarch.datalog.queries import relation_table, table_text
 
-    check_profile(profile, engine)
+    check_profile(profile, question.engine)
     with datalog_errors():
-        rules = parse_rules([*files, *(own or ())], variants, settings)
-        program = load_rules(rules, systems=bool(launches))
-        names = _wanted(program, files, relations or [])
+        rules = question.rules(*files)
+        program = load_rules(rules, systems=question.systems)
+        names = chosen_relations(program.relations, relations or [], files)
+        if not names:
+            raise InputError(f"{files[0]}: nothing to print; add an `.output` directive or name a relation with --relation")
         texts = []
-        with asked(
-            folder,
-            packages,
-            component,
-            launches,
-            rules=rules,
-            jobs=jobs,
-            timeout=timeout,
-            defines=defines,
-            cached=cached,
-            verbose=verbose,
-            engine=engine,
-        ) as components:
+        with question.asked(rules) as components:
             title = heading(components)
             for each in components:
-                result, _ = evaluate(program, each, engine, profiled=profile)
+                result, _ = evaluate(program, each, question.engine, profiled=profile)
                 tables = [f"{name}\n{table_text(relation_table(program, result, name), program)}" for name in names]
                 texts.append(title(each) + "\n".join(tables))
     emit("\n".join(texts))
-
-
-def _wanted(program: Program, files: list[Path], relations: list[str]) -> list[str]:
-    for name in relations:
-        if name not in program.relations:
-            from rosarch.extractor.hints import hint
-
-            raise InputError(f"--relation {name}: no such relation{hint(name, program.relations)}")
-    own = {str(path) for path in files}
-    found = relations or [r.name for r in program.relations.values() if r.is_output and r.location.path in own]
-    if not found:
-        raise InputError(f"{files[0]}: nothing to print; add an `.output` directive or name a relation with --relation")
-    return found
 
 
 @app.command("lint")

@@ -11,11 +11,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.cli.derivations import Component, asked, datalog_errors, shorten
+from rosarch.cli.derivations import chosen_relations, datalog_errors, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.options import Cached, Defines, Engine, Input, Jobs, Packages, Timeout
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import Systems
+from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
@@ -27,43 +25,29 @@ Tables = Mapping[str, Mapping[str, "Table"]]
 SETTLE = 50  # milliseconds in which nothing more is written, after which a save is complete
 
 
+@asks("engine", "verbose")
 def watch(
-    folder: Input,
+    question: Question,
     files: Annotated[list[Path] | None, typer.Argument(metavar="[FILE]...", help="Files of rules of your own.", show_default=False)] = None,
     relations: Annotated[
         list[str] | None,
         typer.Option("--relation", "-R", metavar="NAME", help="Show this relation; by default the `.output` of FILE.", show_default=False),
     ] = None,
-    packages: Packages = None,
-    component: Component = None,
-    launches: Systems = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
 ) -> None:
     """Print what rules derive and, whenever a rule or a source is saved, what that has changed. Ends with Ctrl-C."""
     from rosarch.models.live import LiveRules
     from rosarch.models.own_rules import own_files
     from rosarch.models.rule_sets import rule_history
 
-    saves = _saves([folder, *(files or ()), *(own or ())])
+    saves = _saves([question.folder, *(files or ()), *(question.own or ())])
     before: Tables | None = None
     while True:
         try:
             with datalog_errors():
-                rules = parse_rules([*(files or ()), *(own or ())], variants, settings)
-            with (
-                asked(
-                    folder, packages, component, launches, rules=rules, jobs=jobs, timeout=timeout, defines=defines, cached=cached,
-                    verbose=False, engine=Engine.embedded,
-                ) as components,
-                tempfile.TemporaryDirectory(prefix="rosarch-watch-") as scratch,
-            ):  # fmt: skip
-                live = LiveRules(components, rule_history("system" if launches else "component", rules), Path(scratch), jobs=jobs)
+                rules = question.rules(*(files or ()))
+            with question.asked(rules) as components, tempfile.TemporaryDirectory(prefix="rosarch-watch-") as scratch:
+                history = rule_history("system" if question.systems else "component", rules)
+                live = LiveRules(components, history, Path(scratch), jobs=question.jobs)
                 wanted = _Wanted(relations or [], own_files(rules.own))
                 before = _report(live, wanted, before, [])
                 for saved in saves:
@@ -83,18 +67,12 @@ def watch(
 class _Wanted:
     """The relations to show: those named, else the output of files, else all output."""
 
-    def __init__(self, names: Sequence[str], files: Iterable[Path]) -> None:
+    def __init__(self, names: Sequence[str], files: Sequence[Path]) -> None:
         self.names = names
-        self.files = {str(path) for path in files}
+        self.files = files
 
     def __call__(self, relations: Mapping[str, RelationDecl]) -> list[str]:
-        from rosarch.extractor.hints import hint
-
-        for name in self.names:
-            if name not in relations:
-                raise InputError(f"--relation {name}: no such relation{hint(name, relations)}")
-        outputs = [r for r in relations.values() if r.is_output]
-        return list(self.names) or [r.name for r in outputs if r.location.path in self.files] or [r.name for r in outputs]
+        return chosen_relations(relations, self.names, self.files) or [r.name for r in relations.values() if r.is_output]
 
 
 def _saves(paths: Sequence[Path]) -> Iterator[list[Path]]:
