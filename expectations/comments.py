@@ -1,4 +1,4 @@
-"""Where sources say what is expected of them: `expect: ...` and `expect-not: ...` at the start of a comment, or of a line of one."""
+"""Where sources say what is expected of them: `expect: ...` and the like, at the start of a comment, or of a line of one."""
 
 from __future__ import annotations
 
@@ -8,13 +8,15 @@ from dataclasses import dataclass
 
 from rosarch.extractor.suppressions import Comment, comments
 
-_MARK = re.compile(r"(?:^|(?<=\n))[ \t]*(?://+|/\*+|\*|\#+|<!--+)?[ \t]*(?P<word>expect(?P<negated>-not)?):(?:[ \t]+(?P<text>[^\n]*))?")
+_MARK = re.compile(
+    r"(?:^|(?<=\n))[ \t]*(?://+|/\*+|\*|\#+|<!--+)?[ \t]*(?P<word>expect(?:-(?P<sense>not|only))?):(?:[ \t]+(?P<text>[^\n]*))?"
+)
 _END = re.compile(r"[ \t\r]*(\*/|--\\?>)?[ \t\r]*$")
 
 
 @dataclass(frozen=True)
 class Marked:
-    """An expectation as it is written, at `path:line:column`; it must not hold when `negated`.
+    """An expectation as it is written, at `path:line:column`; `sense` is "", "not" or "only".
 
     It is about the lines `first` to `last`; `beside` tells whether it stands behind code, on its line.
     """
@@ -24,7 +26,7 @@ class Marked:
     column: int
     text: str
     text_column: int
-    negated: bool
+    sense: str
     first: int
     last: int
     beside: bool
@@ -41,4 +43,4 @@ def _marked(path: str, comment: Comment, match: re.Match[str]) -> Marked:
     line, column = comment.place(match.start("word"))
     told = _END.sub("", match["text"] or "").strip()
     begin = comment.place(match.start("text"))[1] if match["text"] else column
-    return Marked(path, line, column, told, begin, match["negated"] is not None, comment.first, comment.last, comment.beside)
+    return Marked(path, line, column, told, begin, match["sense"] or "", comment.first, comment.last, comment.beside)

@@ -43,6 +43,7 @@ _KINDS = (
     Kind("finding", ("check",), "message", ("check", "message", "severity")),
 )
 FINDING = "finding"
+ANY = Kind("*", (), None, ())
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from rosarch.expectations.comments import Marked
-from rosarch.expectations.elements import FINDING, Kind, kinds
+from rosarch.expectations.elements import ANY, FINDING, Kind, kinds
 from rosarch.extractor.hints import hint
 
 _TOKEN = re.compile(r'(?:[^\s"]|"(?:\\.|[^"\\])*"?)+')
@@ -49,6 +49,10 @@ def parse(marked: Marked) -> Expectation:
         ExpectationError: it has none.
     """
     if _QUERY.match(marked.text):
+        if marked.sense == "only":
+            raise ExpectationError(
+                f"{marked.path}:{marked.line}:{marked.text_column}: of rows, expect how many there are: `N = count : {{ ... }}, N = 2`"
+            )
         return Expectation(marked, None, query=marked.text)
     return _Parser(marked).expectation()
 
@@ -71,7 +75,7 @@ class _Parser:
         if not self.words:
             raise self._error(self.marked.column, "nothing is expected here")
         name = self.words.pop(0)
-        kind = kinds().get(name.text)
+        kind = ANY if name.text == ANY.name and self.marked.sense == "only" else kinds().get(name.text)
         if kind is None:
             raise self._error(name.column, f"unknown kind of element `{name.text}`{_known(name.text, kinds())}")
         self._subject(kind)

@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 from typing import Any, Protocol
 
 from rosarch.expectations.comments import Marked
-from rosarch.expectations.elements import FINDING, Element, Kind, kinds
+from rosarch.expectations.elements import ANY, FINDING, Element, Kind, kinds
 from rosarch.expectations.grammar import Expectation
 from rosarch.experiments.normal_texts import conjuncts, normal, same_name
 
@@ -42,27 +42,34 @@ class Unmet:
     instead: tuple[str, ...]
 
 
-def unmet(expectation: Expectation, observed: Observed) -> Unmet | None:
-    """The expectation, if it is not met."""
+def unmet(expectation: Expectation, observed: Observed, expected: Sequence[Expectation]) -> Unmet | None:
+    """The expectation, if it is not met; `expected` is all that is."""
     if expectation.kind is None:
         return _unmet_query(expectation, observed)
     marked = expectation.marked
     found = observed.findings() if expectation.kind.name == FINDING else observed.elements(marked.path)
-    own = [element for element in found if element.kind == expectation.kind.name]
+    own = [element for element in found if _is_of(expectation.kind, element)]
     met = [element for element in own if not _faults(expectation, element)]
-    if bool(met) != marked.negated:
+    if marked.sense == "only":
+        asked = [e for e in expected if not e.marked.sense and e.marked.path == marked.path]
+        met = [element for element in met if not any(e.kind and _is_of(e.kind, element) and not _faults(e, element) for e in asked)]
+    if bool(met) != bool(marked.sense):
         return None
-    if marked.negated:
+    if marked.sense:
         return Unmet(expectation, tuple(dict.fromkeys(shown(element) for element in met)))
     return Unmet(expectation, _nearest(expectation, own))
+
+
+def _is_of(kind: Kind, element: Element) -> bool:
+    return element.kind == kind.name or (kind is ANY and element.kind != "component")
 
 
 def _unmet_query(expectation: Expectation, observed: Observed) -> Unmet | None:
     marked = expectation.marked
     rows = observed.rows(marked, expectation.query)
-    if bool(rows) != marked.negated:
+    if bool(rows) != bool(marked.sense):
         return None
-    return Unmet(expectation, tuple(rows if marked.negated else observed.near_rows(marked, expectation.query)))
+    return Unmet(expectation, tuple(rows if marked.sense else observed.near_rows(marked, expectation.query)))
 
 
 def _faults(expectation: Expectation, element: Element) -> list[str]:

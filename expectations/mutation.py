@@ -48,6 +48,6 @@ def _fails(
     seen = replace(observation)
     seen.components = [changed if each is component else each for each in observation.components]
     try:
-        return any(unmet(e, seen) is not None for e in expected)
+        return any(unmet(e, seen, expected) is not None for e in expected)
     except (LookupError, ValueError):
         return True  # no model can be made of such rows

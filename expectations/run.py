@@ -112,6 +112,6 @@ def _run(case: Case, program: Program, how: Running) -> CaseOutcome:
             by_file.setdefault(expectation.marked.path, []).append(expectation)
         files = []
         for path, expectations in by_file.items():
-            judged = [unmet(expectation, observation) for expectation in expectations]
+            judged = [unmet(expectation, observation, expectations) for expectation in expectations]
             files.append(FileOutcome(case.root / path, len(expectations), tuple(found for found in judged if found)))
         return CaseOutcome(tuple(files), tuple(observation.extraction.diagnostics))

@@ -19,10 +19,10 @@ def file_text(outcome: FileOutcome) -> str:
 
 def _unmet_lines(outcome: FileOutcome, unmet: Unmet) -> list[str]:
     marked = unmet.expectation.marked
-    word = "not expected" if marked.negated else "expected"
+    word = {"": "expected", "not": "not expected", "only": "nothing else expected"}[marked.sense]
     here = " here" if unmet.expectation.here else ""
     head = f"  {outcome.path}:{marked.line}:{marked.column}: {word}{here}: {marked.text}"
-    label = "there is" if marked.negated else "nearest"
+    label = "there is" if marked.sense else "nearest"
     kind = unmet.expectation.kind
     nothing = "no such row" if kind is None else f"there is no {kind.name}"
     return [head, *(f"    {label:<8}  {text}" for text in unmet.instead or ())] if unmet.instead else [head, f"    {nothing}"]

@@ -8,8 +8,8 @@ from rosarch.expectations.comments import Marked, marked
 from rosarch.expectations.grammar import Expectation, ExpectationError, parse
 
 
-def written(text: str, *, beside: bool = False) -> Marked:
-    return Marked("a.cpp", 3, 4, text, 12, False, 4, 4, beside)
+def written(text: str, *, sense: str = "", beside: bool = False) -> Marked:
+    return Marked("a.cpp", 3, 4, text, 12, sense, 4, 4, beside)
 
 
 def meaning(text: str) -> tuple[str | None, dict[str, str]]:
@@ -70,26 +70,35 @@ def test_what_is_refused(text: str, error: str) -> None:
     assert str(caught.value) == f"a.cpp:{error}"
 
 
+def test_what_only_one_sense_has() -> None:
+    only = parse(written("*", sense="only")).kind
+    assert only is not None and only.name == "*"
+    with pytest.raises(ExpectationError, match=r"a\.cpp:3:12: unknown kind of element `\*`"):
+        parse(written("*"))
+    with pytest.raises(ExpectationError, match=r"a\.cpp:3:12: of rows, expect how many there are: `N = count : \{ \.\.\. \}, N = 2`"):
+        parse(written("port(_)", sense="only"))
+
+
 def test_where_they_stand() -> None:
     source = """// expect: publisher a
 int x;  // expect: publisher b
 /* expect: publisher c
- * expect-not: publisher d */
+ * expect-not: publisher d
+ * expect-only: publisher */
 char text[] = "// expect: publisher e";
 // as they expect: nothing
 // expect: finding x-y
 
 int y;
 """
-    found = [
-        (each.line, each.column, each.text, each.text_column, each.negated, each.first, each.beside) for each in marked("a.cpp", source)
-    ]
+    found = [(each.line, each.column, each.text, each.text_column, each.sense, each.first, each.beside) for each in marked("a.cpp", source)]
     assert found == [
-        (1, 4, "publisher a", 12, False, 2, False),
-        (2, 12, "publisher b", 20, False, 2, True),
-        (3, 4, "publisher c", 12, False, 5, False),
-        (4, 4, "publisher d", 16, True, 5, False),
-        (7, 4, "finding x-y", 12, False, 9, False),
+        (1, 4, "publisher a", 12, "", 2, False),
+        (2, 12, "publisher b", 20, "", 2, True),
+        (3, 4, "publisher c", 12, "", 6, False),
+        (4, 4, "publisher d", 16, "not", 6, False),
+        (5, 4, "publisher", 17, "only", 6, False),
+        (8, 4, "finding x-y", 12, "", 10, False),
     ]
 
 

@@ -78,19 +78,38 @@ def test_met(outcome: Callable) -> None:
         ('expect: port([_, "subscriber", X]), X != "/in"', ["no such row"]),
         ('expect-not: port([_, "subscriber", X])', ["there is  X = /in"]),
         ('expect-not: !port_type(_, "x")', ["there is  it holds"]),
+        ("expect-only: publisher", ["there is  publisher /out std_msgs/String  node.cpp:16"]),
     ],
 )  # fmt: skip
 def test_unmet(outcome: Callable, expectation: str, instead: list[str]) -> None:
     code, lines = outcome(expectation)
     word, _, text = expectation.partition(": ")
+    told = {"expect": "expected", "expect-not": "not expected", "expect-only": "nothing else expected"}[word]
     here = " here" if "finding" in text else ""
     assert code == 1
     assert lines[:2] == [
         "FAILED   node.cpp: 1 of 1 expectation",
-        f"  node.cpp:1:4: {'not expected' if '-not' in word else 'expected'}{here}: {text}",
+        f"  node.cpp:1:4: {told}{here}: {text}",
     ]
     assert lines[2:-1] == [f"    {each}" for each in instead]
     assert lines[-1] == "1 expectation in 1 file, 1 not met"
+
+
+def test_nothing_else(outcome: Callable) -> None:
+    ports = ("expect: publisher /out latched", "expect: subscriber /in", "expect-only: publisher", "expect-only: subscriber /i*")
+    assert outcome(*ports) == (0, ["ok       node.cpp: 4 expectations", "4 expectations in 1 file, 0 not met"])
+    assert outcome(*ports, "expect-not: publisher /other", "expect-only: *") == (
+        1,
+        [
+            "FAILED   node.cpp: 1 of 6 expectations",
+            "  node.cpp:6:4: nothing else expected: *",
+            "    there is  periodic /out 10.0  node.cpp:28",
+            "    there is  reactive /in -> /out  node.cpp:15",
+            "    there is  state ::g_on = false  node.cpp:9",
+            "    there is  transition ::g_on = true  node.cpp:14",
+            "6 expectations in 1 file, 1 not met",
+        ],
+    )
 
 
 def test_beside_code_it_is_about_that_line(rosarch: Callable, tmp_path: Path) -> None:
