@@ -52,7 +52,7 @@ class Rule:
         return f"{self.location.path}:{self.location.line}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Rules:
     """All clauses of a program, with components instantiated and types inferred."""
 

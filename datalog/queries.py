@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from .clauses import Rules, rules_of
@@ -79,6 +80,7 @@ def _moved(diagnostic: Diagnostic) -> Diagnostic:
     return replace(diagnostic, message=message, location=Location(at.path, max(at.line - 1, 1), at.column), source=source)
 
 
+@lru_cache(maxsize=256)  # an expectation is asked again for every mutant
 def _compiled(text: str, rules: Rules) -> tuple[Program, tuple[str, ...], tuple[str, ...]]:
     name = "query"
     while name in rules.relations:

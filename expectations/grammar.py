@@ -49,11 +49,10 @@ def parse(marked: Marked) -> Expectation:
         ExpectationError: it has none.
     """
     if _QUERY.match(marked.text):
-        if marked.sense == "only":
-            raise ExpectationError(
-                f"{marked.path}:{marked.line}:{marked.text_column}: of rows, expect how many there are: `N = count : {{ ... }}, N = 2`"
-            )
-        return Expectation(marked, None, query=marked.text)
+        if marked.sense == "only" and not marked.beside:
+            told = "of rows, expect how many there are, `N = count : { ... }, N = 2`, or behind code that they lie there"
+            raise ExpectationError(f"{marked.path}:{marked.line}:{marked.text_column}: {told}")
+        return Expectation(marked, None, query=marked.text, here=marked.sense == "only")
     return _Parser(marked).expectation()
 
 

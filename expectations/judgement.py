@@ -30,8 +30,19 @@ class Observed(Protocol):
     def rows(self, marked: Marked, query: str) -> Sequence[str]:
         """The rows that answer a query, as texts."""
 
+    def placed_rows(self, marked: Marked, query: str) -> Sequence[PlacedRow]:
+        """The rows that answer a query and lie in the file of the expectation."""
+
     def near_rows(self, marked: Marked, query: str) -> Sequence[str]:
         """The rows that come nearest to a query without an answer."""
+
+
+@dataclass(frozen=True)
+class PlacedRow:
+    """A row as text, and the line of the first of its values that has a place."""
+
+    text: str
+    line: int
 
 
 @dataclass(frozen=True)
@@ -45,7 +56,7 @@ class Unmet:
 def unmet(expectation: Expectation, observed: Observed, expected: Sequence[Expectation]) -> Unmet | None:
     """The expectation, if it is not met; `expected` is all that is."""
     if expectation.kind is None:
-        return _unmet_query(expectation, observed)
+        return _unmet_only(expectation, observed, expected) if expectation.here else _unmet_query(expectation, observed)
     marked = expectation.marked
     found = observed.findings() if expectation.kind.name == FINDING else observed.elements(marked.path)
     own = [element for element in found if _is_of(expectation.kind, element)]
@@ -70,6 +81,17 @@ def _unmet_query(expectation: Expectation, observed: Observed) -> Unmet | None:
     if bool(rows) != bool(marked.sense):
         return None
     return Unmet(expectation, tuple(rows if marked.sense else observed.near_rows(marked, expectation.query)))
+
+
+def _unmet_only(expectation: Expectation, observed: Observed, expected: Sequence[Expectation]) -> Unmet | None:
+    """A query that is answered in the lines of the expectation, and nowhere in the file where the same is not said."""
+    marked = expectation.marked
+    same = [e.marked for e in expected if e.here and (e.marked.path, e.query) == (marked.path, expectation.query)]
+    rows = observed.placed_rows(marked, expectation.query)
+    others = [row for row in rows if not any(each.first <= row.line <= each.last for each in same)]
+    if not others and any(marked.first <= row.line <= marked.last for row in rows):
+        return None
+    return Unmet(expectation, tuple(dict.fromkeys(f"{row.text}  {marked.path}:{row.line}" for row in others)))
 
 
 def _faults(expectation: Expectation, element: Element) -> list[str]:

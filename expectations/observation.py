@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -12,6 +12,7 @@ from rosarch.datalog import DatalogError, Program, Result, RowStore, query, why_
 from rosarch.datalog.queries import check_query, table_cells
 from rosarch.expectations.comments import Marked
 from rosarch.expectations.elements import Element, elements, finding_element
+from rosarch.expectations.judgement import PlacedRow
 from rosarch.extractor.pipeline import ComponentFacts, Extraction
 from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.component import ComponentModel, build_model, to_json
@@ -118,6 +119,19 @@ class Observation:
             ]
         return found
 
+    def placed_rows(self, marked: Marked, text: str) -> list[PlacedRow]:
+        """The rows that answer a query in a component that the file is a source of, and lie in it."""
+        found = []
+        for program, store in self._stores(marked.path):
+            files = {file for file, path in store.rows("source_file") if path == marked.path}
+            lines = {node: line for node, file, line, _ in store.rows("location") if file in files}
+            table = query(program, store, text)
+            for row, cells in zip(table.rows, table_cells(table, program), strict=True):
+                line = next((lines[value] for value in _parts(row) if value in lines), None)
+                if line is not None:
+                    found.append(PlacedRow(", ".join(f"{name} = {cell}" for name, cell in zip(table.columns, cells, strict=True)), line))
+        return found
+
     def near_rows(self, marked: Marked, text: str) -> list[str]:
         """The rows nearest to the one that a query is about; none where it is about several."""
         found: list[str] = []
@@ -137,6 +151,15 @@ class Observation:
     @cached_property
     def _systems(self) -> list[RowStore]:
         return [RowStore(self.systems.program.evaluate(rows, engine=self.engine, keep="all"), rows) for rows in self.systems.rows()]
+
+
+def _parts(value: Any) -> Iterator[Any]:
+    """What stands in a row, in records too."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from _parts(part)
+    else:
+        yield value
 
 
 def is_source(path: str) -> bool:

@@ -21,6 +21,8 @@ def _unmet_lines(outcome: FileOutcome, unmet: Unmet) -> list[str]:
     marked = unmet.expectation.marked
     word = {"": "expected", "not": "not expected", "only": "nothing else expected"}[marked.sense]
     here = " here" if unmet.expectation.here else ""
+    if here and unmet.expectation.kind is None:
+        word, here = "expected", " here only"
     head = f"  {outcome.path}:{marked.line}:{marked.column}: {word}{here}: {marked.text}"
     label = "there is" if marked.sense else "nearest"
     kind = unmet.expectation.kind

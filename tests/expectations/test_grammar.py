@@ -75,7 +75,9 @@ def test_what_only_one_sense_has() -> None:
     assert only is not None and only.name == "*"
     with pytest.raises(ExpectationError, match=r"a\.cpp:3:12: unknown kind of element `\*`"):
         parse(written("*"))
-    with pytest.raises(ExpectationError, match=r"a\.cpp:3:12: of rows, expect how many there are: `N = count : \{ \.\.\. \}, N = 2`"):
+    with pytest.raises(
+        ExpectationError, match=r"a\.cpp:3:12: of rows, expect how many there are, `N = count : \{ \.\.\. \}, N = 2`, or behind code"
+    ):
         parse(written("port(_)", sense="only"))
 
 

@@ -124,6 +124,22 @@ def test_beside_code_it_is_about_that_line(rosarch: Callable, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize(
+    ("lines", "query", "unmet"),
+    [
+        ((9, 21), "sends(C, _)", []),
+        ((9,), "sends(C, _)", ["9:31: expected here only: sends(C, _)", "there is  C = node.cpp#6898:21:7:call  node.cpp:21"]),
+        ((8,), "sends(C, _), operator(C, _)", ["8:22: expected here only: sends(C, _), operator(C, _)", "no such row"]),
+    ],
+)
+def test_rows_that_are_here_only(rosarch: Callable, tmp_path: Path, lines: tuple[int, ...], query: str, unmet: list[str]) -> None:
+    path = tmp_path / "node.cpp"
+    text = [f"{line}  // expect-only: {query}" if number in lines else line for number, line in enumerate(NODE.splitlines(), 1)]
+    path.write_text("\n".join(text) + "\n")
+    done = rosarch("rules", "test", path)
+    assert [line.strip().removeprefix(f"{path}:") for line in done.out.splitlines()[1:-1]] == unmet
+
+
+@pytest.mark.parametrize(
     ("expectation", "error"),
     [
         ("expect: publishr /out", "1:12: unknown kind of element `publishr`, did you mean `publisher`?"),
