@@ -13,7 +13,7 @@ demo: $(VENV)/.installed
 	$(BIN)/rosarch analyze examples/mobile_base
 
 test: $(VENV)/.installed-dev
-	$(BIN)/python -m pytest $(ARGS)
+	$(BIN)/python -m pytest -n auto --dist worksteal $(ARGS)
 
 # mypy looks for folders that are called as the packages are: rosarch.cli is cli/
 lint: $(VENV)/.installed-dev
