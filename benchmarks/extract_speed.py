@@ -11,6 +11,7 @@ precompiling, healing, walking and writing are all part of it.
 from __future__ import annotations
 
 import argparse
+import gc
 import os
 import sys
 import tempfile
@@ -80,6 +81,7 @@ def main() -> int:
     parser.add_argument("--sources", type=int, default=0, help="how many of the sources, of all sizes (default: all)")
     parser.add_argument("--rounds", type=int, default=3)
     options = parser.parse_args()
+    gc.disable()  # as in a worker
     workspace = discover(options.system)
     units = sample(workspace, options.package, options.sources)
     print(f"| {len(units)} sources | {' | '.join(COLUMNS)} | to bare parse | to precompiled |\n|---|---|---|---|---|---|")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import errno
+import gc
 import multiprocessing
 import os
 import signal
@@ -27,6 +28,8 @@ Result = TypeVar("Result")
 
 MEMORY_LIMIT = 4 << 30
 """Bytes of address space of a worker."""
+_GARBAGE = 200_000
+"""Objects that a worker's tasks have left behind when it looks for cycles among them."""
 _DEATH_SIGNAL = 1
 """`PR_SET_PDEATHSIG` of prctl(2)."""
 
@@ -155,6 +158,7 @@ def _work(function: Callable[[Any], Any], connection: Connection, inherited: Seq
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends its workers
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     _limit(parent)
+    gc.disable()  # in the middle of a task nearly everything is in use
     while True:
         try:
             task = connection.recv()
@@ -170,6 +174,8 @@ def _work(function: Callable[[Any], Any], connection: Connection, inherited: Seq
         except Exception as error:  # the boundary of a worker: whatever goes wrong belongs to this task
             result = _failure(error)
         connection.send(result)
+        if gc.get_count()[0] > _GARBAGE:
+            gc.collect()
 
 
 def _failure(error: Exception) -> Failure:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
@@ -146,7 +145,6 @@ def _derived(
     program = model_program(rules)
 
     def work(component: ComponentFacts | _StoredFacts) -> Relations:
-        gc.disable()  # rows hold no cycles, and a component's memory goes with its evaluation
         result = program.evaluate(component.rows(), engine=engine)
         return {name: result.rows(name) for name in result.names()}
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import pickle
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -80,7 +79,6 @@ def _composed(shared: Surrounding, launches: Sequence[Launch], reading: Reading)
     rules = system_rules(reading.rules)
 
     def work(index: int) -> Composed:
-        gc.disable()
         return _system(rules, launches[index], shared.with_components(own[index]), reading.engine)
 
     for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
