@@ -7,12 +7,16 @@ BIN := $(VENV)/bin
 PACKAGES := cli datalog expectations experiments extractor library models reports rules
 SOURCES := $(PACKAGES) tests benchmarks
 
+COMPILE := $(BIN)/python -m rosarch.models.compile_rules
+
 .PHONY: demo test lint format clean
 
 demo: $(VENV)/.installed
+	@$(COMPILE)
 	$(BIN)/rosarch analyze examples/mobile_base
 
 test: $(VENV)/.installed-dev
+	@$(COMPILE)
 	$(BIN)/python -m pytest -n auto --dist worksteal $(ARGS)
 
 # mypy looks for folders that are called as the packages are: rosarch.cli is cli/
@@ -28,7 +32,7 @@ format: $(VENV)/.installed-dev
 	$(BIN)/ruff format $(SOURCES)
 
 clean:
-	rm -rf $(VENV) build *.egg-info .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) build rules/compiled *.egg-info .mypy_cache .pytest_cache .ruff_cache
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 10) and "rosarch needs Python 3.10 or newer; try make PYTHON=python3.12")'
@@ -36,8 +40,10 @@ $(BIN)/python:
 
 $(VENV)/.installed: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	@$(COMPILE)
 	@touch $@
 
 $(VENV)/.installed-dev: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	@$(COMPILE)
 	@touch $@ $(VENV)/.installed

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .near_misses import WhyNot, why_not, why_not_text
     from .overrides import Overridden
     from .profiling import Profile, profile, profile_text
-    from .program import Attribute, Program, RelationDecl, Result, is_compiled, load_declarations, load_program
+    from .program import Attribute, Program, RelationDecl, Result, is_compiled, load_declarations, load_program, ship_program
     from .proof_printer import Layout, proof_text
     from .proofs import Proof
     from .prover import explain, explain_all
@@ -34,7 +34,7 @@ _LATER = {
     "facts": ("read_facts", "write_facts"),
     "near_misses": ("WhyNot", "why_not", "why_not_text"),
     "overrides": ("Overridden",),
-    "program": ("Attribute", "Program", "RelationDecl", "Result", "is_compiled", "load_declarations", "load_program"),
+    "program": ("Attribute", "Program", "RelationDecl", "Result", "is_compiled", "load_declarations", "load_program", "ship_program"),
     "profiling": ("Profile", "profile", "profile_text"),
     "proof_printer": ("Layout", "proof_text"),
     "proofs": ("Proof",),
@@ -81,6 +81,7 @@ __all__ = [
     "reference_text",
     "row_store",
     "run_rule_tests",
+    "ship_program",
     "table_text",
     "why_not",
     "why_not_text",

@@ -7,7 +7,7 @@ import os
 import pickle
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -28,12 +28,28 @@ def cache_folder() -> Path:
 @cache
 def engine_version() -> str:
     """A hash of the engine's own source and of the Python that runs it: either change makes caches stale."""
-    found = hashlib.sha256(sys.version.encode())
+    return hashlib.sha256(f"{sys.version} {engine_source()}".encode()).hexdigest()[:16]
+
+
+@cache
+def engine_source() -> str:
+    """A hash of the engine's own source."""
+    found = hashlib.sha256()
     for path in sorted(Path(__file__).parent.iterdir()):
         if path.suffix in (".py", ".lark"):
             found.update(path.name.encode())
             found.update(path.read_bytes())
-    return found.hexdigest()[:16]
+    return found.hexdigest()
+
+
+def digest(path: str) -> str:
+    """A hash of the content of a file."""
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+
+
+def unchanged(digests: Mapping[str, str]) -> bool:
+    """Whether all files have the content that they had."""
+    return all(digest(path) == known for path, known in digests.items())
 
 
 def _entry(paths: Sequence[Path], extra: str) -> Path:
@@ -64,10 +80,7 @@ def load(paths: Sequence[Path], extra: str) -> Any | None:
     try:
         with _entry(paths, extra).open("rb") as stream:
             digests, value = pickle.load(stream)
-            for path, known in digests.items():
-                if hashlib.sha256(Path(path).read_bytes()).hexdigest() != known:
-                    return None
-            return value
+            return value if unchanged(digests) else None
     except Exception:
         return None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import marshal
+import sys
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +17,7 @@ from .plan import Code
 from .preprocess import Reading
 from .row_text import Show, line_chunks
 from .runtime import names, ordered
+from .shipped import is_shipped, read_shipped, write_program
 from .types import Types, build_types
 from .user_functors import Functors, FunctorUse, bind, functor_uses
 
@@ -213,7 +215,7 @@ class Program:
 def load_program(
     path: Path | str | Sequence[Path | str], *, extra_source: str = "", preprocess: bool = False, macros: Sequence[str] = (),
     include: Sequence[Path | str] = (), instead: Mapping[Path, Path] | None = None, bits: int = 32, functors: Functors | None = None,
-    on_demand: bool = False,
+    on_demand: bool = False, shipped: Path | None = None,
 ) -> Program:  # fmt: skip
     """Parse, check and compile a program: one or more root files and what they include.
 
@@ -221,7 +223,7 @@ def load_program(
     `macros` (`NAME` or `NAME=VALUE`) defined; `include` are folders for `.include` and `#include`, and an `.include` of a file of `instead`
     takes the file it is mapped to. `bits` is the width of numbers, 32 or 64. `functors` are the functions behind `.functor` declarations.
     A program `on_demand` derives what its outputs need, and has the rows of no other relation. Compiled programs are cached by the content
-    of all files. Raises DatalogError with every diagnostic.
+    of all files; `shipped` may have the program from when the files were installed. Raises DatalogError with every diagnostic.
     """
     if bits not in (32, 64):
         raise DatalogError(f"numbers have 32 or 64 bits, not {bits}")
@@ -229,31 +231,55 @@ def load_program(
     reading = _reading(preprocess, macros, tuple(Path(p) for p in include), instead, bits)
     key = _cache_key(extra_source, reading, bits, on_demand)
     program = cache.load(paths, key)
+    if program is None and shipped is not None:
+        program = _shipped(shipped, paths, key)
     if not isinstance(program, Program):
-        from .sources import (  # what a cached program does without is imported when it is needed
-            EXTRA_SOURCE,
-            TOO_DEEP,
-            deepest,
-            read_program,
-        )
-
-        unit, sources, report = read_program(paths, extra_source, reading)
-        try:
-            program = compile_unit(unit, sources, report, bits, on_demand=on_demand)
-        except RecursionError:
-            report.error(TOO_DEEP, deepest(sources.parsed))
-            raise DatalogError(report.errors[-1:]) from None
-        digests = {p: hashlib.sha256(Path(p).read_bytes()).hexdigest() for p in sources.texts if p != EXTRA_SOURCE}
+        program, digests = _compiled(paths, extra_source, reading, bits, on_demand)
         cache.store(paths, key, digests, program)
     program.functors = dict(functors or {})
     return program
 
 
+def _compiled(paths: Sequence[Path], extra_source: str, reading: Reading, bits: int, on_demand: bool) -> tuple[Program, dict[str, str]]:
+    """The program, and the hashes of its files."""
+    from .sources import EXTRA_SOURCE, TOO_DEEP, deepest, read_program  # a cached program does without
+
+    unit, sources, report = read_program(paths, extra_source, reading)
+    try:
+        program = compile_unit(unit, sources, report, bits, on_demand=on_demand)
+    except RecursionError:
+        report.error(TOO_DEEP, deepest(sources.parsed))
+        raise DatalogError(report.errors[-1:]) from None
+    return program, {path: cache.digest(path) for path in sources.texts if path != EXTRA_SOURCE}
+
+
+def _shipped(file: Path, paths: Sequence[Path], key: str) -> Program | None:
+    found = read_shipped(file, paths, key)
+    if found is None:
+        return None
+    program, python, digests = found
+    if python != sys.version:
+        program.bytecode = bytecode_of(program.code)
+        cache.store(paths, key, digests, program)
+    return program
+
+
 def is_compiled(
-    paths: Sequence[Path], *, extra_source: str = "", instead: Mapping[Path, Path] | None = None, on_demand: bool = False
+    paths: Sequence[Path], *, extra_source: str = "", instead: Mapping[Path, Path] | None = None, on_demand: bool = False,
+    shipped: Path | None = None,
 ) -> bool:  # fmt: skip
     """Whether there is a compiled program of these files, which `load_program` takes unless a file has changed since."""
-    return cache.known(paths, _cache_key(extra_source, _reading(False, (), (), instead, 32), 32, on_demand))
+    key = _cache_key(extra_source, _reading(False, (), (), instead, 32), 32, on_demand)
+    return cache.known(paths, key) or (shipped is not None and is_shipped(shipped, paths, key))
+
+
+def ship_program(file: Path, paths: Sequence[Path], *, on_demand: bool = False) -> None:
+    """Compile a program into a file, unless it is there, for `load_program` to find it wherever its rules are installed."""
+    reading = _reading(False, (), (), None, 32)
+    key = _cache_key("", reading, 32, on_demand)
+    if not is_shipped(file, paths, key):
+        program, digests = _compiled(paths, "", reading, 32, on_demand)
+        write_program(file, paths, key, digests, program)
 
 
 def _reading(preprocess: bool, macros: Sequence[str], folders: tuple[Path, ...], instead: Mapping[Path, Path] | None, bits: int) -> Reading:
@@ -280,7 +306,6 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32, *
             code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
     except DatalogError as error:
         raise with_lines(error, sources.texts) from None
-    bytecode = marshal.dumps(compile(code.source, "<datalog>", "exec"))
     content = hashlib.sha256(f"{cache.engine_version()} {bits}".encode())
     for text in sources.parsed.values():
         content.update(text.encode("utf-8", "surrogateescape") + b"\0")
@@ -295,10 +320,15 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32, *
         dict(sources.parsed),
         {pragma.key: pragma.value for pragma in unit.pragmas},
         functor_uses(unit, checked.types),
-        bytecode,
+        bytecode_of(code),
         sources.overridden,
         on_demand,
     )
+
+
+def bytecode_of(code: Code) -> bytes:
+    """The generated module as this Python has it."""
+    return marshal.dumps(compile(code.source, "<datalog>", "exec"))
 
 
 def declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:

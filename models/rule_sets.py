@@ -145,7 +145,7 @@ def _program(program: str, rules: RuleSet, *, on_demand: bool = False) -> Progra
 
 @lru_cache(maxsize=8)
 def _loaded(program: str, rules: RuleSet, _stamp: tuple[int, ...], on_demand: bool) -> Program:
-    return load_program(roots(program, rules), on_demand=on_demand, **_settings(rules))
+    return load_program(roots(program, rules), on_demand=on_demand, **_settings(rules), shipped=_compiled(program, rules, on_demand))
 
 
 def rule_history(program: str, rules: RuleSet) -> RuleHistory:
@@ -165,7 +165,17 @@ def _stamp(rules: RuleSet) -> tuple[int, ...]:
 
 def is_loaded_soon(rules: RuleSet) -> bool:
     """Whether the rules of components were compiled before, so that they need not be while sources are read."""
-    return is_compiled(roots("component", rules), on_demand=True, **_settings(rules))
+    return is_compiled(roots("component", rules), on_demand=True, **_settings(rules), shipped=_compiled("component", rules, True))
+
+
+def _compiled(program: str, rules: RuleSet, on_demand: bool) -> Path | None:
+    """The file with a program as it was compiled when rosarch was installed."""
+    return compiled_file(program, on_demand=on_demand) if rules == SHIPPED else None
+
+
+def compiled_file(program: str, *, on_demand: bool) -> Path:
+    """Where the shipped rules of components or of systems are compiled to when rosarch is installed."""
+    return rules_folder() / "compiled" / f"{program}{'_on_demand' * on_demand}.pickle"
 
 
 def check_own(rules: RuleSet) -> None:
