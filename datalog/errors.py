@@ -95,6 +95,7 @@ class Report:
         self.sources = sources
         self._lines: dict[str, list[str]] = {}
         self._seen: set[tuple[str, Location | None]] = set()
+        self.refused = 0
         self.errors: list[Diagnostic] = []
         self.warnings: list[Diagnostic] = []
 
@@ -114,7 +115,8 @@ class Report:
         target.append(Diagnostic(message, location, hint, self._source_line(location), severity))
 
     def error(self, message: str, location: Location | None, hint: str = "") -> None:
-        """Record an error; one message is kept once per place."""
+        """Record an error; one message is kept once per place, but counts whenever it is told: a clause may have copies."""
+        self.refused += 1
         self._add(message, location, hint, "error")
 
     def warning(self, message: str, location: Location | None, hint: str = "") -> None:

@@ -135,7 +135,7 @@ def _unknown_relation(name: str, location: Location, relations: Mapping[str, Rel
 
 def _check_names(clause: Clause, relations: Mapping[str, Relation], types: Types, unit: Unit, report: Report) -> bool:
     """Relations exist and have the given number of attributes; false when the clause cannot be checked further."""
-    before = len(report.errors)
+    before = report.refused
     functors = {f.name: f for f in unit.functors}
     for literal in clause_literals(clause):
         for node in walk(literal):
@@ -152,7 +152,7 @@ def _check_names(clause: Clause, relations: Mapping[str, Relation], types: Types
     for node in clause.head.args:
         if isinstance(node, Unnamed):
             report.error("`_` in the head of a clause", node.location)
-    return len(report.errors) == before
+    return report.refused == before
 
 
 def _check_atom(atom: Atom, relations: Mapping[str, Relation], report: Report) -> None:
@@ -231,12 +231,12 @@ class ClauseChecker:
 
     def run(self) -> None:
         """Report every error of the clause."""
-        before = len(self.report.errors)
+        before = self.report.refused
         literals = clause_literals(self.clause)
         for literal in literals:
             for node in walk(literal):
                 self._node(node)
-        if len(self.report.errors) == before:  # else variables without a type are a consequence
+        if self.report.refused == before:  # else variables without a type are a consequence
             for literal in literals:
                 for node in walk(literal):
                     if isinstance(node, Variable):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import rosarch.rules
 from rosarch.extractor.cache import write_whole
-from rosarch.extractor.files import file_name
+from rosarch.extractor.files import file_name, read_file
 
 if TYPE_CHECKING:
     from rosarch.extractor.diagnostics import Diagnostic
@@ -73,7 +73,7 @@ def content_hash(path: Path) -> str:
 def folder_digest(folder: Path) -> str:
     """A hash over the names and contents of all fact files of a folder."""
     digest = hashlib.sha256()
-    for path in sorted(folder.glob("*.facts")):
+    for path in sorted(path for path in folder.glob("*.facts") if path.is_file()):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
 
@@ -115,8 +115,8 @@ def entries_below(manifest: Manifest, top: Path, folder: Path) -> list[FactsEntr
 
 def _json(path: Path) -> Any:
     try:
-        return json.loads(path.read_bytes())
-    except (OSError, ValueError):
+        return json.loads(read_file(path))
+    except (OSError, ValueError, RecursionError):
         return None
 
 
@@ -147,7 +147,7 @@ def read_manifest(folder: Path) -> Manifest:
     from rosarch.extractor.diagnostics import Diagnostic
 
     try:
-        data: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        data: dict[str, Any] = json.loads(read_file(path).decode("utf-8"))
         entries = tuple(_entry(entry) for entry in data["components"])
         diagnostics = tuple(Diagnostic(**{**entry, "path": Path(entry["path"])}) for entry in data["diagnostics"])
         manifest = Manifest(data["root"], entries, dict(data["sources"]), diagnostics)
@@ -156,7 +156,7 @@ def read_manifest(folder: Path) -> Manifest:
         schema = data["schema"]
     except OSError:
         raise ManifestError(f"{path}: no such file; is this a folder of facts?") from None
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise ManifestError(f"{path}: damaged ({error}); extract the facts again") from None
     if data.get("format") != FORMAT or schema != schema_hash():
         raise ManifestError(f"{path}: the facts were written under another schema; extract them again")

@@ -7,7 +7,7 @@ import re
 
 from rosarch.extractor.files import read_file
 
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 
 

@@ -27,7 +27,7 @@ Result = TypeVar("Result")
 
 
 MEMORY_LIMIT = 4 << 30
-"""Bytes of address space of a worker."""
+"""Bytes of address space of a worker, where nothing else is asked for."""
 _GARBAGE = 200_000
 """Objects that a worker's tasks have left behind when it looks for cycles among them."""
 _DEATH_SIGNAL = 1
@@ -56,11 +56,11 @@ def default_jobs() -> int:
 
 
 def run_tasks(
-    function: Callable[[Task], Result], tasks: Sequence[Task], *, jobs: int, timeout: float
+    function: Callable[[Task], Result], tasks: Sequence[Task], *, jobs: int, timeout: float, memory: int = MEMORY_LIMIT
 ) -> Iterator[tuple[int, Result | Failure]]:
     """Yield (index of the task, its result or failure) as tasks end, in no particular order.
 
-    A worker that dies or works on one task for more than `timeout` seconds is replaced.
+    A worker that dies or works on one task for more than `timeout` seconds is replaced. None has more than `memory` bytes of addresses.
     """
     observed = observation.carried(function)
     pending = iter(range(len(tasks)))
@@ -68,7 +68,7 @@ def run_tasks(
     busy: list[_Worker[Task]] = []
     try:
         for _ in range(min(jobs, len(tasks))):
-            workers.append(_start(observed, workers))
+            workers.append(_start(observed, workers, memory))
             _feed(workers[-1], pending, tasks, timeout, busy)
         while busy:
             patience = max(0.0, min(worker.deadline for worker in busy) - time.monotonic())
@@ -79,7 +79,7 @@ def run_tasks(
                 if not worker.process.is_alive():
                     workers.remove(worker)
                     worker.connection.close()
-                    worker = _start(observed, workers)
+                    worker = _start(observed, workers, memory)
                     workers.append(worker)
                 _feed(worker, pending, tasks, timeout, busy)
                 if isinstance(outcome, Failure):
@@ -119,12 +119,12 @@ def _context() -> Any:
     return multiprocessing.get_context("fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn")
 
 
-def _start(function: Callable[[Any], Any], others: Sequence[_Worker[Any]]) -> _Worker[Any]:
+def _start(function: Callable[[Any], Any], others: Sequence[_Worker[Any]], memory: int) -> _Worker[Any]:
     context = _context()
     forks = context.get_start_method() == "fork"
     ours, theirs = context.Pipe()
     inherited = [ours, *(worker.connection for worker in others)] if forks else []
-    process = context.Process(target=_work, args=(function, theirs, inherited, os.getpid()), daemon=True)
+    process = context.Process(target=_work, args=(function, theirs, inherited, os.getpid(), memory), daemon=True)
     process.start()
     theirs.close()
     return _Worker(process, ours)
@@ -152,12 +152,12 @@ def _expire(worker: _Worker[Any], timeout: float) -> Failure:
     return Failure("time limit", f"not done after {timeout:g} s")
 
 
-def _work(function: Callable[[Any], Any], connection: Connection, inherited: Sequence[Connection], parent: int) -> None:
+def _work(function: Callable[[Any], Any], connection: Connection, inherited: Sequence[Connection], parent: int, memory: int) -> None:
     for other in inherited:
         other.close()  # or no worker would see the end of its pipe when the parent is killed
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends its workers
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    _limit(parent)
+    _limit(parent, memory)
     gc.disable()  # in the middle of a task nearly everything is in use
     while True:
         try:
@@ -167,7 +167,7 @@ def _work(function: Callable[[Any], Any], connection: Connection, inherited: Seq
         try:
             result = function(task)
         except MemoryError:
-            result = Failure("memory", f"more than {MEMORY_LIMIT >> 30} GiB")
+            result = Failure("memory", f"more than {memory >> 20} MiB")
         except OSError as error:
             full = error.errno in (errno.ENOSPC, errno.EDQUOT)  # of what is written on the way; to read needs no space
             result = Failure("disk full", str(error.filename or tempfile.gettempdir())) if full else _failure(error)
@@ -183,13 +183,13 @@ def _failure(error: Exception) -> Failure:
     return Failure("error", f"{type(error).__name__}: {error}, in {Path(frame.filename).name}:{frame.lineno}")
 
 
-def _limit(parent: int) -> None:
+def _limit(parent: int, memory: int) -> None:
     """Bound the memory of this process, and end it with its parent, also in the middle of a task."""
     with suppress(ImportError, OSError, ValueError):
         import resource
 
         soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-        limit = min(known for known in (MEMORY_LIMIT, soft, hard) if known != resource.RLIM_INFINITY)
+        limit = min(known for known in (memory, soft, hard) if known != resource.RLIM_INFINITY)
         resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
     if sys.platform == "linux":
         with suppress(OSError, AttributeError):

@@ -11,6 +11,7 @@ from typing import Any
 import yaml
 
 from rosarch.extractor.hints import hint
+from rosarch.extractor.yaml_loader import BoundedLoader
 from rosarch.models.places import Place
 
 LONGEST = 1_000_000  # characters
@@ -46,7 +47,7 @@ def yaml_problem(path: str, error: yaml.YAMLError) -> str:
     return f"{path}:{mark.line + 1}:{mark.column + 1}: {reason}" if mark else f"{path}:1:1: {reason}"
 
 
-class _PlainLoader(yaml.SafeLoader):
+class _PlainLoader(BoundedLoader):
     """Composes trees of nodes: no node twice, none of a type of its own."""
 
     def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import os
 import re
@@ -30,6 +31,8 @@ _UNPREDICTABLE = re.compile(  # a macro's include; a directive that is not writt
     re.MULTILINE,
 )
 _MESSAGE_HEADER = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
+_NO_NAME = (errno.EISDIR, errno.ENOTDIR, errno.EEXIST, errno.ENAMETOOLONG, errno.EINVAL)
+"""What the system says of a name that no file can have here."""
 _HEADER_SUFFIXES = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".inl", ".tcc", ".cuh")
 
 
@@ -274,14 +277,18 @@ class HeaderFinder:
 
     def _write(self, folder: str, name: str, text: str) -> Path:
         path = self.scratch / folder / name
-        if not path.resolve().is_relative_to(self.scratch.resolve()):  # a name with ../ in it
-            path = self.scratch / folder / path.name
-        if not path.is_file():
-            path.parent.mkdir(parents=True, exist_ok=True)
-            temporary = path.with_name(f"{path.name}.{os.getpid()}")
-            temporary.write_text(text, encoding="utf-8", errors="surrogateescape")
-            temporary.replace(path)
-        return path
+        try:
+            if not path.resolve().is_relative_to(self.scratch.resolve()):  # a name with ../ in it, or an absolute one
+                path = self.scratch / folder / path.name
+            if not path.is_file():
+                path.parent.mkdir(parents=True, exist_ok=True)
+                temporary = path.with_name(f"{path.name}.{os.getpid()}")
+                temporary.write_text(text, encoding="utf-8", errors="surrogateescape")
+                temporary.replace(path)
+        except (OSError, ValueError) as error:
+            if isinstance(error, OSError) and error.errno not in _NO_NAME:
+                raise
+        return path  # perhaps of no file: clang goes on without it
 
 
 def is_shipped(path: str) -> bool:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
+from rosarch.extractor.xml_reader import XmlError
 
 from . import elements, nodes
 from .descriptions import note_worlds
@@ -23,7 +24,7 @@ from .names import global_namespace
 from .scope import Scope
 from .state import Exhausted, Handler, State
 from .unknowns import cleaned
-from .xml_reader import Element, XmlError, read_launch
+from .xml_reader import Element, read_launch
 
 MAX_INCLUDE_DEPTH = 60
 MAX_INCLUDES = 20_000

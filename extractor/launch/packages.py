@@ -17,7 +17,7 @@ from rosarch.extractor.files import read_file
 from rosarch.extractor.package_names import quick_name
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _WORD = re.compile(r"[\w.+-]+")
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _LINE_COMMENT = re.compile(r"#.*")

@@ -1,18 +1,13 @@
-"""Launch XML as elements with positions.
-
-A document may come from anyone: entity declarations are refused, nothing outside the text is read, and depth is bounded.
-"""
+"""Launch XML as elements with positions."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from xml.parsers import expat
+
+from rosarch.extractor.xml_reader import Reader, XmlError
 
 from .unknowns import cleaned
-
-MAX_DEPTH = 150  # elements within elements; far above any launch file, far below what the interpreter's stack holds
-_SEPARATOR = " "  # between namespace, name and prefix; expat refuses a namespace that contains it
 
 
 @dataclass(eq=False)
@@ -35,14 +30,6 @@ class Element:
             stack.extend(reversed(element.children))
 
 
-class XmlError(Exception):
-    """A document that cannot be read, and where."""
-
-    def __init__(self, message: str, line: int, column: int) -> None:
-        super().__init__(message)
-        self.message, self.line, self.column = message, line, column
-
-
 def read_launch(data: bytes, _path: str) -> Element:
     """The one `<launch>` element of a document; roslaunch looks for it at any depth.
 
@@ -56,63 +43,6 @@ def read_launch(data: bytes, _path: str) -> Element:
     if len(found) > 1:
         raise XmlError("a second <launch> in this file", found[1].line, found[1].column)
     return found[0]
-
-
-class Reader:
-    """Reads a document with expat. Names keep their prefixes, as in the text; subclasses make of it what they need."""
-
-    def __init__(self) -> None:
-        self.parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
-        self.parser.namespace_prefixes = True
-        self.parser.buffer_text = True
-        self.parser.StartElementHandler = self._start
-        self.parser.EndElementHandler = self._end
-        self.parser.CharacterDataHandler = self.characters
-        self.parser.EntityDeclHandler = self._entity
-        self.depth = 0
-
-    def read(self, data: bytes) -> None:
-        """Parse a whole document.
-
-        Raises:
-            XmlError: it is malformed, declares entities, or is too deep.
-        """
-        try:
-            self.parser.Parse(data, True)
-        except expat.ExpatError as error:
-            reason = expat.ErrorString(error.code)
-            raise XmlError(f"broken XML: {reason}", error.lineno, error.offset + 1) from None
-        except (ValueError, LookupError) as error:  # an encoding that Python does not know
-            raise XmlError(f"broken XML: {error}", 1, 1) from None
-
-    def start(self, tag: str, attributes: dict[str, str], line: int, column: int) -> None:
-        """An element begins."""
-        raise NotImplementedError
-
-    def end(self) -> None:
-        """The element that began last ends."""
-        raise NotImplementedError
-
-    def characters(self, data: str) -> None:
-        """Character data of the element that is open."""
-        raise NotImplementedError
-
-    def _start(self, name: str, attributes: dict[str, str]) -> None:
-        line, column = self._position()
-        if self.depth >= MAX_DEPTH:
-            raise XmlError(f"elements nested more than {MAX_DEPTH} deep", line, column)
-        self.depth += 1
-        self.start(_qualified(name), {_qualified(key): cleaned(value) for key, value in attributes.items()}, line, column)
-
-    def _end(self, _name: str) -> None:
-        self.depth -= 1
-        self.end()
-
-    def _entity(self, name: str, *_rest: object) -> None:
-        raise XmlError(f"entity `{name}` is declared here; entities are not expanded", *self._position())
-
-    def _position(self) -> tuple[int, int]:
-        return self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
 
 
 class _LaunchReader(Reader):
@@ -132,7 +62,7 @@ class _LaunchReader(Reader):
         return self.root
 
     def start(self, tag: str, attributes: dict[str, str], line: int, column: int) -> None:
-        element = Element(tag, attributes, line, column)
+        element = Element(tag, {name: cleaned(value) for name, value in attributes.items()}, line, column)
         if self.open:
             self.open[-1].children.append(element)
         else:
@@ -147,8 +77,3 @@ class _LaunchReader(Reader):
         if self.texts:
             self.texts[-1].append(data)
 
-
-def _qualified(name: str) -> str:
-    """`prefix:name` of expat's `namespace name prefix`."""
-    parts = name.split(_SEPARATOR)
-    return f"{parts[2]}:{parts[1]}" if len(parts) == 3 else parts[-1]

@@ -13,6 +13,8 @@ from typing import Any
 
 import yaml
 
+from rosarch.extractor.yaml_loader import BoundedLoader
+
 from .evaluation import EvalFailed, Unsupported, radians
 from .values import Binary
 
@@ -32,7 +34,7 @@ class YamlError(Exception):
 KeyLines = Mapping[tuple[str, ...], int]
 
 
-class Loader(yaml.SafeLoader):
+class Loader(BoundedLoader):
     """The safe loader, which makes no objects, with a bound on what `<<` merges."""
 
     def flatten_mapping(self, node: yaml.MappingNode) -> None:

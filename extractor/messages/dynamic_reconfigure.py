@@ -20,6 +20,8 @@ from rosarch.extractor.workspace.model import Package
 from .model import Config, ConfigConstant, ConfigParameter
 
 MAX_CALLS = 10
+MAX_WORK = 200_000  # statements, expressions and characters of values: a program may have loops within loops
+MAX_SIZE = 10_000  # characters of a value
 TYPES = {"int_t": "int", "double_t": "double", "str_t": "string", "bool_t": "bool"}
 _ADD_NAMES = ("name", "paramtype", "level", "description", "default", "min", "max", "edit_method")
 _CONST_NAMES = ("name", "type", "value", "descr")
@@ -33,11 +35,18 @@ def parse_config(text: str, package: Package, path: Path, packages: Iterable[Pac
         problems.append(Diagnostic("config-syntax", path, getattr(error, "lineno", 1) or 1, 1, "not Python 3, read by pattern"))
         return _by_pattern(text, package.name, path, problems)
     reader = _Reader(list(packages))
-    reader.statements(tree.body)
+    try:
+        reader.statements(tree.body)
+    except (_TooMuch, RecursionError):
+        problems.append(Diagnostic("config-limit", path, 1, 1, "too much to evaluate, the rest is left out"))
     if reader.generated is None:
         problems.append(Diagnostic("config", path, 1, 1, "no call of generate with a constant name"))
         return None
     return Config(f"{package.name}/{reader.generated}", path, tuple(reader.parameters.values()), tuple(reader.constants.values()))
+
+
+class _TooMuch(Exception):
+    """The program does more than a `.cfg` file needs."""
 
 
 class _Reader:
@@ -51,9 +60,16 @@ class _Reader:
         self.constants: dict[str, ConfigConstant] = {}
         self.generated: str | None = None
         self.depth = 0
+        self.work = 0
+
+    def spend(self, work: int) -> None:
+        self.work += work
+        if self.work > MAX_WORK:
+            raise _TooMuch
 
     def statements(self, body: Iterable[ast.stmt]) -> None:
         for statement in body:
+            self.spend(1)
             if isinstance(statement, ast.FunctionDef):
                 self.functions[statement.name] = statement
             elif isinstance(statement, ast.ImportFrom) and statement.module:
@@ -143,9 +159,23 @@ class _Reader:
 
     def shown(self, node: ast.expr | None) -> str | None:
         value = self.value(node) if node is not None else None
-        return None if value is None else value if isinstance(value, str) else repr(value)
+        try:
+            return None if value is None else value if isinstance(value, str) else repr(value)
+        except ValueError:  # a number of more digits than Python writes
+            return None
 
     def value(self, node: ast.expr) -> object | None:
+        """The value of a constant expression, unless it is large."""
+        self.spend(1)
+        value = self.evaluated(node)
+        if isinstance(value, int) and value.bit_length() > MAX_SIZE:
+            return None
+        if isinstance(value, (str, bytes, list, tuple, set, dict)):
+            self.spend(len(value) // 16)
+            return value if len(value) <= MAX_SIZE else None
+        return value
+
+    def evaluated(self, node: ast.expr) -> object | None:
         """The value of a constant expression."""
         if isinstance(node, ast.Name):
             return self.names.get(node.id)
@@ -166,7 +196,7 @@ class _Reader:
         try:
             constant: object = ast.literal_eval(node)
             return constant
-        except (ValueError, TypeError, SyntaxError):
+        except (ValueError, TypeError, SyntaxError, MemoryError):
             return None
 
 
@@ -188,7 +218,12 @@ def _arithmetic(operator: ast.operator, left: float, right: float) -> float | No
         return None
 
 
+_WIDE = re.compile(r"\d{4,}|\*")
+
+
 def _formatted(template: str, values: object) -> str | None:
+    if _WIDE.search(template):
+        return None  # a width that takes all memory
     try:
         return str(template % values)
     except (TypeError, ValueError):

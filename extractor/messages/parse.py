@@ -16,7 +16,7 @@ from rosarch.extractor.diagnostics import Diagnostic
 from .model import PRIMITIVES, UNBOUNDED, Action, Constant, Field, Message, Service
 
 _LINE = re.compile(
-    r"\s*(?P<type>[A-Za-z][\w/]*)(?:<=\d+)?(?:\[\s*(?P<size>(?:<=)?\s*\d*)\s*\])?\s+(?P<name>[A-Za-z_]\w*)\s*(?P<rest>=.*|\S.*)?$"
+    r"\s*(?P<type>[A-Za-z][\w/]*)(?:<=\d+)?(?:\[\s*(?P<size>(?:<=\s*)?(?:\d{1,9})?)\s*\])?\s+(?P<name>[A-Za-z_]\w*)\s*(?P<rest>=.*|\S.*)?$"
 )
 
 

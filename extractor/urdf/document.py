@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.unknowns import cleaned
-from rosarch.extractor.launch.xml_reader import Reader, XmlError
+from rosarch.extractor.xml_reader import Reader, XmlError
 
 
 @dataclass(eq=False)
@@ -104,7 +104,8 @@ class _DocumentReader(Reader):
         return Document(next(node for node in self.top if isinstance(node, Element)), self.top)
 
     def start(self, tag: str, attributes: dict[str, str], line: int, column: int) -> None:
-        element = Element(tag, {**attributes, **self.namespaces}, Place(self.path, line, column))
+        given = {name: cleaned(value) for name, value in attributes.items()}
+        element = Element(tag, {**given, **self.namespaces}, Place(self.path, line, column))
         self.namespaces = {}
         self._add(element)
         self.open.append(element)

@@ -59,7 +59,7 @@ def read_compile_commands(root: Path) -> CompileCommands:
             entries = json.loads(read_file(path).decode("utf-8"))
             if not isinstance(entries, list):
                 raise ValueError("not a list of commands")
-        except (OSError, ValueError) as error:
+        except (OSError, ValueError, RecursionError) as error:
             line = getattr(error, "lineno", 1)
             problems.append(
                 Diagnostic("compile-commands", path, line, getattr(error, "colno", 1), f"not read: {getattr(error, 'msg', error)}")

@@ -11,12 +11,13 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import file_name, is_folder, read_file
+from rosarch.extractor.xml_reader import XmlError, read_tree
 
 from .options import DEFAULT_DISTRO, initial_environment
 
@@ -87,15 +88,11 @@ def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | 
     """Parse a manifest. One that catkin_pkg refuses but that is XML is kept, with the refusal as a diagnostic."""
     try:
         data = read_file(path)
-        tree = ElementTree.fromstring(data)
-    except ElementTree.ParseError as error:
-        line, column = error.position
-        reason = str(error).partition(": line ")[0]
-        return None, [Diagnostic("manifest", path, line, column + 1, f"broken XML: {reason}")]
+        tree = read_tree(data)
+    except XmlError as error:
+        return None, [Diagnostic("manifest", path, error.line, error.column, error.message)]
     except OSError as error:
         return None, [unreadable(path, error)]
-    except (ValueError, LookupError) as error:
-        return None, [Diagnostic("manifest", path, 1, 1, f"cannot be read: {error}")]
     name = (tree.findtext("name") or "").strip()
     if tree.tag != "package" or not name:
         message = "no <name>" if tree.tag == "package" else f"root element is <{tree.tag}>, not <package>"
@@ -148,12 +145,12 @@ def _reason(error: Exception) -> str:
     return "; ".join(line for line in lines if "package.xml" not in line) or lines[0]
 
 
-def _texts(tree: ElementTree.Element, tags: tuple[str, ...]) -> tuple[str, ...]:
+def _texts(tree: Element, tags: tuple[str, ...]) -> tuple[str, ...]:
     found = ((element.text or "").strip() for tag in tags for element in tree.findall(tag))
     return tuple(dict.fromkeys(text for text in found if text))
 
 
-def _build_type(tree: ElementTree.Element) -> str:
+def _build_type(tree: Element) -> str:
     """`<export><build_type>`, the one without a condition for the other ROS version first; without any, catkin."""
     types = tree.findall("export/build_type")
     for element in types:
@@ -166,7 +163,7 @@ def _build_type(tree: ElementTree.Element) -> str:
     return "ament_cmake" if any(tool.startswith("ament_cmake") for tool in tools) and "catkin" not in tools else "catkin"
 
 
-def _plugin_exports(tree: ElementTree.Element, folder: Path) -> tuple[tuple[str, Path], ...]:
+def _plugin_exports(tree: Element, folder: Path) -> tuple[tuple[str, Path], ...]:
     """`<export><base_package plugin="${prefix}/file.xml"/>`: base package and file (pluginlib documentation)."""
     result: list[tuple[str, Path]] = []
     for export in tree.findall("export"):

@@ -10,10 +10,10 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from xml.etree import ElementTree
 
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import read_file
+from rosarch.extractor.xml_reader import XmlError, read_tree
 
 from .manifests import Manifest
 from .model import PluginClass
@@ -46,11 +46,9 @@ def parse_plugins(text: str, path: Path) -> tuple[list[PluginClass], list[Diagno
     """The classes of one description file."""
     body = _DECLARATION.sub(lambda match: "\n" * match.group().count("\n"), text)
     try:
-        root = ElementTree.fromstring(f"<several>{body}</several>")
-    except ElementTree.ParseError as error:
-        line, column = error.position
-        reason = str(error).partition(": line ")[0]
-        return [], [Diagnostic("plugin-xml", path, line, column + 1, f"broken XML: {reason}")]
+        root = read_tree(f"<several>{body}</several>")
+    except XmlError as error:
+        return [], [Diagnostic("plugin-xml", path, error.line, error.column, error.message)]
     result: list[PluginClass] = []
     for library in root.iter("library"):
         file = (library.get("path") or "").strip()
