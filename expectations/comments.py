@@ -6,12 +6,11 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rosarch.extractor.suppressions import Comment, comments
+from rosarch.extractor.suppressions import Comment, comments, without_end
 
 _MARK = re.compile(
-    r"(?:^|(?<=\n))[ \t]*(?://+|/\*+|\*|\#+|<!--+)?[ \t]*(?P<word>expect(?:-(?P<sense>not|only))?):(?:[ \t]+(?P<text>[^\n]*))?"
+    r"(?:^|(?<=\n))[ \t]*(?:(?://+|/\*+|\*|\#+|<!--+)[ \t]*)?(?P<word>expect(?:-(?P<sense>not|only))?):(?:[ \t]+(?P<text>[^\n]*))?"
 )
-_END = re.compile(r"[ \t\r]*(\*/|--\\?>)?[ \t\r]*$")
 
 
 @dataclass(frozen=True)
@@ -41,6 +40,6 @@ def marked(path: str, text: str) -> Iterator[Marked]:
 
 def _marked(path: str, comment: Comment, match: re.Match[str]) -> Marked:
     line, column = comment.place(match.start("word"))
-    told = _END.sub("", match["text"] or "").strip()
+    told = without_end(match["text"] or "").strip()
     begin = comment.place(match.start("text"))[1] if match["text"] else column
     return Marked(path, line, column, told, begin, match["sense"] or "", comment.first, comment.last, comment.beside)

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 _MARK = re.compile(r"(?<![\w`-])rosarch:[ \t]*ignore\b[ \t]*(?:\[(?P<checks>[^\]\n]*)\])?(?P<reason>[^\n]*)")
-_END_OF_COMMENT = re.compile(r"[ \t\r]*(\*/|--\\?>)?[ \t\r]*$")
 
 _CPP = re.compile(
     r"""(?P<comment>//(?:\\\n|[^\n])*|/\*.*?(?:\*/|\Z))
@@ -110,6 +109,13 @@ def suppressions_in(path: str, text: str) -> list[Suppression]:
     return list(_Source(text, syntax).suppressions(path))
 
 
+def without_end(line: str) -> str:
+    """A line of a comment without the mark that ends the comment."""
+    line = line.rstrip(" \t\r")
+    end = next((end for end in ("*/", "-->", "--\\>") if line.endswith(end)), "")
+    return line.removesuffix(end).rstrip(" \t\r")
+
+
 def _syntax(path: str) -> re.Pattern[str] | None:
     name = PurePosixPath(path)
     return _NAMED.get(name.name) or _SYNTAX.get(name.suffix.lower())
@@ -135,7 +141,7 @@ class _Source:
         for number, (start, end) in enumerate(self.comments):
             for mark in _MARK.finditer(self.text, start, end):
                 checks = tuple(dict.fromkeys((mark["checks"] or "").replace(",", " ").split()))
-                reason = _END_OF_COMMENT.sub("", mark["reason"]).strip(" \t:,-")
+                reason = without_end(mark["reason"]).strip(" \t:,-")
                 line = self.line(mark.start())
                 column = mark.start() - self.starts[line - 1] + 1
                 yield Suppression(path, line, column, checks, reason, *self._subject(number))

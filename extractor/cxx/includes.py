@@ -33,6 +33,8 @@ _UNPREDICTABLE = re.compile(  # a macro's include; a directive that is not writt
 _MESSAGE_HEADER = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
 _NO_NAME = (errno.EISDIR, errno.ENOTDIR, errno.EEXIST, errno.ENAMETOOLONG, errno.EINVAL)
 """What the system says of a name that no file can have here."""
+_DEEPEST = 100
+"""Folders within each other that a header may lie in."""
 _HEADER_SUFFIXES = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".inl", ".tcc", ".cuh")
 
 
@@ -280,7 +282,7 @@ class HeaderFinder:
         try:
             if not path.resolve().is_relative_to(self.scratch.resolve()):  # a name with ../ in it, or an absolute one
                 path = self.scratch / folder / path.name
-            if not path.is_file():
+            if not path.is_file() and name.count("/") < _DEEPEST:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 temporary = path.with_name(f"{path.name}.{os.getpid()}")
                 temporary.write_text(text, encoding="utf-8", errors="surrogateescape")
