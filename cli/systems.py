@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -86,7 +87,8 @@ def load_systems(inputs: SystemInputs, configuration: Configuration | None = Non
     When some are `required`, a workspace without launch files is refused.
     """
     where = _surroundings(inputs, configuration)
-    return _analyze(inputs, configuration, where, _memo(inputs, where), required=required)
+    with _confined(where):
+        return _analyze(inputs, configuration, where, _memo(inputs, where), required=required)
 
 
 def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked:
@@ -100,10 +102,12 @@ def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked
         return checked(_analyze(inputs, configuration, where, memo, required=True))
 
     if memo is None:
-        return check()
+        with _confined(where):
+            return check()
     folders = [os.path.abspath(folder) for folder in (*where.package_path, *(inputs.library or ()))]
     asked = [repr(_requests(inputs, configuration)), repr(folders), *_reading(inputs).key()]
-    return memo.recall(["check", os.path.abspath(inputs.folder), os.getcwd(), *asked], folders, check)
+    with _confined(where):
+        return memo.recall(["check", os.path.abspath(inputs.folder), os.getcwd(), *asked], folders, check)
 
 
 def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
@@ -113,7 +117,15 @@ def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
     with progress() as report:
         where = _surroundings(inputs, None)
         launches = _launches(inputs, None, where)
-        return surrounding(inputs.folder, launches, _reading(inputs, report), _memo(inputs, where)), launches
+        with _confined(where):
+            return surrounding(inputs.folder, launches, _reading(inputs, report), _memo(inputs, where)), launches
+
+
+def _confined(where: Surroundings) -> AbstractContextManager[None]:
+    """What may be read: the workspace and the package path."""
+    from rosarch.extractor.boundary import confined, ros_package_path
+
+    return confined([*where.package_path, *ros_package_path()])
 
 
 def _analyze(
@@ -178,7 +190,9 @@ def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> 
     check_folder(inputs.folder)
     check_engine(inputs.engine)
     environment = dict(os.environ)
-    folders = [Path(folder) for folder in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if os.path.isdir(folder)]
+    from rosarch.extractor.boundary import ros_package_path
+
+    folders = ros_package_path()
     if configuration is not None:
         environment.update(configuration.environment)
         folders = [check_folder(Path(folder)) for folder in configuration.package_path] or folders

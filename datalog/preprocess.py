@@ -80,6 +80,9 @@ def expand(
     except (OSError, UnicodeDecodeError) as error:
         report.error(f"cannot read an included file: {error}", Location(path, 1, 1))
         return ""
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:  # of the library, for what it does not expect
+        report.error(f"cannot preprocess this file: {' '.join(str(error).split())}", Location(path, 1, 1))
+        return ""
     return result.getvalue()
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rosarch.extractor import observation
+from rosarch.extractor.boundary import OUTSIDE, is_inside
 
 _LONGEST = 200
 """Bytes of a file's name, with room for a suffix."""
@@ -30,12 +31,14 @@ def path_below(folder: Path, *names: str) -> Path:
 
 
 def read_file(path: str | Path) -> bytes:
-    """The content of a regular file; OSError for anything else: to read a pipe would block, to read a device might never end."""
+    """The content of a regular file inside the boundary; OSError for anything else: to read a pipe would block, a device might never end."""
     status = content = None
     try:
         status = os.stat(path)
         if not stat.S_ISREG(status.st_mode):
             raise OSError(errno.EINVAL, "not a regular file", str(path))
+        if not is_inside(path):
+            raise OSError(errno.EACCES, OUTSIDE, str(path))
         content = Path(path).read_bytes()
         return content
     finally:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TypeVar, cast
 
 from rosarch.extractor import observation
+from rosarch.extractor.boundary import folders
 from rosarch.extractor.cache import Cache, hash_of, version_of
 
 Value = TypeVar("Value")
@@ -39,7 +40,7 @@ class Memo:
 
         `make` may look at everything below `trees`, and read files and variables as `observation` records it.
         """
-        name = hash_of(["stage", stage_version(), *key])
+        name = hash_of(["stage", stage_version(), *folders(), "", *key])
         known = self._known(name)
         if known is not None:
             observation.seen(known[0])

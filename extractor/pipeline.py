@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rosarch.extractor import observation
+from rosarch.extractor.boundary import confined, ros_package_path
 from rosarch.extractor.cache import Cache, hash_of
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
@@ -20,7 +21,7 @@ from rosarch.extractor.cxx.unit import file_key, merge
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.files import path_text
 from rosarch.extractor.manifest import write_manifest
-from rosarch.extractor.messages import MessageClass, header_text, load_messages, message_classes
+from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.units import Progress, UnitFile, UnitReader, read_units, unit_rows
 from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, programs, without_library
@@ -105,32 +106,27 @@ def extract(
     variables. With a `cache`, only what has changed since an earlier extraction is read again. Sources that fail and whatever else was
     not understood is in `diagnostics`; nothing raises for bad input below `root`.
     """
-    workspace = workspace or discover(root, packages, defines=defines, timeout=timeout)
-    store = load_messages(workspace.packages)
-    extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
-    scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
-    observation.ignore(scratch)
-    found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
-    commands = read_compile_commands(workspace.root)
-    extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
-    units_of = {component: compile_units(workspace, component, commands) for component in found}
-    units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
-    extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
-    extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
-    finder = HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name), searched=workspace.searched)
-    reader = UnitReader(workspace.root, finder, scratch, cache)
-    reading = read_units(units, reader, jobs or default_jobs(), timeout, progress)
+    with ExitStack() as confinement:
+        confinement.enter_context(confined([root, *ros_package_path()]))
+        workspace = workspace or discover(root, packages, defines=defines, timeout=timeout)
+        store = load_messages(workspace.packages)
+        extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
+        scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
+        observation.ignore(scratch)
+        found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
+        commands = read_compile_commands(workspace.root)
+        extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
+        units_of = {component: compile_units(workspace, component, commands) for component in found}
+        units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
+        extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
+        extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
+        confinement.enter_context(confined([scratch, *{folder for unit in units for folder in unit.installed}]))
+        finder = HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name), searched=workspace.searched)
+        reader = UnitReader(workspace.root, finder, scratch, cache)
+        reading = read_units(units, reader, jobs or default_jobs(), timeout, progress)
     extraction.seconds = reading.seconds
     extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str) if units else extraction.diagnostics
-    classes = {
-        (name, row.role or row.kind, _message_type(row))
-        for row in message_classes(store)
-        for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
-    }
-    configs = {
-        (f"{config.name}Config", p.name, p.type, _default(p.default)) for config in store.configs.values() for p in config.parameters
-    }
-    defined = _Defined(classes, configs, hash_of(map(repr, (*sorted(classes), *sorted(configs)))))
+    defined = _defined(store)
     extraction.components = tuple(
         _component_facts(component, units_of[component], workspace.root, reading.files, defined)
         for component in sorted(found, key=lambda c: (c.package, c.name))
@@ -184,6 +180,18 @@ class _Defined:
     classes: set[tuple[str, str, str]]
     configs: set[tuple[str, str, str, str]]
     digest: str
+
+
+def _defined(store: MessageStore) -> _Defined:
+    classes = {
+        (name, row.role or row.kind, _message_type(row))
+        for row in message_classes(store)
+        for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
+    }
+    configs = {
+        (f"{config.name}Config", p.name, p.type, _default(p.default)) for config in store.configs.values() for p in config.parameters
+    }
+    return _Defined(classes, configs, hash_of(map(repr, (*sorted(classes), *sorted(configs)))))
 
 
 def _component_facts(

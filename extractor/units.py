@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.extractor.boundary import OUTSIDE, is_inside
 from rosarch.extractor.cache import Cache, extractor_version, hash_of, write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder, Includes
 from rosarch.extractor.cxx.recover import Names
@@ -176,7 +177,10 @@ def read_units(units: Sequence[CompileUnit], reader: UnitReader, jobs: int, time
     """Extract every unit into a file, unless it is in the cache."""
     reading = Reading(diagnostics=[problem for source in sorted({unit.source for unit in units}) for problem in _odd_source(source)])
     extractor_version()  # once here, and not in each worker
-    largest = sorted(units, key=lambda unit: -_size(unit.source))  # long ones first: even ends
+    outside = {source for source in {unit.source for unit in units} if not is_inside(source)}
+    reading.files.update((unit, Failure("outside", OUTSIDE)) for unit in units if unit.source in outside)
+    reading.diagnostics += [Diagnostic("source", source, 1, 1, f"not analysed: {OUTSIDE}") for source in outside]
+    largest = sorted((unit for unit in units if unit.source not in outside), key=lambda unit: -_size(unit.source))  # long ones first: even ends
     lost: set[Diagnostic] = set()  # a header's are found by every source that includes it
 
     def run(work: Callable[[CompileUnit], UnitFile | None], waiting: Sequence[CompileUnit]) -> list[CompileUnit]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import hashlib
+import json
 import os
 import re
 from collections.abc import Callable, Collection, Sequence
@@ -12,6 +13,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rosarch.extractor import observation
+from rosarch.extractor.boundary import folders as inside
+from rosarch.extractor.boundary import is_inside
 from rosarch.extractor.cache import hash_of
 from rosarch.extractor.files import read_file
 
@@ -63,10 +66,12 @@ _Folders = tuple[tuple[Path, ...], tuple[Path, ...]]
 class Includes:
     """What one source includes, directly and through others, as paths; `made` are the folders of generated and absent headers.
 
+    `overlay` is the file that tells clang what it may see.
     A source is not `predictable` when macros decide what it includes: what it depends on is then not known in full.
     """
 
     made: list[Path] = field(default_factory=list)
+    overlay: Path | None = None
     files: Collection[str] = ()
     missing: list[Missing] = field(default_factory=list)
     predictable: bool = True
@@ -100,6 +105,8 @@ class HeaderFinder:
         self._digests: dict[str, bytes] = {}
         self._unpredictable: set[str] = set()
         self._exists: dict[str, bool] = {}
+        self._barred: set[str] = set()
+        self._overlays: dict[frozenset[str], Path] = {}
         self._made: dict[str, Path | None] = {}
         self._searches: dict[_Folders, _Search] = {}
         self._stamps: dict[str, str] = {}
@@ -162,6 +169,7 @@ class HeaderFinder:
                     queue.append(target)
         result.files = seen
         result.made = sorted(extra)
+        result.overlay = self._overlay()
         result.predictable = self._unpredictable.isdisjoint(seen)
         if not result.predictable:
             observation.uncertain()
@@ -211,7 +219,9 @@ class HeaderFinder:
         if known is None:
             if not is_shipped(path):
                 observation.probe(path)
-            known = self._exists[path] = os.path.isfile(path)
+            known = self._exists[path] = os.path.isfile(path) and is_inside(path)
+            if not known and os.path.islink(path):
+                self._barred.add(path)
         return known
 
     def _resolve(self, file: str, search: _Search, line: int, name: str, quoted: bool) -> _Found:
@@ -276,6 +286,17 @@ class HeaderFinder:
             match = _MESSAGE_HEADER.fullmatch(name)
             self._made[key] = self._write(folder, name, _assumed_message(*match.groups()) if match else "")
         return self.scratch / folder
+
+    def _overlay(self) -> Path | None:
+        """A file system for clang in which there is nothing beyond the boundary; links that lead there are empty files."""
+        barred = frozenset(self._barred)
+        if inside() and barred not in self._overlays:
+            seen = [{"type": "file", "name": path, "external-contents": os.devnull} for path in sorted(barred)]
+            for folder in dict.fromkeys([*inside(), str(self.scratch), str(SHIPPED)]):
+                seen.append({"type": "directory-remap", "name": folder, "external-contents": folder})
+            text = json.dumps({"version": 0, "case-sensitive": "true", "redirecting-with": "redirect-only", "roots": seen})
+            self._overlays[barred] = self._write("overlays", f"{hash_of([text])[:10]}.yaml", text)
+        return self._overlays.get(barred)
 
     def _write(self, folder: str, name: str, text: str) -> Path:
         path = self.scratch / folder / name

@@ -71,6 +71,8 @@ def arguments_of(unit: CompileUnit, includes: Includes, prelude: Path | None) ->
         *(f"-I{folder}" for folder in unit.include_dirs),
         *_system([*SHIPPED_DIRS, *includes.made]),
     ]
+    if includes.overlay is not None:
+        arguments += ["-ivfsoverlay", str(includes.overlay)]
     if prelude is not None and unit.language == "c++":
         arguments += ["-include-pch", str(prelude)]
     return arguments

@@ -35,8 +35,9 @@ class PackagePath:
     def packages(self) -> dict[str, str]:
         """The folder of each package."""
         found: dict[str, str] = {}
+        roots = tuple(os.path.realpath(folder).rstrip("/") + "/" for folder in self.folders)
         for folder in self.folders:
-            for name, path in _packages_below(folder):
+            for name, path in _packages_below(folder, roots):
                 found.setdefault(name, path)
         return found
 
@@ -68,7 +69,8 @@ def _names_below(folder: str) -> frozenset[str]:
     return frozenset(found)
 
 
-def _packages_below(top: str) -> Iterator[tuple[str, str]]:
+def _packages_below(top: str, roots: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    """Name and folder of each package; links that lead out of all `roots` are not followed."""
     visited = {os.path.realpath(top)}
     stack = [top]
     while stack:
@@ -94,7 +96,7 @@ def _packages_below(top: str) -> Iterator[tuple[str, str]]:
                 continue
             if entry.is_symlink():
                 real = os.path.realpath(entry.path)
-                if real in visited or f"{folder}/".startswith(real + "/"):
+                if real in visited or f"{folder}/".startswith(real + "/") or not f"{real}/".startswith(roots):
                     continue
                 visited.add(real)
             stack.append(entry.path)

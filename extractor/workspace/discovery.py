@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from rosarch.extractor.boundary import confined, ros_package_path
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import file_name, read_file
 from rosarch.extractor.hints import hint
@@ -78,6 +79,10 @@ class _Discovery:
 
     def run(self, names: Collection[str] | None) -> Workspace:
         """Evaluate what is asked for."""
+        with confined([self.root, *ros_package_path()]):
+            return self._run(names)
+
+    def _run(self, names: Collection[str] | None) -> Workspace:
         self._locate()
         if not self.paths and not self.diagnostics:
             self._report("workspace", self.root, "no package.xml below this folder")

@@ -15,6 +15,7 @@ from xml.etree.ElementTree import Element
 
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
+from rosarch.extractor.boundary import is_inside
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import file_name, is_folder, read_file
 from rosarch.extractor.xml_reader import XmlError, read_tree
@@ -23,6 +24,7 @@ from .options import DEFAULT_DISTRO, initial_environment
 
 IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
 HEAVY_FOLDERS = frozenset({"node_modules", "__pycache__", "venv", "site-packages"})
+LEADS_OUT = "a link out of the workspace, which is not followed unless its target is in ROS_PACKAGE_PATH"
 _GENERATED_MARKERS = frozenset({".catkin", ".built_by", "CMakeCache.txt"})
 
 
@@ -55,6 +57,9 @@ def find_manifests(root: Path, problems: list[Diagnostic], *, ignored: bool = Fa
                 continue
             if entry.is_symlink():
                 real = os.path.realpath(entry.path)
+                if not is_inside(real):
+                    problems.append(Diagnostic("outside", Path(entry.path), 1, 1, LEADS_OUT))
+                    continue
                 if real in visited or f"{folder}/".startswith(real + "/"):
                     continue
                 visited.add(real)

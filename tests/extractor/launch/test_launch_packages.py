@@ -52,8 +52,10 @@ def test_links_and_special_files(tmp_path: Path) -> None:
     workspace = tmp_path / "workspace"
     workspace.mkdir()
     (workspace / "link").symlink_to(elsewhere)
+    (workspace / "outside").symlink_to(package(tmp_path / "outside" / "hidden", "hidden"))
     (workspace / "loop").symlink_to(workspace)
     (workspace / "dangling").symlink_to(tmp_path / "none")
     (workspace / "fifo").mkdir()
     os.mkfifo(workspace / "fifo" / "package.xml")
-    assert PackagePath([workspace]).packages == {"linked": str(workspace / "link")}
+    assert PackagePath([workspace]).packages == {}
+    assert PackagePath([workspace, elsewhere.parent]).packages == {"linked": str(workspace / "link")}
