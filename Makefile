@@ -4,7 +4,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-PACKAGES := cli datalog expectations experiments extractor library models reports rules
+PACKAGES := cli corpus datalog expectations experiments extractor library models reports rules
 SOURCES := $(PACKAGES) tests benchmarks
 
 COMPILE := $(BIN)/python -m rosarch.models.compile_rules

@@ -16,6 +16,7 @@ COMMANDS = {
     "diff": "diff",
     "launch": "launch",
     "check": "check",
+    "corpus": "corpus",
     "library": "library:app",
     "score": "score",
     "experiment": "experiment",
@@ -39,6 +40,8 @@ SUMMARIES = {
     "launch": "Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything.",
     "check": "Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit"
     " together.",
+    "corpus": "Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has"
+    " findings.",
     "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
     "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",
     "explain": "Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about.",

@@ -31,7 +31,7 @@ def path_below(folder: Path, *names: str) -> Path:
 
 
 def read_file(path: str | Path) -> bytes:
-    """The content of a regular file inside the boundary; OSError for anything else: to read a pipe would block, a device might never end."""
+    """The content of a regular file inside the boundary; OSError for anything else: a pipe would block, a device might never end."""
     status = content = None
     try:
         status = os.stat(path)

@@ -191,8 +191,13 @@ def _limit(parent: int, memory: int) -> None:
         soft, hard = resource.getrlimit(resource.RLIMIT_AS)
         limit = min(known for known in (memory, soft, hard) if known != resource.RLIM_INFINITY)
         resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+    end_with_parent(parent)
+
+
+def end_with_parent(parent: int) -> None:
+    """Have this process killed when `parent`, which started it, ends in whatever way."""
     if sys.platform == "linux":
         with suppress(OSError, AttributeError):
             ctypes.CDLL(None).prctl(_DEATH_SIGNAL, signal.SIGKILL)
-        if os.getppid() != parent:  # it was killed before
+        if os.getppid() != parent:  # it has ended before
             os._exit(1)

@@ -180,7 +180,9 @@ def read_units(units: Sequence[CompileUnit], reader: UnitReader, jobs: int, time
     outside = {source for source in {unit.source for unit in units} if not is_inside(source)}
     reading.files.update((unit, Failure("outside", OUTSIDE)) for unit in units if unit.source in outside)
     reading.diagnostics += [Diagnostic("source", source, 1, 1, f"not analysed: {OUTSIDE}") for source in outside]
-    largest = sorted((unit for unit in units if unit.source not in outside), key=lambda unit: -_size(unit.source))  # long ones first: even ends
+    largest = sorted(
+        (unit for unit in units if unit.source not in outside), key=lambda unit: -_size(unit.source)
+    )  # long ones first: even ends
     lost: set[Diagnostic] = set()  # a header's are found by every source that includes it
 
     def run(work: Callable[[CompileUnit], UnitFile | None], waiting: Sequence[CompileUnit]) -> list[CompileUnit]:

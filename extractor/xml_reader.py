@@ -1,4 +1,4 @@
-"""XML read with expat. A document may come from anyone: entity declarations are refused, nothing outside the text is read, depth is bounded."""
+"""XML read with expat. A document may come from anyone: entities are refused, nothing outside the text is read, depth is bounded."""
 
 from __future__ import annotations
 

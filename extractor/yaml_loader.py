@@ -15,5 +15,5 @@ class BoundedLoader(yaml.SafeLoader):
     def fetch_flow_collection_start(self, TokenClass: Any) -> None:
         """A bracket opens."""
         if self.flow_level >= MAX_NESTING:
-            raise yaml.scanner.ScannerError(None, None, f"brackets nested more than {MAX_NESTING} deep", self.get_mark())  # type: ignore[no-untyped-call]
+            raise yaml.scanner.ScannerError(None, None, f"brackets nested more than {MAX_NESTING} deep", self.get_mark())
         super().fetch_flow_collection_start(TokenClass)

@@ -8,11 +8,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from rosarch.extractor import observation
+from rosarch.extractor.xml_reader import XmlError
 
 from .compose import compose
 from .files import Files
 from .model import Composition, LaunchError
-from .xml_reader import XmlError, read_launch
+from .xml_reader import read_launch
 
 _SUFFIXES = (".launch", ".launch.xml")
 _UNKNOWN = re.compile(r"\$\([^()]*\)")

@@ -76,4 +76,3 @@ class _LaunchReader(Reader):
     def characters(self, data: str) -> None:
         if self.texts:
             self.texts[-1].append(data)
-

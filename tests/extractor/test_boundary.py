@@ -81,7 +81,9 @@ def test_the_inside_is_known_by_real_paths(tmp_path: Path) -> None:
     assert is_inside("/etc/passwd")
     with confined([tmp_path / "called"]):
         kept = ["called/a/file", "ws/a/file", "ws/b/file", "called/b", "ws"]
-        assert [name for name in [*kept, "out/file", "ws/out", "ws/out/file", "ws/a/../../out/file", "ws2"] if is_inside(tmp_path / name)] == kept
+        assert [
+            name for name in [*kept, "out/file", "ws/out", "ws/out/file", "ws/a/../../out/file", "ws2"] if is_inside(tmp_path / name)
+        ] == kept
         assert read_file(tmp_path / "called/a/file") == b"a"
         with pytest.raises(PermissionError, match="outside of the workspace"):
             read_file(tmp_path / "ws/out/file")

@@ -103,7 +103,11 @@ def _tried(target: Target, batch: Iterable[bytes], folder: Path) -> Iterator[tup
 
 def _where(error: BaseException) -> str:
     frames = traceback.extract_tb(error.__traceback__)
-    ours = [frame for frame in frames if f"{HERE.parent.parent}/" in frame.filename and "/tests/" not in frame.filename and ".venv" not in frame.filename]
+    ours = [
+        frame
+        for frame in frames
+        if f"{HERE.parent.parent}/" in frame.filename and "/tests/" not in frame.filename and ".venv" not in frame.filename
+    ]
     frame = (ours or frames)[-1]
     return f"{Path(frame.filename).name}:{frame.lineno} {frame.name}"
 

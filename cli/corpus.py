@@ -1,0 +1,130 @@
+"""`rosarch corpus`: many workspaces, on this machine or on a cluster."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from rosarch.cli.errors import FINDINGS, USAGE, InputError
+from rosarch.cli.inputs import check_folder, check_output, read_input, unwritable
+from rosarch.cli.options import Format, path_argument
+from rosarch.cli.terminal import emit, progress
+from rosarch.extractor.cache import write_whole
+from rosarch.extractor.files import file_name
+
+Words = Annotated[
+    list[Path],
+    typer.Argument(
+        parser=path_argument,
+        metavar="DIR|FILE...",
+        help="Workspaces, or files with one on each line; `#` begins a comment.",
+        show_default=False,
+    ),
+]
+Out = Annotated[
+    Path,
+    typer.Option(
+        "--out", "-o", parser=path_argument, metavar="OUT", help="Where the reports go: OUT/<workspace>/*.json and OUT/corpus.json."
+    ),
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="A Dask scheduler, as tcp://host:8786; workers of this machine by default.",
+        show_default=False,
+    ),
+]
+Workers = Annotated[
+    int | None, typer.Option("--workers", metavar="N", min=1, help="Without --scheduler: processes; one per processor by default.")
+]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Worker processes within each task.")]
+Retries = Annotated[
+    int, typer.Option("--retries", metavar="N", min=0, help="How often a task that was ended or took too long is tried again.")
+]
+Limit = Annotated[float, typer.Option("--limit", metavar="SECONDS", min=0.001, help="The time limit of one workspace.")]
+
+
+def corpus(
+    words: Words,
+    out: Out,
+    scheduler: Scheduler = None,
+    workers: Workers = None,
+    jobs: Jobs = 1,
+    retries: Retries = 2,
+    limit: Limit = 3600.0,
+    output_format: Annotated[Format, typer.Option("--format", help="The summary on stdout.")] = Format.table,
+) -> None:
+    """Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has findings."""
+    from rosarch.corpus.cluster import Cluster, NoCluster, run
+    from rosarch.corpus.task import Failed, Job
+    from rosarch.extractor.pool import default_jobs
+    from rosarch.reports.corpus import WRITERS
+
+    check_output(out)
+    folders = _named(_folders(words))
+    tasks = [Job(os.path.abspath(folder), ("--jobs", str(jobs)), limit) for folder in folders.values()]
+    names = list(folders)
+    outcomes = {}
+    try:
+        with progress() as report:
+            for index, outcome in run(tasks, Cluster(scheduler, workers or default_jobs(), retries)):
+                name = names[index]
+                outcomes[name] = str(folders[name]), outcome
+                if not isinstance(outcome, Failed):
+                    _write(out / name, outcome.reports)
+                if report:
+                    report("workspaces", len(outcomes), len(tasks))
+    except NoCluster as error:
+        raise InputError(str(error)) from None
+    _write_text(out / "corpus.json", WRITERS["json"](outcomes))
+    emit(WRITERS[output_format.value](outcomes))
+    if any(isinstance(outcome, Failed) for _, outcome in outcomes.values()):
+        raise typer.Exit(USAGE)
+    if any(outcome.reports.get("findings", {}).get("findings") for _, outcome in outcomes.values() if not isinstance(outcome, Failed)):
+        raise typer.Exit(FINDINGS)
+
+
+def _folders(words: Sequence[Path]) -> list[Path]:
+    """The workspaces that are named, each once; those of a file are relative to it."""
+    found: dict[Path, None] = {}
+    for word in words:
+        if word.is_file():
+            lines = (line.partition("#")[0].strip() for line in read_input(word).splitlines())
+            found.update(dict.fromkeys(word.parent / line for line in lines if line))
+        else:
+            found[check_folder(word)] = None
+    if not found:
+        raise InputError("no workspace is named")
+    return list(found)
+
+
+def _named(folders: Sequence[Path]) -> dict[str, Path]:
+    """The workspaces by the names of their folders; of those with one name, the later ones have a number."""
+    found: dict[str, Path] = {}
+    for folder in folders:
+        first = file_name(os.path.basename(os.path.abspath(folder)))
+        name, number = first, 1
+        while name in found:
+            number += 1
+            name = f"{first}_{number}"
+        found[name] = folder
+    return found
+
+
+def _write(folder: Path, reports: Mapping[str, Any]) -> None:
+    for name, document in reports.items():
+        _write_text(folder / f"{name}.json", json.dumps(document, indent=2, ensure_ascii=False) + "\n")
+
+
+def _write_text(path: Path, text: str) -> None:
+    try:
+        write_whole(path, text.encode("utf-8", "backslashreplace"))
+    except OSError as error:
+        raise unwritable(path, error) from None

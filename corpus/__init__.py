@@ -1,0 +1,1 @@
+"""Many workspaces, each analysed by a process of its own, on this machine or on the workers of a Dask cluster."""
