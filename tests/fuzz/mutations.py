@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Callable, Iterator, Sequence
 
 LONGEST = 32 << 10
@@ -26,8 +27,8 @@ def mutants(seeds: Sequence[bytes], words: Sequence[bytes], count: int, seed: st
 
 
 def mutant(chance: random.Random, data: bytes, pieces: Sequence[bytes]) -> bytes:
-    """An input changed in one to five places."""
-    for _ in range(chance.randint(1, 5)):
+    """An input changed in one to five places, most in one: what is broken in many is refused early."""
+    for _ in range(min(5, 1 + int(chance.expovariate(1.2)))):
         data = chance.choice(_MUTATIONS)(chance, data, pieces)[:LONGEST]
     return data
 
@@ -80,4 +81,46 @@ def _cut(chance: random.Random, data: bytes, _pieces: Sequence[bytes]) -> bytes:
     return data[: chance.randrange(len(data) + 1)]
 
 
-_MUTATIONS: tuple[Mutation, ...] = (_flip, _flip, _remove, _insert, _insert, _replace, _replace, _move, _repeat, _nest, _cut)
+def _line(chance: random.Random, data: bytes, _pieces: Sequence[bytes]) -> bytes:
+    """A line dropped, doubled or moved: what is written line by line stays well-formed."""
+    lines = data.splitlines(keepends=True) or [b""]
+    at, other = chance.randrange(len(lines)), chance.randrange(len(lines))
+    line = lines[at]
+    if chance.random() < 0.6:
+        del lines[at]
+    lines[other:other] = [line] * chance.choice((0, 1, 1, 2, 50))
+    return b"".join(lines)
+
+
+_VALUE = re.compile(rb"\"[^\"<\n]*\"|'[^'<\n]*'|(?<=[>:=])[^<>\n:=]+(?=[<\n])")
+
+
+def _value(chance: random.Random, data: bytes, pieces: Sequence[bytes]) -> bytes:
+    """What stands in quotes, in an element or behind a colon, replaced as a whole or in part."""
+    found = list(_VALUE.finditer(data))
+    if not found:
+        return _insert(chance, data, pieces)
+    begin, end = chance.choice(found).span()
+    piece = chance.choice(pieces) if chance.random() < 0.7 else data[slice(*chance.choice(found).span())]
+    piece = piece.strip(b"\"'").replace(b"<", b"").replace(b'"', b"")
+    at = chance.choice((begin + 1, end - 1))
+    return data[: begin + 1] + piece + data[end - 1 :] if chance.random() < 0.6 else data[:at] + piece + data[at:]
+
+
+_MUTATIONS: tuple[Mutation, ...] = (
+    _line,
+    _line,
+    _value,
+    _value,
+    _value,
+    _flip,
+    _remove,
+    _insert,
+    _insert,
+    _replace,
+    _replace,
+    _move,
+    _repeat,
+    _nest,
+    _cut,
+)
