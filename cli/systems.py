@@ -87,7 +87,7 @@ def load_systems(inputs: SystemInputs, configuration: Configuration | None = Non
     When some are `required`, a workspace without launch files is refused.
     """
     where = _surroundings(inputs, configuration)
-    with _confined(where):
+    with _confined(inputs, where):
         return _analyze(inputs, configuration, where, _memo(inputs, where), required=required)
 
 
@@ -102,11 +102,11 @@ def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked
         return checked(_analyze(inputs, configuration, where, memo, required=True))
 
     if memo is None:
-        with _confined(where):
+        with _confined(inputs, where):
             return check()
     folders = [os.path.abspath(folder) for folder in (*where.package_path, *(inputs.library or ()))]
     asked = [repr(_requests(inputs, configuration)), repr(folders), *_reading(inputs).key()]
-    with _confined(where):
+    with _confined(inputs, where):
         return memo.recall(["check", os.path.abspath(inputs.folder), os.getcwd(), *asked], folders, check)
 
 
@@ -117,15 +117,15 @@ def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
     with progress() as report:
         where = _surroundings(inputs, None)
         launches = _launches(inputs, None, where)
-        with _confined(where):
+        with _confined(inputs, where):
             return surrounding(inputs.folder, launches, _reading(inputs, report), _memo(inputs, where)), launches
 
 
-def _confined(where: Surroundings) -> AbstractContextManager[None]:
-    """What may be read: the workspace and the package path."""
+def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:
+    """What may be read: the workspace, the package path, and what else the options name."""
     from rosarch.extractor.boundary import confined, ros_package_path
 
-    return confined([*where.package_path, *ros_package_path()])
+    return confined([*where.package_path, *ros_package_path(), *(inputs.library or ()), *(inputs.rules.own if inputs.rules else ())])
 
 
 def _analyze(

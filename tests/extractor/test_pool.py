@@ -115,7 +115,7 @@ def test_there_is_at_least_one_job() -> None:
 
 def test_memory_and_disk_have_reasons_of_their_own() -> None:
     assert outcomes(["memory", "full disk", "a"], jobs=1) == {
-        0: Failure("memory", "more than 4 GiB"), 1: Failure("disk full", "/tmp/x"), 2: "done a",
+        0: Failure("memory", "more than 4096 MiB"), 1: Failure("disk full", "/tmp/x"), 2: "done a",
     }  # fmt: skip
 
 

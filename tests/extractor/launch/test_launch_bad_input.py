@@ -155,12 +155,13 @@ MERGES = "a0: &a0 {x: 1}\n" + "".join(f"a{i}: &a{i} {{<<: [{','.join([f'*a{i - 1
         (MERGES, "more than 100000 merged keys"),
         ("a: &a [*a]", "a value that contains itself"),
         ("a: &a {b: *a}", "a value that contains itself"),
-        ("a: " + "[" * 20_000, "nested too deeply"),
+        ("a: " + "[" * 20_000, "brackets nested more than 200 deep"),
+        ("- " * 20_000, "nested too deeply"),
         ("a: !!python/object/apply:os.system [x]", "could not determine a constructor for the tag 'tag:yaml.org,2002:python/object/apply:os.system'"),
         ("a: rad(__import__)", "invalid radian expression: rad(__import__)"),
         ("a: !radians open('x')", "invalid radian expression: open('x')"),
     ],
-    ids=range(8),
+    ids=range(9),
 )  # fmt: skip
 def test_yaml_bombs(tmp_path: Path, text: str, message: str) -> None:
     start = time.perf_counter()

@@ -128,7 +128,7 @@ def test_large_expressions_stay_unknown(tmp_path: Path, expression: str, reason:
     assert inner(tmp_path, f'<l v="${{{expression}}}"/><m v="${{1}}"/>') == f'<l v="${{{expression}}}"/><m v="1"/>'
 
 
-@pytest.mark.parametrize("path", ["/etc/passwd", "../../../../../etc/passwd", "/etc/*.conf", "*/../../*/../../etc/passw?"])
+@pytest.mark.parametrize("path", ["/etc/passwd", "../" * 12 + "etc/passwd", "/etc/*.conf", "*/../../*/../../etc/passw?"])
 def test_nothing_outside_the_packages_is_read(tmp_path: Path, path: str) -> None:
     assert inner(tmp_path, f'<xacro:include filename="{path}"/><l/>') == "<l/>"
     found = expanded(tmp_path, f'<xacro:include filename="{path}"/><l/>')
