@@ -1,4 +1,5 @@
 # make demo: analyse an example workspace.  make test: run the tests.  make lint: check style and types.
+# make facts: extract the facts of the examples again, which are shipped as texts.
 # Needs Python 3.10 or newer (choose one with PYTHON=...); everything else is installed into .venv.
 
 PYTHON ?= python3
@@ -9,7 +10,7 @@ SOURCES := $(PACKAGES) tests benchmarks
 
 COMPILE := $(BIN)/python -m rosarch.models.compile_rules
 
-.PHONY: demo test lint format clean
+.PHONY: demo test lint format facts clean
 
 demo: $(VENV)/.installed
 	@$(COMPILE)
@@ -30,6 +31,11 @@ lint: $(VENV)/.installed-dev
 format: $(VENV)/.installed-dev
 	$(BIN)/ruff check --fix $(SOURCES)
 	$(BIN)/ruff format $(SOURCES)
+
+facts: $(VENV)/.installed
+	rm -f examples/facts/*.txt
+	@for folder in examples/*/src; do \
+	    example=$${folder%/src}; $(BIN)/rosarch extract $$example --text --out examples/facts/$${example#*/}.txt || exit 1; done
 
 clean:
 	rm -rf $(VENV) build rules/compiled *.egg-info .mypy_cache .pytest_cache .ruff_cache

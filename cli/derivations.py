@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, extraction_cache
+from rosarch.cli.inputs import check_diagnostics, check_engine, check_input, extraction_cache
 from rosarch.cli.options import Engine, parse_defines
 from rosarch.cli.terminal import progress, show_diagnostics
 
@@ -75,7 +75,7 @@ def selected(
 
     check_engine(engine)
     variables = parse_defines(defines)
-    check_folder(folder)
+    check_input(folder)
     try:
         with (
             progress() as report,

@@ -14,7 +14,7 @@ import typer
 
 from rosarch.cli.check_options import load_configuration
 from rosarch.cli.errors import FINDINGS
-from rosarch.cli.inputs import check_folder, load_analysis
+from rosarch.cli.inputs import check_input, load_analysis
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Jobs, Packages, Timeout, Verbose, parse_defines
 from rosarch.cli.systems import Launches, SystemInputs, load_systems
 from rosarch.cli.terminal import emit, show_diagnostics, show_note
@@ -67,7 +67,7 @@ def diff(
     """
 
     def load(state: State) -> Snapshot:
-        from rosarch.extractor.manifest import facts_folder
+        from rosarch.extractor.stored import has_facts
         from rosarch.models.comparison import Snapshot
         from rosarch.models.rule_sets import system_rules
 
@@ -75,7 +75,7 @@ def diff(
             state.folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
         )
         show_diagnostics(analysis.diagnostics, verbose, state.base)
-        if packages or facts_folder(state.folder):
+        if packages or has_facts(state.folder):
             return Snapshot(analysis.models)
         inputs = SystemInputs(
             state.folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
@@ -105,13 +105,15 @@ def compare_states(old: str, new: str, output_format: DiffFormat, load: Load) ->
 
 @contextmanager
 def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
-    """Both sides as folders; revisions are written to temporary ones, which are called alike."""
+    """Both sides as paths; revisions are written to temporary folders, which are called alike."""
+    from rosarch.extractor.stored import is_facts_text
+
     with tempfile.TemporaryDirectory(prefix="rosarch-") as temporary:
-        commits = [None if Path(side).is_dir() else _commit(side) for side in (old, new)]
+        commits = [None if Path(side).is_dir() or is_facts_text(Path(side)) else _commit(side) for side in (old, new)]
         states = []
         for number, (side, commit) in enumerate(zip((old, new), commits, strict=True)):
             if commit is None:
-                states.append(State(check_folder(Path(side)), Path.cwd()))
+                states.append(State(check_input(Path(side)), Path.cwd()))
             else:
                 folder = Path(temporary, str(number), Path.cwd().name or "root")
                 _tell(side, _exported(commit, folder))

@@ -13,13 +13,18 @@ from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 Out = Annotated[
-    Path, typer.Option("--out", "-o", parser=path_argument, metavar="FACTS", help="The folder to write the facts to.", show_default=False)
+    Path,
+    typer.Option(
+        "--out", "-o", parser=path_argument, metavar="FACTS", help="The folder, or with --text the file, to write to.", show_default=False
+    ),
 ]
+Text = Annotated[bool, typer.Option("--text", help="Write one text, for people to read; it is taken wherever such a folder is.")]
 
 
 def extract(
     folder: Folder,
     out: Out,
+    text: Text = False,
     packages: Packages = None,
     jobs: Jobs = None,
     defines: Defines = None,
@@ -30,8 +35,11 @@ def extract(
     """Read the packages below DIR and write their facts, one folder of Soufflé .facts files per node or nodelet."""
     variables = parse_defines(defines)
     check_folder(folder)
-    check_output(out)
-    _refuse_sources(out)
+    if text:
+        _check_text(out)
+    else:
+        check_output(out)
+        _refuse_sources(out)
     from rosarch.extractor.pipeline import extract as extract_facts
 
     with progress() as report:
@@ -47,13 +55,23 @@ def extract(
     with extraction:
         check_diagnostics(folder, len(extraction.components), extraction.diagnostics)
         try:
-            extraction.write(out)
+            if text:
+                extraction.write_text(out)
+            else:
+                extraction.write(out)
         except OSError as error:
             raise unwritable(out, error) from None
         show_diagnostics(extraction.diagnostics, verbose)
         from rosarch.reports.labels import counted
 
         emit(f"facts of {counted(len(extraction.components), 'component')} in {out}\n")
+
+
+def _check_text(out: Path) -> None:
+    """Refuse a path where no text can be written: better before a long extraction than after it."""
+    if out.is_dir():
+        raise InputError(f"{out}: a folder; name a file for --text")
+    check_output(out.parent)
 
 
 def _refuse_sources(out: Path) -> None:

@@ -30,6 +30,15 @@ def check_folder(folder: Path) -> Path:
     return folder
 
 
+def check_input(path: Path) -> Path:
+    """`path`, when it is a folder that can be read, or a text of facts."""
+    from rosarch.extractor.stored import is_facts_text
+
+    if path.is_file() and not is_facts_text(path):
+        raise InputError(f"{path}: neither a folder nor a text of facts")
+    return path if path.is_file() else check_folder(path)
+
+
 def check_output(out: Path) -> Path:
     """`out`, made if need be: better refused before a long analysis than after it."""
     try:
@@ -98,14 +107,14 @@ def load_analysis(
     defines: Mapping[str, str],
     cached: bool,
 ) -> Analysis:
-    """Analyse a folder of packages or of facts."""
-    check_folder(folder)
+    """Analyse a folder of packages, or stored facts."""
+    check_input(folder)
     check_engine(engine)
     with progress() as report:
-        from rosarch.extractor.manifest import facts_folder
+        from rosarch.extractor.stored import has_facts
         from rosarch.models.rule_sets import SHIPPED
 
-        if facts_folder(folder):
+        if has_facts(folder):
             return _load_facts(folder, packages, rules or SHIPPED, engine, jobs, report)
         from rosarch.models.analysis import analyze
 

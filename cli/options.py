@@ -58,7 +58,7 @@ Folder = Annotated[
 Input = Annotated[
     Path,
     typer.Argument(
-        parser=path_argument, metavar="DIR", help="A folder with ROS packages, or one written by `rosarch extract`.", show_default=False
+        parser=path_argument, metavar="DIR", help="A folder with ROS packages, or facts that `rosarch extract` wrote.", show_default=False
     ),
 ]
 Packages = Annotated[

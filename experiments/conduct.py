@@ -117,7 +117,7 @@ def _provenance(
     if any(each.subject.checked for each in subjects):
         found += [(f"rules of systems of {each.name}", system_rules(each.rules).program.hash) for each in configurations]
     for each in subjects:
-        found.append((f"facts of {each.subject.name}", digest_of([facts.digest for facts in each.components])))
+        found.append((f"facts of {each.subject.name}", digest_of([facts.key for facts in each.components])))
         if each.subject.truths:
             found.append((f"truth of {each.subject.name}", digest_of([truth.digest for truth in each.subject.truths])))
         if each.subject.findings is not None:

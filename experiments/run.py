@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import json
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -16,9 +16,10 @@ import rosarch.models
 from rosarch.datalog import Program
 from rosarch.datalog.values import ValueWriter
 from rosarch.experiments.comparison import Document
-from rosarch.experiments.subjects import Facts, OpenSubject, Rows
+from rosarch.experiments.subjects import OpenSubject
 from rosarch.extractor.cache import Cache, hash_of, version_of
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.stored import Facts
 from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.component import build_model, to_json
 from rosarch.models.rule_sets import SHIPPED, RuleSet
@@ -58,7 +59,7 @@ class Cell:
         """A hash of all that the result depends on."""
         names = (self.subject.subject.name, self.facts.package, self.facts.name)
         return hash_of(
-            ["experiment", _version(), engine, self.configuration.program.hash, *self.configuration.kept, *names, self.facts.digest]
+            ["experiment", _version(), engine, self.configuration.program.hash, *self.configuration.kept, *names, self.facts.key]
         )
 
 
@@ -128,7 +129,9 @@ def _evaluated(data: bytes) -> Evaluated:
     return Evaluated(model, {name: tuple((text, at) for text, at in found) for name, found in rows.items()}, seconds)
 
 
-def _texts(program: Program, found: Mapping[str, Sequence[tuple[Any, ...]]], facts: Rows) -> dict[str, list[Row]]:
+def _texts(
+    program: Program, found: Mapping[str, Sequence[tuple[Any, ...]]], facts: Mapping[str, Iterable[tuple[Any, ...]]]
+) -> dict[str, list[Row]]:
     """Rows as texts, each with the place of the first thing in it that has one."""
     show = ValueWriter(program.types).show
     files = {key: path for key, path in facts.get("source_file", ())}

@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from rosarch.datalog import read_facts
 from rosarch.experiments.truth import Truth, TruthError
 from rosarch.extractor.cache import Cache, hash_of
-from rosarch.extractor.facts import schema
 from rosarch.extractor.hints import hint
-from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
+from rosarch.extractor.stored import Facts, has_facts, read_stored, rows_digest
 
 if TYPE_CHECKING:
     from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
-
-Rows = Mapping[str, Iterable[tuple[Any, ...]]]
 
 
 @dataclass(frozen=True)
@@ -43,18 +39,6 @@ class Subject:
         if self.truths:
             return any((truth.package, truth.component) == (package, component) for truth in self.truths)
         return not self.packages or package in self.packages
-
-
-@dataclass(frozen=True)
-class Facts:
-    """The facts of a component: how to read them, and a hash of them."""
-
-    name: str
-    package: str
-    kind: str
-    sources: tuple[str, ...]
-    digest: str
-    rows: Callable[[], Rows]
 
 
 @dataclass(frozen=True)
@@ -85,9 +69,8 @@ def opened(subject: Subject, how: Extracting, *, absent: bool = False) -> Iterat
         TruthError: truth is of a component that there is not, and such must not be `absent`.
         ManifestError: a folder of facts is stale or damaged.
     """
-    top = facts_folder(subject.folder)
-    if top is not None:
-        found = _stored(subject, top)
+    if has_facts(subject.folder):
+        found = _stored(subject)
         _require(found, absent)
         yield found
         return
@@ -118,24 +101,10 @@ def opened(subject: Subject, how: Extracting, *, absent: bool = False) -> Iterat
         yield found
 
 
-def _stored(subject: Subject, top: Path) -> OpenSubject:
-    manifest = read_manifest(top)
-    entries = entries_below(manifest, top, subject.folder)
-    components = tuple(
-        Facts(e.component, e.package, e.kind, e.sources, e.digest, _reader(top / e.folder))
-        for e in entries
-        if subject.wants(e.package, e.component)
-    )
-    return OpenSubject(subject, components, manifest.diagnostics, _absent(subject, {(e.package, e.component) for e in entries}))
-
-
-def _reader(folder: Path) -> Callable[[], Rows]:
-    return lambda: read_facts(folder, schema())
-
-
-def rows_digest(rows: Rows) -> str:
-    """A hash of facts."""
-    return hash_of(f"{relation} {row!r}" for relation in sorted(rows) for row in sorted(rows[relation], key=repr))
+def _stored(subject: Subject) -> OpenSubject:
+    stored = read_stored(subject.folder)
+    components = tuple(c for c in stored.components if subject.wants(c.package, c.name))
+    return OpenSubject(subject, components, stored.diagnostics, _absent(subject, {(c.package, c.name) for c in stored.components}))
 
 
 def _absent(subject: Subject, known: Collection[tuple[str, str]]) -> tuple[Truth, ...]:

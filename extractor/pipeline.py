@@ -14,11 +14,12 @@ from pathlib import Path
 
 from rosarch.extractor import observation
 from rosarch.extractor.boundary import confined, ros_package_path
-from rosarch.extractor.cache import Cache, hash_of
+from rosarch.extractor.cache import Cache, hash_of, write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
 from rosarch.extractor.cxx.unit import file_key, merge
 from rosarch.extractor.facts import Rows, write_component
+from rosarch.extractor.facts_text import facts_text
 from rosarch.extractor.files import path_text
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
@@ -86,6 +87,11 @@ class Extraction:
             sources += [str(path) for _, path in rows["source_file"]]
             entries.append(write_component(out, component.package, component.name, component.kind, component.sources, rows))
         write_manifest(out, self.root, entries, sources, self.diagnostics)
+
+    def write_text(self, out: Path) -> None:
+        """Write one text with the facts of all components."""
+        text = facts_text(self.root, self.components, self.diagnostics, out.absolute().parent)
+        write_whole(out, text.encode("utf-8", "surrogateescape"))
 
 
 def extract(

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from rosarch.datalog import read_facts
 from rosarch.extractor.cache import Cache
-from rosarch.extractor.facts import schema
-from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
+from rosarch.extractor.stored import Facts, read_stored
 from rosarch.models.cache import ModelCache
 from rosarch.models.component import ComponentModel, Relations, build_model
 from rosarch.models.rule_sets import SHIPPED, RuleSet, is_loaded_soon, model_program, rules_digest
@@ -35,21 +33,6 @@ class Analysis:
     diagnostics: tuple[Diagnostic, ...]
     statistics: Mapping[str, float | int]
     programs: frozenset[tuple[str, str]] = frozenset()
-
-
-@dataclass(frozen=True)
-class _StoredFacts:
-    """The facts of one component in a folder of `.facts` files."""
-
-    name: str
-    package: str
-    kind: str
-    sources: tuple[str, ...]
-    folder: Path
-    key: None = None
-
-    def rows(self) -> Mapping[str, Iterable[tuple[Any, ...]]]:
-        return read_facts(self.folder, schema())
 
 
 def analyze(
@@ -85,25 +68,23 @@ def analyze(
 
 
 def analyze_facts(
-    folder: Path, *, rules: RuleSet = SHIPPED, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None
+    path: Path, *, rules: RuleSet = SHIPPED, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None
 ) -> Analysis:
-    """Analyse a folder of facts that `rosarch extract` wrote, or that of one of its packages or components.
+    """Analyse stored facts.
 
-    Raises `ManifestError` when the folder is stale or damaged.
+    Raises `ManifestError` when they are stale or damaged.
     """
     start = time.perf_counter()
-    top = facts_folder(folder) or folder
-    manifest = read_manifest(top)
-    stored = [_StoredFacts(e.component, e.package, e.kind, e.sources, top / e.folder) for e in entries_below(manifest, top, folder)]
-    models, failures = _evaluate(Path(manifest.root).name, stored, folder, rules, engine, jobs, progress)
+    stored = read_stored(path)
+    models, failures = _evaluate(stored.root.name, stored.components, path, rules, engine, jobs, progress)
     return Analysis(
-        models, (*manifest.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}
+        models, (*stored.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}
     )
 
 
 def _evaluate(
     system: str,
-    components: Sequence[ComponentFacts | _StoredFacts],
+    components: Sequence[ComponentFacts | Facts],
     where: Path,
     rules: RuleSet,
     engine: str,
@@ -139,12 +120,12 @@ def _evaluate(
 
 
 def _derived(
-    components: Sequence[ComponentFacts | _StoredFacts], rules: RuleSet, engine: str, jobs: int | None
-) -> Iterator[tuple[ComponentFacts | _StoredFacts, Relations | Failure]]:
+    components: Sequence[ComponentFacts | Facts], rules: RuleSet, engine: str, jobs: int | None
+) -> Iterator[tuple[ComponentFacts | Facts, Relations | Failure]]:
     """What the rules derive of each component, in worker processes."""
     program = model_program(rules)
 
-    def work(component: ComponentFacts | _StoredFacts) -> Relations:
+    def work(component: ComponentFacts | Facts) -> Relations:
         result = program.evaluate(component.rows(), engine=engine)
         return {name: result.rows(name) for name in result.names()}
 
@@ -152,5 +133,5 @@ def _derived(
         yield components[index], outcome
 
 
-def _title(component: ComponentFacts | _StoredFacts) -> str:
+def _title(component: ComponentFacts | Facts) -> str:
     return f"{component.package}/{component.name}"

@@ -6,16 +6,17 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.datalog import read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.facts import schema
 from rosarch.extractor.hints import hint
-from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
-from rosarch.extractor.pipeline import extract
-from rosarch.extractor.units import Progress
+from rosarch.extractor.stored import has_facts, read_stored
+
+if TYPE_CHECKING:
+    from rosarch.extractor.units import Progress
 
 Facts = Mapping[str, Iterable[tuple[Any, ...]]]
 
@@ -64,30 +65,25 @@ def select(
     cache: Cache | None = None,
     progress: Progress | None = None,
 ) -> Iterator[Selection]:
-    """The components of `packages` (all by default) below a folder of sources or of facts, or one of them.
+    """The components of `packages` (all by default) below a folder of sources, or of stored facts, or one of them.
 
     `component` is NAME or PACKAGE/NAME. Facts are read when they are asked for, before the context ends.
     """
-    top = facts_folder(folder)
-    if top is None and is_component_facts(folder):  # written by hand
-        own = SelectedComponent(folder.resolve().name, folder.resolve().parent.name, folder, lambda: read_facts(folder, schema()))
-        yield Selection((own,))
-    elif top is not None:
-        manifest = read_manifest(top)
-        root = Path(manifest.root)
-        entries = entries_below(manifest, top, folder)
-        stored = [SelectedComponent(e.component, e.package, root, _reader(top / e.folder)) for e in entries]
+    if has_facts(folder):
+        facts = read_stored(folder)
+        stored = [SelectedComponent(c.name, c.package, facts.root, c.rows) for c in facts.components]
         for package in sorted(set(packages or ()) - {c.package for c in stored}):
             raise SelectionError(f"no package {package} among these facts{hint(package, {c.package for c in stored})}")
         yield Selection(_named([c for c in stored if not packages or c.package in packages], component))
+    elif is_component_facts(folder):  # written by hand
+        own = SelectedComponent(folder.resolve().name, folder.resolve().parent.name, folder, lambda: read_facts(folder, schema()))
+        yield Selection((own,))
     else:
+        from rosarch.extractor.pipeline import extract  # and with it libclang
+
         with extract(folder, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
             found = [SelectedComponent(c.name, c.package, extraction.root, c.rows) for c in extraction.components]
             yield Selection(_named(found, component), tuple(extraction.diagnostics))
-
-
-def _reader(folder: Path) -> Callable[[], Facts]:
-    return lambda: read_facts(folder, schema())
 
 
 def _named(components: Collection[SelectedComponent], name: str | None) -> tuple[SelectedComponent, ...]:

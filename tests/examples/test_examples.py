@@ -64,8 +64,17 @@ def test_models_are_the_same_with_souffle(name: str, rosarch: Callable, tmp_path
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_nothing_is_left_unsaid(name: str, rosarch: Callable) -> None:
-    assert rosarch("analyze", EXAMPLES / name).err == ""
+def test_facts_are_as_shipped_and_nothing_is_left_unsaid(name: str, rosarch: Callable, tmp_path: Path) -> None:
+    assert rosarch("extract", EXAMPLES / name, "--text", "--out", tmp_path / "facts.txt").err == ""
+    shipped, found = (
+        (folder / file).read_text().split("\n") for folder, file in ((EXAMPLES / "facts", f"{name}.txt"), (tmp_path, "facts.txt"))
+    )
+    assert shipped[1] == f"root\t../{name}"
+    assert found[:1] + found[2:] == shipped[:1] + shipped[2:], "run `make facts`"
+
+
+def test_no_facts_of_other_examples_are_shipped() -> None:
+    assert sorted(path.stem for path in (EXAMPLES / "facts").iterdir()) == ALL
 
 
 def test_every_example_has_expected_models_or_findings() -> None:
