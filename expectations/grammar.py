@@ -22,6 +22,10 @@ _FIELD = re.compile(r"([a-z_]+)=(?!=)(.*)", re.DOTALL)
 _QUERY = re.compile(r"!?\s*[a-z_][\w.]*\s*\(|[A-Z]\w*\s*(?:!?=|[<>])")
 _GUARDS = ("guard", "when", "conditional")
 _TRUTH_VALUES = frozenset({"must", "latched", "implicit"})
+_NUMBERS = frozenset({"queue", "hz", "after"})
+_UNITS = {"hz": "Hz", "after": "s"}
+_QUOTED = re.compile(r'"(?:\\.|[^"\\])*"')
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
 class ExpectationError(Exception):
@@ -93,25 +97,42 @@ class _Parser:
                 raise self._error(self._end(), f"{kind.name} is written {_form(kind)}")
             if not self.words:
                 raise self._error(self._end(), f"{kind.name} is written {_form(kind)}")
-            self.wanted[part] = _value(self.words.pop(0).text)
+            self._give(part, self.words.pop(0))
         if kind.then is None or not self.words:
             return
         if kind.between and self.words[0].text == kind.between:
             self.words.pop(0)
             if not self.words:
                 raise self._error(self._end(), f"{kind.name} is written {_form(kind)}")
-            self.wanted[kind.then] = _value(self.words.pop(0).text)
+            self._give(kind.then, self.words.pop(0))
         elif not kind.between and not _FIELD.fullmatch(self.words[0].text) and not self._is_attribute(kind, self.words[0]):
-            self.wanted[kind.then] = _value(self.words.pop(0).text)
-            self._unit()
+            self._give(kind.then, self.words.pop(0))
+            if self.words and self.words[0].text == _UNITS.get(kind.then):
+                self.words.pop(0)
 
-    def _unit(self) -> None:
-        """`10 Hz`, `10Hz` and `0.5 s` are numbers."""
-        for attribute, unit in (("hz", "Hz"), ("after", "s")):
-            if attribute in self.wanted:
-                self.wanted[attribute] = self.wanted[attribute].removesuffix(unit)
-                if self.words and self.words[0].text == unit:
-                    self.words.pop(0)
+    def _give(self, name: str, word: _Word, start: int = 0) -> None:
+        """Set an attribute to the text of a word from `start` on; `10Hz` and `0.5s` are numbers."""
+        column, text = word.column + start, self._value(word, start).removesuffix(_UNITS.get(name, ""))
+        if name in self.wanted:
+            raise self._error(column, f"`{name}` is given twice")
+        if name in _NUMBERS and text and "*" not in text and not _NUMBER.fullmatch(text):
+            raise self._error(column, f"`{name}` is a number, not `{text}`")
+        if name in _TRUTH_VALUES and text not in ("true", "false"):
+            raise self._error(column, f"`{name}` is true or false, not `{text}`")
+        self.wanted[name] = text
+
+    def _value(self, word: _Word, start: int) -> str:
+        """A text without its quotes; any other has quotes only inside."""
+        text = word.text[start:]
+        open_ = _QUOTED.sub(lambda match: " " * len(match[0]), text).find('"')
+        if open_ >= 0:
+            raise self._error(word.column + start + open_, "a quote that is not closed")
+        quoted = _QUOTED.match(text)
+        if quoted is None:
+            return text
+        if quoted.end() < len(text):
+            raise self._error(word.column + start + quoted.end(), f"`{text[quoted.end() :]}` right behind a quote")
+        return re.sub(r"\\(.)", r"\1", text[1:-1])
 
     def _is_attribute(self, kind: Kind, word: _Word) -> bool:
         field = _FIELD.fullmatch(word.text)
@@ -130,30 +151,26 @@ class _Parser:
         if field is not None:
             if field[1] not in kind.attributes:
                 raise self._error(word.column, f"{kind.name} has no `{field[1]}`{_known(field[1], kind.attributes)}")
-            self.wanted[field[1]] = _value(field[2])
+            self._give(field[1], word, field.start(2))
             return
         if word.text not in self._bare(kind):
             near = hint(word.text, (*self._bare(kind), *kind.attributes))
             raise self._error(word.column, f"`{word.text}` is not understood here{near}; {kind.name} is written {_form(kind)}")
         if word.text in _TRUTH_VALUES:
-            self.wanted[word.text] = "true"
+            self._give(word.text, _Word("true", word.column))
         elif word.text == "may":
-            self.wanted["must"] = "false"
+            self._give("must", _Word("false", word.column))
         elif not self.words:
             raise self._error(word.column, f"nothing after `{word.text}`")
         else:
             name = "trigger" if word.text == "on" else next(name for name in _GUARDS if name in kind.attributes)
-            self.wanted[name] = _value(self.words.pop(0).text)
+            self._give(name, self.words.pop(0))
 
     def _end(self) -> int:
         return self.marked.text_column + len(self.marked.text)
 
     def _error(self, column: int, message: str) -> ExpectationError:
         return ExpectationError(f"{self.marked.path}:{self.marked.line}:{column}: {message}")
-
-
-def _value(text: str) -> str:
-    return re.sub(r"\\(.)", r"\1", text[1:-1]) if len(text) > 1 and text[0] == text[-1] == '"' else text
 
 
 def _form(kind: Kind) -> str:

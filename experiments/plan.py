@@ -17,7 +17,9 @@ from rosarch.experiments.subjects import Subject
 from rosarch.experiments.truth import Truth, TruthError, read_truth
 from rosarch.extractor.files import read_file
 from rosarch.extractor.hints import hint
-from rosarch.extractor.manifest import content_hash, facts_folder
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.manifest import content_hash
+from rosarch.extractor.stored import has_facts, is_facts_text, read_stored
 from rosarch.models.own_rules import own_files
 from rosarch.models.plain_yaml import YamlError, YamlReader, compose
 from rosarch.models.rule_sets import SHIPPED, RuleSet, component_program, find_options, rule_set
@@ -137,12 +139,13 @@ class _Reader(YamlReader):
             return None
         return int(text) if text else None
 
-    def _folder(self, node: yaml.Node) -> Path | None:
+    def _folder(self, node: yaml.Node, *, facts: bool = False) -> Path | None:
+        """A folder or, where that will do, a text of facts."""
         text = self.text(node)
         if text is None:
             return None
         path = self.folder / text
-        if not path.is_dir():
+        if not (path.is_dir() or (facts and is_facts_text(path))):
             self.problem(node, f"{path}: {'not a folder' if path.exists() else 'no such folder'}")
             return None
         return path
@@ -165,9 +168,9 @@ class _Reader(YamlReader):
         for key, value in self.pairs(node):
             if isinstance(value, yaml.MappingNode):
                 known: dict[str, Callable[[yaml.Node], Any]] = {
-                    "folder": self._folder,
+                    "folder": lambda node: self._folder(node, facts=True),
                     "truth": self._truth,
-                    "packages": self.texts,
+                    "packages": lambda node: node,
                     "findings": self._findings,
                     "defines": lambda node: {key.value: self.text(value, empty=True) or "" for key, value in self.pairs(node)},
                 }
@@ -175,18 +178,29 @@ class _Reader(YamlReader):
                 if "folder" not in parts:
                     self.problem(value, "a subject without `folder`")
             else:
-                parts = {"folder": self._folder(value)}
+                parts = {"folder": self._folder(value, facts=True)}
             truths = parts["truth"] if "truth" in parts else tuple(truth for truth in shared if truth.system == key.value)
             folder = parts.get("folder")
             findings = parts.get("findings")
-            if folder is not None and (checked or findings is not None) and facts_folder(folder):
+            packages = self._packages(parts["packages"], folder) if "packages" in parts else ()
+            if folder is not None and (checked or findings is not None) and has_facts(folder):
                 self.problem(key, f"the systems of `{key.value}` cannot be checked: {folder} has facts, not sources")
             elif folder is not None:
-                more = (parts.get("packages", ()), parts.get("defines", {}), checked or findings is not None, findings)
+                more = (packages, parts.get("defines", {}), checked or findings is not None, findings)
                 found.append(Subject(key.value, folder, truths, *more))
         if not found and not self.problems:
             self.problem(node, "no subjects")
         return tuple(found)
+
+    def _packages(self, node: yaml.Node, folder: Path | None) -> tuple[str, ...]:
+        """Names of packages that the folder has."""
+        found = self.texts(node)
+        if folder is not None:
+            known = {c.package for c in read_stored(folder).components} if has_facts(folder) else set(PackagePath([folder]).packages)
+            for item in node.value if isinstance(node, yaml.SequenceNode) else [node]:
+                if item.value in found and item.value not in known:
+                    self.problem(item, f"no package {item.value} in {folder}{hint(item.value, known)}")
+        return found
 
     def _findings(self, node: yaml.Node) -> frozenset[tuple[str, str]] | None:
         """A file with a line for each finding, as `rosarch check` prints it: `path:line[:col]: message  [check]`."""

@@ -2,30 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import yaml
 
+from rosarch.experiments.truth_fields import check_model, check_truth
 from rosarch.extractor.files import read_file
 from rosarch.extractor.manifest import content_hash
 from rosarch.models.places import Place
-from rosarch.models.plain_yaml import YamlReader, is_nothing, yaml_problem
+from rosarch.models.plain_yaml import YamlReader, yaml_problem
 
+Check = Callable[[YamlReader, yaml.Node], dict[str, yaml.Node]]
 SUFFIXES = frozenset({".yml", ".yaml", ".json"})
-# the lists of a document with the fields that each of their items must have
-REQUIRED = {
-    "ports": ("id", "kind"),
-    "params": ("name",),
-    "periodic": (),
-    "reactive": ("input", "output"),
-    "state_variables": ("name",),
-    "configuration": ("name",),
-    "transitions": ("variable",),
-}
-_LISTS = frozenset({"publishes", "trigger"})
 
 
 class TruthError(Exception):
@@ -57,7 +48,7 @@ def read_truth(folder: Path) -> tuple[Truth, ...]:
     """
     problems: list[str] = []
     found: dict[tuple[str, str, str], Truth] = {}
-    for truth in _documents(folder, problems):
+    for truth in _documents(folder, check_truth, problems):
         first = found.setdefault((truth.system, truth.package, truth.component), truth)
         if first is not truth:
             at = f"{truth.at}:{truth.at.column}"
@@ -78,20 +69,20 @@ def read_models(folder: Path) -> dict[tuple[str, str], Mapping[str, Any]]:
         TruthError: one of them is damaged.
     """
     problems: list[str] = []
-    found = {(model.package, model.component): model.document for model in _documents(folder, problems)}
+    found = {(model.package, model.component): model.document for model in _documents(folder, check_model, problems)}
     if problems:
         raise TruthError("\n".join(problems))
     return found
 
 
-def _documents(folder: Path, problems: list[str]) -> Iterator[Truth]:
+def _documents(folder: Path, check: Check, problems: list[str]) -> Iterator[Truth]:
     for path in sorted(path for path in folder.rglob("*") if path.suffix in SUFFIXES and path.is_file()):
-        found = _read(path, problems)
+        found = _read(path, check, problems)
         if found is not None:
             yield found
 
 
-def _read(path: Path, problems: list[str]) -> Truth | None:
+def _read(path: Path, check: Check, problems: list[str]) -> Truth | None:
     loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
         text = read_file(path).decode("utf-8")
@@ -114,15 +105,7 @@ def _read(path: Path, problems: list[str]) -> Truth | None:
     if not isinstance(document, dict) or "component" not in document:
         return None
     reader = YamlReader(str(path))
-    fields = {key.value: value for key, value in reader.pairs(root)}
-    for name in ("component", "package"):
-        if name not in fields:
-            reader.problem(root, f"a component without `{name}`")
-        else:
-            reader.text(fields[name])
-    for name, required in REQUIRED.items():
-        if name in fields and not _is_null(fields[name]):
-            _check_items(reader, name, fields[name], required)
+    fields = check(reader, root)
     problems += reader.problems
     if reader.problems:
         return None
@@ -130,24 +113,6 @@ def _read(path: Path, problems: list[str]) -> Truth | None:
     return Truth(
         system, str(document["package"]), str(document["component"]), document, reader.place(fields["component"]), content_hash(path)
     )
-
-
-def _check_items(reader: YamlReader, name: str, node: yaml.Node, required: tuple[str, ...]) -> None:
-    for item in reader.items(node):
-        known = {key.value: value for key, value in reader.pairs(item)}
-        for field in required:
-            if field in known:
-                reader.text(known[field])
-            elif isinstance(item, yaml.MappingNode):
-                reader.problem(item, f"an entry of `{name}` without `{field}`")
-        for field in _LISTS & known.keys():
-            if not _is_null(known[field]):
-                for each in reader.items(known[field]):
-                    reader.text(each)
-
-
-def _is_null(node: yaml.Node) -> bool:
-    return is_nothing(node) or (isinstance(node, yaml.ScalarNode) and node.tag == "tag:yaml.org,2002:null")
 
 
 def systems(truth: tuple[Truth, ...]) -> Iterator[tuple[str, tuple[Truth, ...]]]:

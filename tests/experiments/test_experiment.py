@@ -175,6 +175,7 @@ def test_facts_options_and_what_is_not_judged(plan: Callable, rosarch: Callable,
         ("subjects: {ws: ws}\nrelations: [port, prt]\n", "2:19: unknown relation `prt`, did you mean `port`?"),
         ("subjects: {ws: ws\n", "2:1: while parsing a flow mapping expected ',' or '}}', but got '<stream end>'"),
         ("subjects: {}\n", "1:11: no subjects"),
+        ("subjects: {ws: {folder: ws, packages: [talker, taker]}}\n", "1:48: no package taker in {tmp}/ws, did you mean `talker`?"),
         ("", "1:1: an experiment without `subjects`"),
     ],
 )
