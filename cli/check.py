@@ -23,7 +23,7 @@ from rosarch.cli.check_options import (
     make_policy,
 )
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
-from rosarch.cli.inputs import check_folder
+from rosarch.cli.inputs import check_sources
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, parse_defines
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, check_systems
@@ -66,7 +66,7 @@ def check(
     """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
     from rosarch.reports.findings import scope_text
 
-    check_folder(folder)
+    check_sources(folder)
     destinations = parse_destinations(output_format, outputs)
     rules = parse_rules(own, variants, settings)
     checks = _checks(rules)

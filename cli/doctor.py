@@ -6,7 +6,7 @@ from pathlib import Path
 
 import typer
 
-from rosarch.cli.inputs import check_diagnostics, check_folder
+from rosarch.cli.inputs import check_diagnostics, check_sources
 from rosarch.cli.options import Defines, Folder, Jobs, Packages, Timeout, parse_defines
 from rosarch.cli.terminal import emit, progress
 
@@ -20,7 +20,7 @@ def doctor(
 ) -> None:
     """Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it."""
     variables = parse_defines(defines)
-    check_folder(folder)
+    check_sources(folder)
     from rosarch.models.health import examine
     from rosarch.reports.doctor import doctor_text
 

@@ -30,6 +30,15 @@ def check_folder(folder: Path) -> Path:
     return folder
 
 
+def check_sources(folder: Path) -> Path:
+    """`folder`, when it is one that can be read, and not facts."""
+    from rosarch.extractor.stored import has_facts
+
+    if has_facts(folder):
+        raise InputError(f"{folder}: facts, where a folder of sources is needed")
+    return check_folder(folder)
+
+
 def check_input(path: Path) -> Path:
     """`path`, when it is a folder that can be read, or a text of facts."""
     from rosarch.extractor.stored import is_facts_text

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.derivations import datalog_errors
-from rosarch.cli.inputs import unwritable
+from rosarch.cli.inputs import check_folder, unwritable
 from rosarch.cli.options import path_argument
 from rosarch.cli.terminal import emit
 
@@ -48,6 +48,8 @@ def api(
 def _begin(kind: str, name: str, folder: Path, used: str) -> None:
     from rosarch.models.scaffold import write_scaffold
 
+    if folder.exists():
+        check_folder(folder)
     with datalog_errors():
         try:
             written = write_scaffold(kind, name, folder)

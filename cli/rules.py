@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -39,9 +40,12 @@ def list_rules(
     from rosarch.datalog.relation_reference import list_text
 
     with datalog_errors():
-        entries = [e for e in reference(load_rules(parse_rules(own))) if (private or not e.private) and fnmatchcase(e.name, pattern)]
+        known = [e for e in reference(load_rules(parse_rules(own))) if private or not e.private]
+    entries = [e for e in known if fnmatchcase(e.name, pattern)]
     if not entries:
-        raise InputError(f"no relation {pattern}")
+        from rosarch.extractor.hints import hint
+
+        raise InputError(f"no relation {pattern}{hint(pattern, [e.name for e in known])}")
     emit(list_text(entries, shorten=shorten))
 
 
@@ -60,14 +64,15 @@ def run(
 ) -> None:
     """Run rules of your own on each node and nodelet below DIR and print the relations they put out."""
     from rosarch.datalog.queries import relation_table, table_text
+    from rosarch.models.own_rules import own_files
 
     check_profile(profile, question.engine)
     with datalog_errors():
         rules = question.rules(*files)
         program = load_rules(rules, systems=question.systems)
-        names = chosen_relations(program.relations, relations or [], files)
+        names = chosen_relations(program.relations, relations or [], own_files(files))
         if not names:
-            raise InputError(f"{files[0]}: nothing to print; add an `.output` directive or name a relation with --relation")
+            raise InputError(f"{files[0]}: nothing to print{_nothing_to_print(files, question)}")
         texts = []
         with question.asked(rules) as components:
             title = heading(components)
@@ -76,6 +81,16 @@ def run(
                 tables = [f"{name}\n{table_text(relation_table(program, result, name), program)}" for name in names]
                 texts.append(title(each) + "\n".join(tables))
     emit("\n".join(texts))
+
+
+def _nothing_to_print(files: Sequence[Path], question: Question) -> str:
+    """Why: rules of systems without --launch or rules of components with it, or none with `.output`."""
+    from rosarch.models.own_rules import own_files, own_programs
+
+    program = "system" if question.systems else "component"
+    if not own_programs(own_files(files)).get(program):
+        return " of systems; leave out --launch" if question.systems else " of components; name systems with --launch, '*' for all"
+    return "; add an `.output` directive or name a relation with --relation"
 
 
 @app.command("lint")

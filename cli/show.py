@@ -175,8 +175,8 @@ def _named(models: Sequence[ComponentModel], node: str) -> tuple[ComponentModel,
     """The components a user may mean by `node`."""
     found = tuple(model for model in models if node in (model.component, f"{model.package}/{model.component}", model.node_name))
     if not found:
-        from rosarch.extractor.hints import hint
+        from rosarch.extractor.hints import hint_or_all
 
         known = {name for model in models for name in (model.component, f"{model.package}/{model.component}")}
-        raise InputError(f"no node or nodelet {node}{hint(node, known)}")
+        raise InputError(f"no node or nodelet {node}{hint_or_all(node, known)}")
     return found

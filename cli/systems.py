@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, extraction_cache
+from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, check_sources, extraction_cache
 from rosarch.cli.options import Engine, parse_environment
 from rosarch.cli.terminal import progress
 
@@ -187,7 +187,7 @@ def _requests(inputs: SystemInputs, configuration: Configuration | None) -> list
 def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> Surroundings:
     from rosarch.models.system.requests import Surroundings
 
-    check_folder(inputs.folder)
+    check_sources(inputs.folder)
     check_engine(inputs.engine)
     environment = dict(os.environ)
     from rosarch.extractor.boundary import ros_package_path

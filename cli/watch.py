@@ -88,11 +88,17 @@ def _saves(paths: Sequence[Path]) -> Iterator[list[Path]]:
         if not path.exists():
             raise InputError(f"{path}: no such file or folder")
     batches = changes(
-        rules_folder(), *paths, watch_filter=DefaultFilter(), debounce=4 * SETTLE, step=SETTLE, raise_interrupt=False,
-        rust_timeout=SETTLE, yield_on_timeout=True,
+        rules_folder(), *paths, watch_filter=DefaultFilter(), debounce=4 * SETTLE, step=SETTLE, rust_timeout=SETTLE, yield_on_timeout=True,
     )  # fmt: skip
     next(batches, None)  # from here on nothing is missed, whatever is done between two batches
-    return (sorted({Path(path) for _, path in batch}) for batch in batches if batch)
+    return _until_interrupted(sorted({Path(path) for _, path in batch}) for batch in batches if batch)
+
+
+def _until_interrupted(batches: Iterator[list[Path]]) -> Iterator[list[Path]]:
+    try:
+        yield from batches
+    except KeyboardInterrupt:
+        return
 
 
 def _report(live: LiveRules, wanted: _Wanted, before: Tables | None, saved: Sequence[Path]) -> Tables | None:

@@ -11,3 +11,12 @@ def hint(name: str, known: Iterable[str]) -> str:
 
     close = get_close_matches(name, sorted(known), n=1)
     return f", did you mean `{close[0]}`?" if close else ""
+
+
+def hint_or_all(name: str, known: Iterable[str]) -> str:
+    """The same, or else all names that are known, when they are few."""
+    names = sorted(known)
+    return hint(name, names) or (f", there are {', '.join(names)}" if 0 < len(names) <= FEW else "")
+
+
+FEW = 12

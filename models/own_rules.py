@@ -36,7 +36,7 @@ def own_files(paths: Iterable[Path]) -> list[Path]:
         elif path.is_file():
             found.append(path)
         else:
-            raise RuleSetError(f"{path}: no such file or folder")
+            raise RuleSetError(f"{path}: {'neither a file nor a folder' if path.exists() else 'no such file or folder'}")
     return list(dict.fromkeys(found))
 
 

@@ -12,7 +12,7 @@ from rosarch.datalog import read_facts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.facts import schema
-from rosarch.extractor.hints import hint
+from rosarch.extractor.hints import hint, hint_or_all
 from rosarch.extractor.stored import has_facts, read_stored
 
 if TYPE_CHECKING:
@@ -89,5 +89,5 @@ def select(
 def _named(components: Collection[SelectedComponent], name: str | None) -> tuple[SelectedComponent, ...]:
     found = tuple(c for c in components if name is None or name in (c.name, c.title))
     if name is not None and components and not found:
-        raise SelectionError(f"no component {name}{hint(name, {n for c in components for n in (c.name, c.title)})}")
+        raise SelectionError(f"no component {name}{hint_or_all(name, {n for c in components for n in (c.name, c.title)})}")
     return tuple(sorted(found, key=lambda c: (c.package, c.name)))

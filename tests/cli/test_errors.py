@@ -29,7 +29,38 @@ def test_missing_folder(rosarch: Callable, command: tuple[str, ...]) -> None:
 
 def test_file_instead_of_folder(rosarch: Callable, tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    assert rosarch("analyze", "file").err == "rosarch: error: file: not a folder\n"
+    assert rosarch("analyze", "file").err == "rosarch: error: file: neither a folder nor a text of facts\n"
+    assert rosarch("check", "file").err == "rosarch: error: file: not a folder\n"
+
+
+@pytest.mark.parametrize(
+    ("command", "message"),
+    [
+        ("rules run {facts} empty", "empty: no file of rules (*.dl) in this folder"),
+        ("rules run {facts} own", "own: nothing to print; add an `.output` directive or name a relation with --relation"),
+        ("rules run {facts} system.dl", "system.dl: nothing to print of components; name systems with --launch, '*' for all"),
+        ("rules run {facts} own -c lamp", "own: nothing to print; add an `.output` directive or name a relation with --relation"),
+        ("query {facts} port(P) -c lamp", "no component lamp, did you mean `dock_lamp`?"),
+        ("query {facts} port(P) -c x", "no component x, there are auto_docking/dock_lamp, auto_docking/docking, dock_lamp, docking"),
+        ("show ports {facts} x", "no node or nodelet x, there are auto_docking/dock_lamp, auto_docking/docking, dock_lamp, docking"),
+        ("query {facts} port(P) -r /dev/null", "/dev/null: neither a file nor a folder"),
+        ("query own/own.dl port(P)", "own/own.dl: neither a folder nor a text of facts"),
+        ("watch own/own.dl", "own/own.dl: neither a folder nor a text of facts"),
+        ("new check a-b --into own/own.dl", "own/own.dl: not a folder"),
+        ("rules list prt", "no relation prt, did you mean `port`?"),
+        ("check {facts}", "{facts}: facts, where a folder of sources is needed"),
+        ("doctor {facts}", "{facts}: facts, where a folder of sources is needed"),
+        ("show graph {facts}", "{facts}: facts, where a folder of sources is needed"),
+    ],
+)
+def test_what_is_asked_for_in_vain(rosarch: Callable, examples: Path, tmp_path: Path, command: str, message: str) -> None:
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "own").mkdir()
+    (tmp_path / "own" / "own.dl").write_text(".decl q(x: symbol)\nq(X) :- port([_, _, X]).\n")
+    (tmp_path / "system.dl").write_text(".decl s(x: symbol)\n.output s\ns(X) :- port_name([_, _, _], X).\n")
+    facts = str(examples / "facts" / "docking_states.txt")
+    outcome = rosarch(*(word.format(facts=facts) for word in command.split()))
+    assert (outcome.code, outcome.out, outcome.err) == (2, "", f"rosarch: error: {message.format(facts=facts)}\n")
 
 
 @pytest.mark.parametrize("command", [("analyze", "empty"), ("extract", "empty", "-o", "facts"), ("show", "ports", "empty")])

@@ -80,7 +80,7 @@ def test_rules_and_sources_are_saved(tmp_path: Path) -> None:
         source.write_text(source.read_text().replace('"beacon"', '"light"'))
         changed = seen.until("^- ")
         assert changed[-2:] == ["+ light", "- beacon"]
-    assert seen.process.returncode == 0
+    assert (seen.process.returncode, list(seen.lines.queue)) == (0, [])
 
 
 def test_input_that_is_wrong_from_the_start(tmp_path: Path, capsys: object) -> None:
