@@ -5,7 +5,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-PACKAGES := cli corpus datalog expectations experiments extractor library models reports rules
+PACKAGES := cli composition corpus datalog expectations experiments extractor library models reports rules simulation verification
 SOURCES := $(PACKAGES) tests benchmarks
 
 COMPILE := $(BIN)/python -m rosarch.models.compile_rules

@@ -20,6 +20,7 @@ COMMANDS = {
     "library": "library:app",
     "score": "score",
     "experiment": "experiment",
+    "verify": "verify",
     "doctor": "doctor",
     "query": "query",
     "explain": "explain",
@@ -42,6 +43,7 @@ SUMMARIES = {
     " together.",
     "corpus": "Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has"
     " findings.",
+    "verify": "Say whether temporal properties hold in the system that launch files start, whatever comes from outside.",
     "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
     "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",
     "explain": "Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about.",

@@ -1,0 +1,52 @@
+"""The composed system that a sub-command runs or checks, and what is said of its surroundings."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.check_options import load_configuration
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import read_input
+from rosarch.cli.options import path_argument
+from rosarch.cli.systems import SystemInputs, load_systems
+from rosarch.cli.terminal import show_remaining
+
+if TYPE_CHECKING:
+    from rosarch.composition.scenario import Scenario
+    from rosarch.composition.system import System
+
+ScenarioFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--scenario", parser=path_argument, metavar="FILE", help="What comes from outside, see docs/behavior.md.", show_default=False
+    ),
+]
+
+
+def load_composed(inputs: SystemInputs, verbose: bool) -> System:
+    """The only system that the options or the configuration name, with the behaviour of its nodes."""
+    from rosarch.composition.system import composed
+    from rosarch.models.component import to_json
+    from rosarch.models.rule_sets import system_rules
+
+    analysis = load_systems(inputs, load_configuration(inputs.folder, None, system_rules().checks), required=True)
+    show_remaining(analysis, inputs.folder, verbose)
+    if len(analysis.systems) != 1:
+        known = ", ".join(system.name for system in analysis.systems) or "none"
+        raise InputError(f"{inputs.folder}: {len(analysis.systems)} systems; choose one with --launch: {known}")
+    return composed(analysis.systems[0], {f"{model.package}/{model.component}": to_json(model) for model in analysis.models})
+
+
+def load_scenario(file: Path | None, system: System) -> Scenario:
+    """The scenario in a file, or one in which anything may come from outside."""
+    from rosarch.composition.scenario import Scenario, ScenarioError, read_scenario
+
+    if file is None:
+        return Scenario()
+    try:
+        return read_scenario(read_input(file), str(file), system)
+    except ScenarioError as error:
+        raise InputError(str(error)) from None

@@ -1,0 +1,1 @@
+"""The behaviour of composed systems: state machines of nodes that meet at their messages."""

@@ -1,0 +1,104 @@
+"""A component as it takes part in a composition: its variables with finitely many values, and the steps of its reactions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from rosarch.models.machine.cells import Document, Domains
+from rosarch.models.machine.conditions import constant, number
+from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
+from rosarch.models.machine.reactions import PERIODIC, Step, component_steps
+
+
+@dataclass(frozen=True)
+class StateVariable:
+    """A variable that reactions test or assign; `initial` are the values it may begin with. `fixed` ones are never assigned."""
+
+    key: str
+    text: str
+    values: tuple[str, ...]
+    initial: tuple[str, ...]
+    at: str
+    fixed: bool = False
+
+
+@dataclass(frozen=True)
+class Component:
+    """What a node of this component can do.
+
+    `steps` are those of each trigger, a port or an activity; `rates` those of the triggers that come again and again, None where unknown.
+    `outlets` are the ports that some step sends through, `queues` the sizes of those of subscribers, `left_out` the state variables
+    without finitely many values.
+    """
+
+    document: Document
+    variables: Mapping[str, StateVariable]
+    steps: Mapping[str, tuple[Step, ...]]
+    rates: Mapping[str, float | None]
+    outlets: frozenset[str]
+    queues: Mapping[str, int | None]
+    left_out: tuple[str, ...]
+
+    @property
+    def members(self) -> frozenset[str]:
+        """The last names of all variables that the document knows."""
+        return frozenset(row["name"].rsplit("::", 1)[-1] for row in _variables(self.document))
+
+
+def component(document: Document) -> Component:
+    """The component that a document in the format of `rosarch analyze -o` describes."""
+    domains = Domains(document)
+    steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
+    variables: dict[str, StateVariable] = {}
+    read = {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
+    for key, cell in domains.cells.items():
+        initial = cell.subject.values if cell.variable in read else cell.initial
+        variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial, cell.at)
+    variables |= _settings(document, (subject for own in steps.values() for step in own for subject in step.tested()))
+    return Component(
+        document,
+        variables,
+        steps,
+        {trigger: _rate(trigger, document) for trigger in steps if trigger.split(" ")[0] == PERIODIC},
+        frozenset(port for own in steps.values() for step in own for port in step.outputs),
+        {str(port["id"]): port.get("queue") for port in document.get("ports") or ()},
+        tuple(domains.left_out()),
+    )
+
+
+def _variables(document: Document) -> list[Mapping[str, str]]:
+    return [*(document.get("state_variables") or ()), *(document.get("configuration") or ())]
+
+
+def _settings(document: Document, tested: Iterable[Subject]) -> dict[str, StateVariable]:
+    """The variables of the configuration that conditions test: a value that never changes, known when no parameter gives it."""
+    rows = {row["name"].rsplit("::", 1)[-1]: row for row in document.get("configuration") or ()}
+    found = {}
+    for subject in tested:
+        row = rows.get(subject.key)
+        if row is not None and not subject.cell:
+            value = None if row.get("from_param") else value_in(row.get("initial"), subject.values)
+            initial = subject.values if value is None else (value,)
+            found[subject.key] = StateVariable(subject.key, subject.text, subject.values, initial, str(row.get("at") or ""), True)
+    return found
+
+
+def value_in(text: object, values: Sequence[str]) -> str | None:
+    """A constant as one of `values`; None when it is none, or not told apart."""
+    found = None if text is None else constant(str(text))
+    if found is None:
+        return None
+    if tuple(values) == BOOLEAN and (size := number(found)) is not None:
+        found = "false" if size == 0 else "true"
+    if found in values:
+        return found
+    return OTHER if OTHER in values else None
+
+
+def _rate(trigger: str, document: Document) -> float | None:
+    """How often a timed loop or timer runs; None when that is not known, or differs among those that are shown as one."""
+    place = trigger.partition(" ")[2]
+    rates = {row.get("hz") for row in document.get("periodic") or () if not place or str(row.get("at")) == place}
+    (rate,) = rates if len(rates) == 1 else (None,)
+    return rate

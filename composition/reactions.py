@@ -1,0 +1,230 @@
+"""What a reaction of a node does: its steps, run for every case that makes a difference or for one that is chosen on the way.
+
+A reaction is atomic and its steps are taken in the order of their lines, as `models.machine.reactions` has it: a variable is tested
+once, conditions of equal text are one condition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from rosarch.models.machine.logic import (
+    BOOLEAN,
+    Case,
+    Formula,
+    Is,
+    Subject,
+    conjunction,
+    evaluate,
+    first_unknown,
+    from_cases,
+    simplify,
+    subjects,
+)
+from rosarch.models.machine.logic import All as AllOf
+from rosarch.models.machine.logic import Any as AnyOf
+from rosarch.models.machine.meaning import Assignment
+from rosarch.models.machine.reactions import Row, Step
+
+MOST_CASES = 5000
+MOST_WAYS = 16
+
+Pick = Callable[[Subject], Iterable[str]]
+"""The values that a subject may have where nothing is known of it yet."""
+
+
+class TooManyCases(Exception):
+    """A reaction has more than `MOST_CASES` cases; `subject` is what its conditions ask most often."""
+
+    def __init__(self, subject: str) -> None:
+        super().__init__(f"a reaction has more than {MOST_CASES} cases, most of them for `{subject}`")
+        self.subject = subject
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One way that a reaction may go.
+
+    `before` are the variables it depends on with their values, `choices` what it takes for granted of anything else (there may be other
+    ways to the same), `after` the values that it gives to variables, `sent` ports, in order. `rows` are the rows of the model that were
+    followed.
+    """
+
+    before: Mapping[str, str]
+    choices: Mapping[Subject, frozenset[str]]
+    after: Mapping[str, str]
+    sent: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class _Run:
+    """A reaction under way.
+
+    `values` are those of variables now, `seen` those that conditions see, `chosen` the values of what else was asked and will be again,
+    `ways` the alternatives in what was asked and will not be.
+    """
+
+    values: Mapping[str, str] = field(default_factory=dict)
+    seen: Mapping[str, str] = field(default_factory=dict)
+    chosen: Mapping[Subject, str] = field(default_factory=dict)
+    ways: tuple[Case, ...] = ({},)
+    effect: Effect = field(default_factory=lambda: Effect({}, {}, {}, (), ()))
+
+    def tested(self, subject: Subject) -> str | None:
+        """The value that a condition sees."""
+        if subject.key in self.seen:
+            return self.seen[subject.key]
+        return self.current(subject)
+
+    def current(self, subject: Subject) -> str | None:
+        """The value that an assignment reads."""
+        return self.values.get(subject.key) or self.chosen.get(subject)
+
+    def choosing(self, subject: Subject, value: str, *, variable: bool) -> _Run:
+        """The same with one thing more that is known."""
+        if not variable:
+            return replace(self, chosen={**self.chosen, subject: value})
+        before = {**self.effect.before, subject.key: value}
+        return replace(self, values={**self.values, subject.key: value}, effect=replace(self.effect, before=before))
+
+    def assigned(self, key: str, value: str) -> _Run:
+        """The same after an assignment."""
+        return replace(self, values={**self.values, key: value}, effect=replace(self.effect, after={**self.effect.after, key: value}))
+
+    def followed(self, step: Step, sent: tuple[str, ...]) -> _Run:
+        """The same after a step that was taken."""
+        effect = replace(self.effect, sent=self.effect.sent + sent, rows=(*self.effect.rows, step.row))
+        return replace(self, effect=effect)
+
+
+def effects(steps: Sequence[Step], variables: Collection[str], pick: Pick) -> list[Effect]:
+    """All ways that a reaction may go, from any values of `variables`; cases that end alike are one.
+
+    Raises:
+        TooManyCases: there are too many.
+    """
+    later: list[set[Subject]] = [set()]
+    for step in reversed(steps):
+        later.insert(0, later[0] | set(_tested(step)))
+    runs = [_Run()]
+    for index, step in enumerate(steps):
+        found: dict[object, _Run] = {}
+        for run in runs:
+            for outcome in _outcomes(run, step, variables, pick):
+                settled = _settled(outcome, later[index + 1])
+                key = _key(settled)
+                found[key] = _merged(found[key], settled) if key in found else settled
+            if len(found) > MOST_CASES:
+                raise TooManyCases(_most_asked(steps))
+        runs = list(found.values())
+    return [replace(run.effect, choices=min(run.ways, key=len)) for run in runs]
+
+
+def react(steps: Sequence[Step], values: Mapping[str, str], choose: Callable[[Subject], str]) -> Effect:
+    """The way that a reaction goes from these values of all variables, where `choose` decides everything else."""
+    run = _Run(values=values)
+    for step in steps:
+        run = next(_outcomes(run, step, (), lambda subject: (choose(subject),)))
+    return run.effect
+
+
+def _settled(run: _Run, later: set[Subject]) -> _Run:
+    """The run where what will not be asked again is part of the ways that lead there."""
+    past = {subject: frozenset({value}) for subject, value in run.chosen.items() if subject not in later}
+    if not past:
+        return run
+    left = {subject: value for subject, value in run.chosen.items() if subject in later}
+    return replace(run, chosen=left, ways=tuple({**way, **past} for way in run.ways))
+
+
+def _key(run: _Run) -> object:
+    """What the rest of a reaction, and what comes of it, hangs on."""
+    parts = (run.values, run.seen, run.chosen, run.effect.before, run.effect.after)
+    return (*(frozenset(part.items()) for part in parts), run.effect.sent, bool(run.effect.rows))
+
+
+def _merged(one: _Run, two: _Run) -> _Run:
+    """Two runs that differ only in the ways that lead there."""
+    return replace(one, ways=tuple(alternatives(from_cases([*one.ways, *two.ways])))[:MOST_WAYS])
+
+
+def alternatives(formula: Formula) -> Iterator[Case]:
+    """The cases of a formula that was made from cases."""
+    for part in formula.parts if isinstance(formula, AnyOf) else (formula,):
+        literals = part.parts if isinstance(part, AllOf) else (part,)
+        yield {literal.subject: literal.values for literal in literals if isinstance(literal, Is)}
+
+
+def _most_asked(steps: Sequence[Step]) -> str:
+    asked = [subject.text for step in steps for subject in _tested(step)]
+    return max(sorted(set(asked)), key=asked.count, default="")
+
+
+def _tested(step: Step) -> Iterator[Subject]:
+    yield from step.tested()
+    if step.sometimes:
+        yield from (whether_sent(step, port) for port in step.outputs)
+
+
+def whether_sent(step: Step, port: str) -> Subject:
+    """Whether a step sends, where the model does not tell."""
+    return Subject(f"sends {port} {step.row.kind} {step.row.index}", f"sending at {step.row.at}")
+
+
+def _outcomes(run: _Run, step: Step, variables: Collection[str], pick: Pick) -> Iterator[_Run]:
+    """The ways in which a step may end."""
+    rest, run = _residue(step.guard, run)
+    truth = evaluate(rest, run.tested)
+    if truth is None:
+        subject = first_unknown(rest, run.tested)
+        for value in pick(subject):
+            yield from _outcomes(run.choosing(subject, value, variable=subject.key in variables), step, variables, pick)
+    elif truth:
+        yield from _taken(run, step, step.assignments, variables, pick)
+    else:
+        yield run
+
+
+def _taken(run: _Run, step: Step, left: Sequence[Assignment], variables: Collection[str], pick: Pick) -> Iterator[_Run]:
+    """The ways in which a step whose guard holds may end, when these assignments are left to be made."""
+    if not left:
+        yield from _sent(run, step, step.outputs, (), pick)
+        return
+    for condition, value in left[0].table:
+        truth = evaluate(condition, run.current)
+        if truth:
+            yield from _taken(run.assigned(left[0].cell.subject.key, value), step, left[1:], variables, pick)
+            return
+        if truth is None:
+            subject = first_unknown(condition, run.current)
+            for chosen in pick(subject):
+                yield from _taken(run.choosing(subject, chosen, variable=subject.key in variables), step, left, variables, pick)
+            return
+    yield from _taken(run, step, left[1:], variables, pick)
+
+
+def _sent(run: _Run, step: Step, left: Sequence[str], sent: tuple[str, ...], pick: Pick) -> Iterator[_Run]:
+    if not left:
+        yield run.followed(step, sent)
+    elif not step.sometimes:
+        yield run.followed(step, tuple(left))
+    else:
+        subject = whether_sent(step, left[0])
+        for value in pick(subject):
+            more = (left[0],) if value == BOOLEAN[0] else ()
+            yield from _sent(run.choosing(subject, value, variable=False), step, left[1:], sent + more, pick)
+
+
+def _residue(guard: Iterable[Formula], run: _Run) -> tuple[Formula, _Run]:
+    """What of a guard is open, and the run, in which the variables that it tests are seen from now on."""
+    parts = []
+    for conjunct in guard:
+        rest = simplify(conjunct, run.tested)
+        seen = {s.key: run.values[s.key] for s in subjects(conjunct) if s.key in run.values and s.key not in run.seen}
+        run = replace(run, seen={**run.seen, **seen}) if seen else run
+        parts.append(rest)
+        if evaluate(rest, run.tested) is False:
+            break
+    return conjunction(parts), run

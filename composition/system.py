@@ -1,0 +1,82 @@
+"""The nodes of a composed system and the topics, services and actions that they meet at."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rosarch.composition.components import Component, component
+from rosarch.models.machine.cells import Document
+from rosarch.models.system.model import Connector, SystemModel
+
+End = tuple[str, str]
+"""A node and one of its ports, as its document calls it."""
+
+
+@dataclass(frozen=True)
+class Topic:
+    """What messages pass through: a topic, or a service or action, whose requests count as messages.
+
+    `outside` tells who may send at any time: nodes without a known behaviour, ports of which no sending is known; when nobody in
+    the system sends, it is the environment.
+    """
+
+    name: str
+    kind: str
+    senders: tuple[End, ...]
+    receivers: tuple[End, ...]
+    outside: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class System:
+    """A composed system; `nodes` are those of which the behaviour is known, `unknown` the others."""
+
+    name: str
+    nodes: Mapping[str, Component]
+    topics: Mapping[str, Topic]
+    unknown: tuple[str, ...] = ()
+
+    def inlet(self, end: End) -> Topic | None:
+        """What a node receives through a port."""
+        return next((topic for topic in self.topics.values() if end in topic.receivers), None)
+
+    def outlet(self, end: End) -> tuple[Topic, ...]:
+        """What a node sends to through a port."""
+        return tuple(topic for topic in self.topics.values() if end in topic.senders)
+
+
+ENVIRONMENT = "environment"
+
+
+def composed(model: SystemModel, documents: Mapping[str, Document]) -> System:
+    """A system with the behaviour of its nodes, from the documents of components by `package/name`."""
+    known: dict[str, Component] = {}
+    nodes: dict[str, Component] = {}
+    for node in model.nodes:
+        if node.component in documents:
+            name = str(node.component)
+            known[name] = known.get(name) or component(documents[name])
+            nodes[node.id] = known[name]
+    topics: dict[str, Topic] = {}
+    for connector in sorted(model.connectors, key=lambda connector: (connector.kind != "topic", connector.kind, connector.name)):
+        name = connector.name if connector.name not in topics else f"{connector.kind} {connector.name}"
+        topics[name] = _topic(name, connector, nodes)
+    return System(model.name, nodes, topics, tuple(node.id for node in model.nodes if node.id not in nodes))
+
+
+def _topic(name: str, connector: Connector, nodes: Mapping[str, Component]) -> Topic:
+    senders, outside = [], []
+    for node, port in connector.sources:
+        end = (node, port.split(":")[0])
+        if node in nodes and end[1] in nodes[node].outlets:
+            senders.append(end)
+        else:
+            outside.append(node)
+    receivers = ((node, port.split(":")[0]) for node, port in connector.sinks if node in nodes)
+    ends = tuple(dict.fromkeys(receivers))
+    return Topic(name, connector.kind, tuple(dict.fromkeys(senders)), ends, tuple(dict.fromkeys(outside)) or _nobody(senders))
+
+
+def _nobody(senders: list[End]) -> tuple[str, ...]:
+    return () if senders else (ENVIRONMENT,)

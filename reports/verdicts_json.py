@@ -1,0 +1,27 @@
+"""What checkers found about properties, as JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+
+from rosarch.verification.check import Verdict
+
+
+def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str:
+    """One document; a counterexample has its steps, those of `loop` for ever."""
+    rows = [
+        {
+            "property": found.property.name,
+            "formula": found.property.text,
+            "line": found.property.line,
+            "verdict": found.verdict,
+            "states": found.states,
+            "seconds": round(found.seconds, 3),
+            "notes": list(found.model.notes),
+            "counterexample": None if found.trace is None else {**asdict(found.trace), "assumes": list(found.trace.assumes)},
+        }
+        for found in verdicts
+    ]
+    return json.dumps({"system": system, "checker": checker, "properties": rows}, indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,35 @@
+"""Systems that are written by hand, as YAML: the documents of their nodes, which meet at topics of the same name."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rosarch.composition.system import System, composed
+from rosarch.models.system.model import Connector, SystemModel, SystemNode
+
+_SOURCES = ("publisher", "service_client")
+
+
+def load(file: Path) -> dict[str, Any]:
+    data: dict[str, Any] = yaml.safe_load(file.read_text("utf-8"))
+    return data
+
+
+def system_of(nodes: dict[str, dict[str, Any]], unknown: dict[str, list[str]] | None = None) -> System:
+    """The system; `unknown` nodes have no behaviour, only topics that they send to."""
+    ends: dict[tuple[str, str], tuple[list[tuple[str, str]], list[tuple[str, str]]]] = defaultdict(lambda: ([], []))
+    for name, document in nodes.items():
+        for port in document["ports"]:
+            kind = "service" if "service" in port["kind"] else "topic"
+            ends[kind, port["name"]][port["kind"] not in _SOURCES].append((f"/{name}", port["id"]))
+    for name, topics in (unknown or {}).items():
+        for topic in topics:
+            ends["topic", topic][0].append((f"/{name}", "p1"))
+    started = [SystemNode(f"/{name}", f"/{name}", "p", name, "source", f"p/{name}", (), ()) for name in nodes]
+    started += [SystemNode(f"/{name}", f"/{name}", "q", name, "unknown", None, (), ()) for name in unknown or ()]
+    connectors = tuple(Connector(kind, topic, (), tuple(sources), tuple(sinks)) for (kind, topic), (sources, sinks) in ends.items())
+    return composed(SystemModel("by hand", (), tuple(started), connectors), {f"p/{name}": document for name, document in nodes.items()})

@@ -1,0 +1,110 @@
+"""Checking the properties of a system, each in the part of the system that it is about."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rosarch.composition.commands import BOUND, model_of
+from rosarch.composition.cone import Watched, cone_of_influence
+from rosarch.composition.inputs import Inputs
+from rosarch.composition.model import Model
+from rosarch.composition.system import System
+from rosarch.verification import ltl, spin, storm
+from rosarch.verification.checkers import CheckerError, Found
+from rosarch.verification.explorer import Explorer, Lasso, TooManyStates, violation
+from rosarch.verification.ltl import Formula
+from rosarch.verification.properties import Property
+from rosarch.verification.trace import Trace, trace
+from rosarch.verification.transitions import TransitionSystem, transition_system
+
+CHECKERS = {"spin": spin, "storm": storm}
+HOLDS, VIOLATED, POSSIBLE = "holds", "violated", "possibly violated"
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a check may cost: states of the own search for a short counterexample, seconds, MiB."""
+
+    states: int = 100_000
+    seconds: float = 60.0
+    memory: int = 3072
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What is found about a property: `holds`, `violated`, or `possibly violated`, when that needs something that is not known."""
+
+    property: Property
+    model: Model
+    verdict: str
+    states: int
+    seconds: float
+    trace: Trace | None
+
+
+def chosen_checker(wanted: str | None) -> str:
+    """The checker that is wanted, or one that is installed.
+
+    Raises:
+        CheckerError: there is none.
+    """
+    installed = [name for name, checker in CHECKERS.items() if checker.is_installed()]
+    if wanted is None and not installed:
+        raise CheckerError("no model checker is installed; either will do: " + "; ".join(checker.HINT for checker in CHECKERS.values()))
+    if wanted is not None and wanted not in installed:
+        raise CheckerError(CHECKERS[wanted].HINT)
+    return wanted or installed[0]
+
+
+def model_for(system: System, formula: Formula, inputs: Inputs, bound: int = BOUND) -> TransitionSystem:
+    """The part of a system that a formula is about."""
+    atoms = ltl.atoms(formula)
+    watched = Watched(
+        frozenset((atom.node, atom.key) for atom in atoms if isinstance(atom, ltl.InState)),
+        frozenset(atom.event for atom in atoms if isinstance(atom, ltl.Happens)),
+    )
+    cone = cone_of_influence(system, watched)
+    return transition_system(model_of(system, cone, inputs, bound=bound, fair=not ltl.is_safety(formula)))
+
+
+def verify(
+    system: System, properties: Sequence[Property], inputs: Inputs, checker: str, bound: int = BOUND, limits: Limits | None = None
+) -> list[Verdict]:
+    """What a checker finds about each property.
+
+    Raises:
+        CheckerError: it is not installed, or gives up.
+    """
+    return [_verdict(system, item, inputs, checker, bound, limits or Limits()) for item in properties]
+
+
+def _verdict(system: System, item: Property, inputs: Inputs, checker: str, bound: int, limits: Limits) -> Verdict:
+    start = time.perf_counter()
+    transitions = model_for(system, item.formula, inputs, bound)
+    try:
+        found = CHECKERS[checker].check(transitions, item.formula, timeout=limits.seconds, memory=limits.memory)
+    except CheckerError as error:
+        raise CheckerError(f"{item.name}: {error}{_largest(transitions) if error.large else ''}") from None
+    shown = None if found.holds else _shown(transitions, item.formula, found, limits)
+    verdict = HOLDS if found.holds else POSSIBLE if shown is None or shown.assumes else VIOLATED
+    return Verdict(item, transitions.model, verdict, found.states, time.perf_counter() - start, shown)
+
+
+def _shown(system: TransitionSystem, formula: Formula, found: Found, limits: Limits) -> Trace | None:
+    """A run that violates the property: a shortest one, where that can be searched for, else the checker's."""
+    lasso: Lasso | None
+    try:
+        lasso = violation(system, formula, limits.states) or found.lasso
+    except TooManyStates:
+        lasso = found.lasso
+    asked = {(atom.node, atom.key) for atom in ltl.atoms(formula) if isinstance(atom, ltl.InState)}
+    return trace(Explorer(system), lasso, asked) if lasso else None
+
+
+def _largest(system: TransitionSystem) -> str:
+    """What makes the states many."""
+    numbers = [number for number in system.numbers if number.high > 1] or list(system.numbers)
+    largest = sorted(numbers, key=lambda number: -number.high)[:3]
+    return "; most values have " + ", ".join(f"{number.text} ({number.high + 1})" for number in largest)
