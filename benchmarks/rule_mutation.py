@@ -12,6 +12,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from rosarch.datalog import Result
 from rosarch.datalog.mutation import MutationTest, summary, survivors_text
 from rosarch.datalog.rule_coverage import coverage
 from rosarch.expectations.alone import Alone
@@ -39,7 +40,7 @@ def main() -> int:
     cases += mutation_cases(program, find_cases([TOP / "tests" / "rules" / "sources"]).cases, how)
     for workspace in sorted(path.parent for path in (TOP / "examples").glob("*/expected")):
         cases += workspace_cases(program, workspace)
-    fired = coverage(program, ({name: rows for name, rows in case.rows.items() if name in program.inputs} for case in cases))
+    fired = coverage(program, (Result.of(case.rows, program) for case in cases))
     test = MutationTest(program, cases)
     verdicts = judge_all(test, mutants_of(test, (), given.sample, given.seed), jobs=given.jobs)
     if given.list:

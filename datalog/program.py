@@ -60,6 +60,12 @@ class Result:
     _arity: Mapping[str, int]
     _sorted: dict[str, list[Row]] = field(default_factory=dict)
 
+    @classmethod
+    def of(cls, rows: Mapping[str, Collection[Row]], program: Program) -> Result:
+        """The result of a program that has these rows, by relation, in the form that `rows` gives them."""
+        arity = {name: len(relation.attributes) for name, relation in program.relations.items()}
+        return cls({name: [row[0] for row in found] if arity[name] == 1 else found for name, found in rows.items()}, arity)
+
     def names(self) -> list[str]:
         """The relations whose rows were kept."""
         return sorted(self._rows)

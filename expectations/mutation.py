@@ -44,7 +44,7 @@ def _fails(
     """Whether an expectation that is met is not when the component has these rows."""
     changed = replace(component)
     changed.rows = component.rows  # the extraction is over
-    changed.result = Result(rows, {name: len(d.attributes) for name, d in component.program.relations.items()})
+    changed.result = Result.of(rows, component.program)
     seen = replace(observation)
     seen.components = [changed if each is component else each for each in observation.components]
     try:
