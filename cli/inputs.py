@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rosarch.cli.errors import InputError
 from rosarch.cli.options import Engine
@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
     from rosarch.extractor.diagnostics import Diagnostic
     from rosarch.models.analysis import Analysis
-    from rosarch.models.rule_sets import RuleSet
+    from rosarch.models.rule_choice import RuleSet
+    from rosarch.models.system.reading import Reading
 
 
 def check_folder(folder: Path) -> Path:
@@ -121,25 +122,32 @@ def load_analysis(
     check_engine(engine)
     with progress() as report:
         from rosarch.extractor.stored import has_facts
-        from rosarch.models.rule_sets import SHIPPED
+        from rosarch.models.rule_choice import SHIPPED
 
         if has_facts(folder):
             return _load_facts(folder, packages, rules or SHIPPED, engine, jobs, report)
-        from rosarch.models.analysis import analyze
+        from rosarch.models.system.reading import Reading
 
-        analysis = analyze(
-            folder,
-            packages or None,
-            rules=rules or SHIPPED,
-            engine=engine.value,
-            jobs=jobs,
-            timeout=timeout,
-            defines=defines,
-            cache=extraction_cache(cached),
-            progress=report,
-        )
+        reading = Reading(rules or SHIPPED, (), engine.value, jobs, timeout, defines, extraction_cache(cached), report)
+        analysis = _analysis(folder, packages or None, reading)
     check_diagnostics(folder, len(analysis.models), analysis.diagnostics)
     return analysis
+
+
+def _analysis(folder: Path, packages: Collection[str] | None, reading: Reading) -> Analysis:
+    """The analysis of a folder of packages; as it was when nothing has changed since."""
+    from rosarch.extractor.memo import Memo
+
+    def find() -> Analysis:
+        from rosarch.models.analysis import analyze
+
+        options: dict[str, Any] = {"engine": reading.engine, "jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines}
+        return analyze(folder, packages, rules=reading.rules, cache=reading.cache, progress=reading.progress, **options)
+
+    if reading.cache is None or reading.engine != Engine.embedded.value:
+        return find()
+    top = os.path.abspath(folder)
+    return Memo(reading.cache).recall(["analysis", top, repr(packages and sorted(packages)), *reading.key()], (top,), find)
 
 
 def _load_facts(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import random
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -291,6 +293,43 @@ def test_what_a_change_does_not_reach_is_not_evaluated_again(robot: Path, check:
     replace("launch/main.launch", 'default="level"', 'default="height"')(robot)
     check()
     assert evaluated == ["robot/launch/main.launch"]
+
+
+def test_random_edits(robot: Path, rosarch: Callable) -> None:
+    """Whatever is edited, models and findings are byte for byte those of a run without a cache."""
+    chosen = random.Random(0)
+    original = {path: path.read_text() for path in sorted(robot.parent.rglob("*.*")) if path.is_file()}
+    words = sorted({word for text in original.values() for word in re.findall(r"\w+|[<>{}();&/$]", text)})
+
+    def edit() -> None:
+        path = chosen.choice(list(original))
+        text = path.read_text() if path.is_file() else ""
+        kind = chosen.choice(["word", "word", "line", "again", "gone", "touch", "back", "back"])
+        places = list(re.finditer(r"\w+|[<>{}();&/$]", text))
+        if kind == "word" and places:
+            place = chosen.choice(places)
+            path.write_text(text[: place.start()] + chosen.choice(words) + text[place.end() :])
+        elif kind in ("line", "again") and text:
+            lines = text.splitlines(keepends=True)
+            index = chosen.randrange(len(lines))
+            lines[index : index + 1] = [lines[index]] * (2 if kind == "again" else 0)
+            path.write_text("".join(lines))
+        elif kind == "gone":
+            path.unlink(missing_ok=True)
+        elif kind == "touch" and path.is_file():
+            path.touch()
+        else:
+            path.write_text(original[path])
+
+    different = set()
+    for _ in range(8):
+        for _ in range(chosen.randint(1, 3)):
+            edit()
+        for command in (("analyze", "ws", "--format", "json"), ("check", "ws", *OPTIONS)):
+            outcome = rosarch(*command)
+            assert outcome == rosarch(*command) == rosarch(*command, "--no-cache")
+            different.add(outcome)
+    assert len(different) >= 5  # the edits did say something
 
 
 def test_all_that_is_read_is_observed(robot: Path, rosarch: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
