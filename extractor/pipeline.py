@@ -24,6 +24,7 @@ from rosarch.extractor.files import path_text
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs
+from rosarch.extractor.sharing import CommonUnits
 from rosarch.extractor.units import Progress, UnitFile, UnitReader, read_units, unit_rows
 from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, programs, without_library
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
@@ -45,13 +46,22 @@ class ComponentFacts:
     own: Rows
     key: str | None = None
 
-    def rows(self) -> Rows:
-        """All facts of the component; message classes and configurations that its sources never name are left out."""
-        merged = merge([*map(unit_rows, self.units), self.own])
-        classes = {row[0] for row in merged["class"]} | {row[1] for row in merged["type_class"]}
-        merged["message_class"] = {row for row in merged["message_class"] if row[0] in classes}
+    def rows(self, common: CommonUnits | None = None) -> Rows:
+        """All facts of the component, but for those in `common`.
+
+        Message classes and configurations that its sources never name are left out.
+        """
+        files = common.files if common else frozenset()
+        merged = merge([*(unit_rows(path) for path in self.units if path not in files), self.own])
+        parts = [merged, common.rows] if common else [merged]
+        classes = {row[0] for part in parts for row in part.get("class", ())}
+        classes |= {row[1] for part in parts for row in part.get("type_class", ())}
+        merged["message_class"] = {row for part in parts for row in part.get("message_class", ()) if row[0] in classes}
         types = {row[2] for row in merged["message_class"]}
         merged["config_parameter"] = {row for row in merged["config_parameter"] if row[0] in types}
+        if common:
+            for relation in common.facts():
+                merged[relation] -= common.rows[relation]
         return merged
 
 

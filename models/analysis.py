@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
@@ -10,8 +9,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rosarch.datalog import CommonFacts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
+from rosarch.extractor.sharing import CommonUnits, in_groups, read_common
 from rosarch.extractor.stored import Facts, read_stored
 from rosarch.models.cache import ModelCache
 from rosarch.models.component import ComponentModel, Relations, build_model
@@ -31,8 +32,15 @@ class Analysis:
 
     models: tuple[ComponentModel, ...]
     diagnostics: tuple[Diagnostic, ...]
-    statistics: Mapping[str, float | int]
     programs: frozenset[tuple[str, str]] = frozenset()
+
+
+@dataclass(frozen=True)
+class _Common:
+    """What several components have in common: as they read it, and as their evaluations do."""
+
+    units: CommonUnits
+    facts: CommonFacts
 
 
 def analyze(
@@ -49,22 +57,15 @@ def analyze(
     only: Callable[[Component], bool] | None = None,
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root` by `rules`. See `extract` for the other options."""
-    start = time.perf_counter()
     with meanwhile(partial(model_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
 
         with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress, only=only) as extraction:
-            extracted = time.perf_counter()
             rules_compiled()
             system = root.resolve().name
             kept = ModelCache(cache, system, engine, rules_digest(rules)) if cache else None
             models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept)
-            statistics = {
-                "components": len(models),
-                "extraction_seconds": extracted - start,
-                "evaluation_seconds": time.perf_counter() - extracted,
-            }
-            return Analysis(models, (*extraction.diagnostics, *failures), statistics, extraction.programs)
+            return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs)
 
 
 def analyze_facts(
@@ -74,12 +75,9 @@ def analyze_facts(
 
     Raises `ManifestError` when they are stale or damaged.
     """
-    start = time.perf_counter()
     stored = read_stored(path)
     models, failures = _evaluate(stored.root.name, stored.components, path, rules, engine, jobs, progress)
-    return Analysis(
-        models, (*stored.diagnostics, *failures), {"components": len(models), "evaluation_seconds": time.perf_counter() - start}
-    )
+    return Analysis(models, (*stored.diagnostics, *failures))
 
 
 def _evaluate(
@@ -122,15 +120,29 @@ def _evaluate(
 def _derived(
     components: Sequence[ComponentFacts | Facts], rules: RuleSet, engine: str, jobs: int | None
 ) -> Iterator[tuple[ComponentFacts | Facts, Relations | Failure]]:
-    """What the rules derive of each component, in worker processes."""
+    """What the rules derive of each component, in worker processes; one that has just done another like it knows what both have."""
     program = model_program(rules)
+    order = in_groups([() if isinstance(each, Facts) or engine != "embedded" else each.units for each in components])
+    latest: list[_Common] = []
 
-    def work(component: ComponentFacts | Facts) -> Relations:
-        result = program.evaluate(component.rows(), engine=engine)
+    def common(files: frozenset[Path]) -> _Common:
+        if not (latest and latest[0].units.files == files):
+            latest.clear()
+            units = read_common(files)
+            latest.append(_Common(units, CommonFacts(units.facts())))
+        return latest[0]
+
+    def work(task: tuple[int, frozenset[Path]]) -> Relations:
+        component, files = components[task[0]], task[1]
+        if isinstance(component, Facts) or not files:
+            result = program.evaluate(component.rows(), engine=engine)
+        else:
+            shared = common(files)
+            result = program.evaluate(component.rows(shared.units), common=shared.facts)
         return {name: result.rows(name) for name in result.names()}
 
-    for index, outcome in run_tasks(work, components, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
-        yield components[index], outcome
+    for index, outcome in run_tasks(work, order, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
+        yield components[order[index][0]], outcome
 
 
 def _title(component: ComponentFacts | Facts) -> str:
