@@ -21,6 +21,7 @@ COMMANDS = {
     "score": "score",
     "experiment": "experiment",
     "verify": "verify",
+    "simulate": "simulate",
     "doctor": "doctor",
     "query": "query",
     "explain": "explain",
@@ -44,6 +45,7 @@ SUMMARIES = {
     "corpus": "Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has"
     " findings.",
     "verify": "Say whether temporal properties hold in the system that launch files start, whatever comes from outside.",
+    "simulate": "Run the system that launch files start, in simulated time: rates, queues, lost messages, latencies.",
     "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
     "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",
     "explain": "Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about.",

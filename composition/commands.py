@@ -13,7 +13,7 @@ from rosarch.composition.model import Command, Model, Queue, Variable
 from rosarch.composition.reactions import Effect, alternatives, effects
 from rosarch.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
-from rosarch.models.machine.reactions import PERIODIC, Step
+from rosarch.models.machine.reactions import Step
 
 BOUND = 2
 _ACTIVITIES = {"timer": "a timer that runs once"}
@@ -207,10 +207,7 @@ def _told(subject: Subject, values: frozenset[str]) -> str:
 def _cause(component: Component, trigger: str, topic: Topic | None) -> str:
     if topic:
         return f"receives {topic.name}" if topic.kind == "topic" else f"serves {topic.name}"
-    if trigger.split(" ")[0] == PERIODIC:
-        rate = component.rates.get(trigger)
-        return f"{rate:g} Hz loop" if rate else "timed loop"
-    return f"runs {trigger}"
+    return component.label(trigger) if trigger in component.rates else f"runs {trigger}"
 
 
 def _events_at(builder: _Builder, end: End, topic: Topic) -> Iterator[Event]:

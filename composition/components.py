@@ -41,6 +41,21 @@ class Component:
     left_out: tuple[str, ...]
 
     @property
+    def kept(self) -> Mapping[str, tuple[str, ...]]:
+        """For each port that a loop sends through, those whose messages it makes this of."""
+        found: dict[str, tuple[str, ...]] = {}
+        for row in self.document.get("reactive_deferred") or ():
+            found[row["output"]] = (*found.get(row["output"], ()), row["input"])
+        return found
+
+    def label(self, trigger: str) -> str:
+        """What people call a trigger that is no message."""
+        if trigger.split(" ")[0] != PERIODIC:
+            return trigger
+        rate = self.rates.get(trigger)
+        return f"{rate:g} Hz loop" if rate else "timed loop"
+
+    @property
     def members(self) -> frozenset[str]:
         """The last names of all variables that the document knows."""
         return frozenset(row["name"].rsplit("::", 1)[-1] for row in _variables(self.document))

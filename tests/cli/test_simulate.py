@@ -1,0 +1,54 @@
+"""`rosarch simulate`: an example, in all formats."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture
+def simulate(rosarch: Callable, examples: Path) -> Callable:
+    folder = examples / "patrol_robot"
+    launch = ("--launch", "src/patrol_bringup/launch/robot.launch")
+    return lambda *words: rosarch("simulate", folder, *launch, "--scenario", folder / "patrol_run.yml", *words)
+
+
+def test_the_patrol_drives_between_two_buttons(simulate: Callable) -> None:
+    """Enabled at 2 s by the service: from then on each of the 20 odometry messages a second is answered with a command."""
+    found = simulate("--format", "json")
+    assert found.code == 0, found.err
+    document = json.loads(found.out)
+    rate = {row["topic"]: row for row in document["rates"]}
+    assert abs(rate["/odom"]["number"] - 200) <= 1
+    assert abs(rate["/patrol/cmd_vel"]["number"] - 160) <= 2
+    assert abs(rate["/cmd_vel"]["number"] - 160) <= 2
+    (first,) = [event["time"] for event in document["events"] if event["kind"] == "changed"]
+    assert first == pytest.approx(2.002)
+    delay = next(row for row in document["latencies"] if (row["from"], row["to"]) == ("/odom", "/cmd_vel"))
+    assert 0.003 - 1e-9 <= delay["least"] <= delay["most"] <= 0.011
+
+
+def test_figures_and_traces(simulate: Callable) -> None:
+    text = simulate("--seed", "5").out
+    assert text.startswith("src/patrol_bringup/launch/robot.launch: 10 s, seed 5, ")
+    assert [line for line in text.split("\n") if line and line[0].isalpha() and ":" not in line] == [
+        "rates",
+        "queues",
+        "latencies (ms)",
+        "load",
+    ]
+    rows = list(csv.DictReader(io.StringIO(simulate("--format", "csv").out)))
+    assert [float(row["time"]) for row in rows] == sorted(float(row["time"]) for row in rows)
+    assert {row["kind"] for row in rows} == {"sent", "received", "changed"}
+
+
+def test_diagrams(simulate: Callable) -> None:
+    sequence = simulate("--format", "sequence", "--duration", "2.1").out
+    assert "sequenceDiagram\n" in sequence
+    assert "->>" in sequence
+    assert simulate("--format", "timeline", "--duration", "1").out.startswith("gantt\n  title src/patrol_bringup/launch/robot.launch\n")
