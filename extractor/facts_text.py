@@ -7,21 +7,26 @@ A line that begins with a tab is a row, its cells separated by tabs, of the rela
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
 from rosarch.datalog import RelationDecl
-from rosarch.datalog.cells import show_cell
+from rosarch.datalog.cells import read_number, show_cell
+from rosarch.datalog.domain import domain
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.facts import schema, validate
-from rosarch.extractor.files import path_text
+from rosarch.extractor.files import file_name, path_text
 from rosarch.extractor.hints import hint
 from rosarch.extractor.manifest import ManifestError, content_hash
 from rosarch.extractor.stored import FIRST, Facts, StoredFacts, rows_digest
 
 Row = tuple[Any, ...]
+
+_NUMBERS = domain(32)
+_PLACE = re.compile("[0-9]{1,9}")
 
 
 class Written(Protocol):
@@ -131,10 +136,10 @@ class _Reader:
         values: list[str | int] = []
         for cell, attribute in zip(cells, attributes, strict=True):
             try:
-                values.append(int(cell) if attribute.base == "number" else self._symbols.setdefault(cell, cell))
+                values.append(read_number(cell, _NUMBERS) if attribute.base == "number" else self._symbols.setdefault(cell, cell))
             except ValueError:
                 column = 2 + sum(len(before) + 1 for before in cells[: len(values)])
-                raise self._refusal(f"`{attribute.name}` is a number, not `{cell}`", column) from None
+                raise self._refusal(f"`{attribute.name}` is a number, not `{cell[:40]}`", column) from None
         self._rows.append(tuple(values))
 
     def _head(self, word: str, *cells: str) -> None:
@@ -158,14 +163,18 @@ class _Reader:
         self.root = Path(os.path.normpath(self.path.parent / cells[0]))
 
     def _source(self, cells: list[str]) -> None:
+        if os.path.isabs(cells[1]) or ".." in Path(cells[1]).parts:
+            raise self._refusal("a source that is not below the root", len("source") + len(cells[0]) + 3)
         self.hashes[cells[1]] = cells[0]
 
     def _diagnostic(self, cells: list[str]) -> None:
         kind, path, line, column, message = cells
-        if not (line.isdecimal() and column.isdecimal()):
+        if not (_PLACE.fullmatch(line) and _PLACE.fullmatch(column)):
             raise self._refusal("the line and the column of a `diagnostic` are numbers")
         self.diagnostics.append(Diagnostic(kind, self.root / path, int(line), int(column), message))
 
     def _component(self, cells: list[str]) -> None:
+        if wrong := next((name for name in cells[:2] if name != file_name(name)), None):
+            raise self._refusal(f"`{wrong}` is no name of a package or component")
         self._relation = None
         self.components.append((cells, {}))

@@ -56,6 +56,8 @@ def test_rules_are_run_on_it_without_libclang(tmp_path: Path) -> None:
         ("cal(call, name)\n", "5:1: no relation `cal` is extracted, did you mean `call`?"),
         ("call(call, function)\n", "5:1: the schema has `call(call, name)`; extract the facts again"),
         ("source\ta.cpp\n", "5:1: `source` needs 2 cells, found 1"),
+        ("source\t0\t../a.cpp\n", "5:10: a source that is not below the root"),
+        ("component\t..\tnode\tnode\n", "5:1: `..` is no name of a package or component"),
         ("component\tpkg\n", "5:1: `component` needs 3 cells, found 1"),
         ("diagnostic\tsource\ta.cpp\tx\t1\tbad\n", "5:1: the line and the column of a `diagnostic` are numbers"),
     ],

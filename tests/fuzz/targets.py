@@ -119,6 +119,19 @@ def facts_manifest(data: bytes, folder: Path) -> None:
         str(error)
 
 
+@target("root source component diagnostic call(call, name) location(node, file, line, column) \t \t1")
+def facts_text(data: bytes, folder: Path) -> None:
+    """The facts of a workspace as one text."""
+    from rosarch.extractor.facts_text import read_facts_text
+    from rosarch.extractor.manifest import ManifestError
+
+    (folder / "facts.txt").write_bytes(data)
+    try:
+        read_facts_text(folder / "facts.txt")
+    except ManifestError as error:
+        str(error)
+
+
 def _compose(folder: Path, name: str, data: bytes) -> None:
     from rosarch.extractor.launch import Files, PackagePath, compose, record
     from rosarch.extractor.launch.facts import launch_rows
