@@ -8,22 +8,9 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.inputs import check_output, load_analysis, unwritable
-from rosarch.cli.options import (
-    Cached,
-    Defines,
-    Engine,
-    EngineChoice,
-    Input,
-    Jobs,
-    ModelFormat,
-    Packages,
-    Timeout,
-    Verbose,
-    parse_defines,
-    path_argument,
-)
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.inputs import check_output, unwritable
+from rosarch.cli.options import ModelFormat, path_argument
+from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
 Out = Annotated[
@@ -39,30 +26,20 @@ Out = Annotated[
 ]
 
 
+@asks("component", "launches")
 def analyze(
-    folder: Input,
+    question: Question,
     out: Out = None,
-    engine: EngineChoice = Engine.embedded,
-    packages: Packages = None,
     output_format: Annotated[
         ModelFormat | None, typer.Option("--format", help="Report on stdout; a table by default, only its last line with --out.")
     ] = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Say what each node and nodelet below DIR is connected to: its ports, with types and source lines, and its parameters."""
     start = time.perf_counter()
-    variables = parse_defines(defines)
     if out:
         check_output(out)
-    rules = parse_rules(own, variants, settings)
-    analysis = load_analysis(folder, packages, rules=rules, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cached=cached)
+    rules = question.rules()
+    analysis = question.analysis(rules, question.folder, question.packages)
     if out:
         from rosarch.extractor.cache import write_whole
         from rosarch.models.rule_sets import described
@@ -74,7 +51,7 @@ def analyze(
                 write_whole(out / "rules.json", dump(told).encode())
         except OSError as error:
             raise unwritable(out, error) from None
-    show_diagnostics(analysis.diagnostics, verbose)
+    show_diagnostics(analysis.diagnostics, question.verbose)
     if output_format is ModelFormat.json:
         from rosarch.reports.json_models import models_text
 

@@ -24,9 +24,8 @@ from rosarch.cli.check_options import (
 )
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
 from rosarch.cli.inputs import check_sources
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, parse_defines
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, check_systems
+from rosarch.cli.questions import SystemQuestion, asks
+from rosarch.cli.systems import check_systems
 from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
@@ -36,12 +35,9 @@ if TYPE_CHECKING:
     from rosarch.models.system.checked import Checked
 
 
+@asks("verbose")
 def check(
-    folder: Folder,
-    launches: Launches = None,
-    package_path: PackagePath = None,
-    environment: Environment = None,
-    libraries: Libraries = None,
+    question: SystemQuestion,
     config: ConfigFile = None,
     output_format: Formats = "text",
     outputs: Outputs = None,
@@ -53,31 +49,21 @@ def check(
     exit_zero: ExitZero = False,
     baseline: BaselineFile = None,
     write_baseline: NewBaseline = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
     verbose: Talkative = False,
 ) -> None:
     """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
     from rosarch.reports.findings import scope_text
 
-    check_sources(folder)
+    folder = check_sources(question.folder)
     destinations = parse_destinations(output_format, outputs)
-    rules = parse_rules(own, variants, settings)
+    rules = question.rules()
     checks = _checks(rules)
     configuration = load_configuration(folder, config, checks)
     policy = make_policy(
         configuration, checks, errors=errors, warnings=warnings, notes=notes, ignored=ignored, fail_on=fail_on, exit_zero=exit_zero
     )
     known = baseline or (Path(configuration.baseline) if configuration.baseline and write_baseline is None else None)
-    extraction = (engine, jobs, timeout, parse_defines(defines), cached)
-    inputs = SystemInputs(folder, launches, package_path, environment, libraries, *extraction, rules)
-    checked = check_systems(inputs, configuration)
+    checked = check_systems(question.inputs(rules), configuration)
     show_remaining(checked, folder, verbose)
     reported = judge(
         checked.findings,
@@ -86,7 +72,7 @@ def check(
         checks=checks,
         baseline=known,
         new_baseline=write_baseline,
-        complete=not launches,
+        complete=not question.launches,
     )
     write_reports(reported, destinations, folder, notes=verbose, scope=scope_text(checked.scope), rules=_description(rules))
     if reported.exit_code:

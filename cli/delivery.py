@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 import typer
 
 from rosarch.cli.check_options import load_configuration
+from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_output
-from rosarch.cli.systems import SystemInputs, load_systems
+from rosarch.cli.questions import SystemQuestion
+from rosarch.cli.systems import load_systems
 from rosarch.cli.terminal import emit, show_remaining
 
 if TYPE_CHECKING:
@@ -25,12 +27,15 @@ Out = Annotated[
 ]
 
 
-def systems_of(inputs: SystemInputs, verbose: bool) -> Sequence[SystemModel]:
+def systems_of(question: SystemQuestion) -> Sequence[SystemModel]:
     """The systems to show, of the launch files in the configuration when none are named; what was not understood goes to stderr."""
     from rosarch.models.rule_sets import system_rules
 
-    analysis = load_systems(inputs, load_configuration(inputs.folder, None, system_rules().checks))
-    show_remaining(analysis, inputs.folder, verbose)
+    rules = question.rules()
+    with datalog_errors():
+        checks = system_rules(rules).checks
+    analysis = load_systems(question.inputs(rules), load_configuration(question.folder, None, checks))
+    show_remaining(analysis, question.folder, question.verbose)
     return analysis.systems
 
 

@@ -14,9 +14,10 @@ import typer
 
 from rosarch.cli.check_options import load_configuration
 from rosarch.cli.errors import FINDINGS
-from rosarch.cli.inputs import check_input, load_analysis
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Jobs, Packages, Timeout, Verbose, parse_defines
-from rosarch.cli.systems import Launches, SystemInputs, load_systems
+from rosarch.cli.inputs import check_input
+from rosarch.cli.options import Packages
+from rosarch.cli.questions import Reading, asks
+from rosarch.cli.systems import Launches, load_systems
 from rosarch.cli.terminal import emit, show_diagnostics, show_note
 
 if TYPE_CHECKING:
@@ -48,39 +49,32 @@ Side = Annotated[
 ]
 
 
+@asks()
 def diff(
+    reading: Reading,
     old: Side,
     new: Side,
     packages: Packages = None,
     launches: Launches = None,
     output_format: Annotated[DiffFormat, typer.Option("--format", help="The form of the report on stdout.")] = DiffFormat.text,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Compare two folders or git revisions: ports, rates, reactions, states, connections, findings. Exits with 1 when something differs.
 
     With --package, only components are compared.
     """
+    rules = reading.rules()
 
     def load(state: State) -> Snapshot:
         from rosarch.extractor.stored import has_facts
         from rosarch.models.comparison import Snapshot
         from rosarch.models.rule_sets import system_rules
 
-        analysis = load_analysis(
-            state.folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
-        )
-        show_diagnostics(analysis.diagnostics, verbose, state.base)
+        analysis = reading.analysis(rules, state.folder, packages)
+        show_diagnostics(analysis.diagnostics, reading.verbose, state.base)
         if packages or has_facts(state.folder):
             return Snapshot(analysis.models)
-        inputs = SystemInputs(
-            state.folder, launches, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
-        )
-        composed = load_systems(inputs, load_configuration(state.folder, None, system_rules().checks))
+        configuration = load_configuration(state.folder, None, system_rules(rules).checks)
+        composed = load_systems(reading.systems_in(state.folder, launches, rules), configuration)
         return Snapshot(analysis.models, composed.systems, composed.findings)
 
     compare_states(old, new, output_format, load)

@@ -7,20 +7,17 @@ from pathlib import Path
 import typer
 
 from rosarch.cli.inputs import check_diagnostics, check_sources
-from rosarch.cli.options import Defines, Folder, Jobs, Packages, Timeout, parse_defines
+from rosarch.cli.options import Folder, Packages, parse_defines
+from rosarch.cli.questions import Reading, asks
 from rosarch.cli.terminal import emit, progress
 
 
-def doctor(
-    folder: Folder,
-    packages: Packages = None,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-) -> None:
+@asks("engine", "cached", "verbose")
+def doctor(reading: Reading, folder: Folder, packages: Packages = None) -> None:
     """Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it."""
-    variables = parse_defines(defines)
+    variables = parse_defines(reading.defines)
     check_sources(folder)
+    rules = reading.rules()
     from rosarch.models.health import examine
     from rosarch.reports.doctor import doctor_text
 
@@ -28,8 +25,9 @@ def doctor(
         health = examine(
             folder,
             packages or None,
-            jobs=jobs,
-            timeout=timeout,
+            rules=rules,
+            jobs=reading.jobs,
+            timeout=reading.timeout,
             defines=variables,
             progress=report,
         )

@@ -10,8 +10,7 @@ import typer
 
 from rosarch.cli.delivery import Out, deliver, systems_of
 from rosarch.cli.errors import InputError
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, Verbose, parse_defines
-from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs
+from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
@@ -67,9 +66,9 @@ Collapse = Annotated[Grouping | None, _option("--collapse", "Show nodes of one n
 Group = Annotated[Grouping | None, _option("--group", "Draw a box around nodes of one namespace or package.", "BY")]
 
 
+@asks()
 def graph(
-    folder: Folder,
-    launches: Launches = None,
+    question: SystemQuestion,
     output_format: Annotated[GraphFormat, typer.Option("--format", help="The form of the graph.")] = GraphFormat.dot,
     out: Out = None,
     nodes: NodePatterns = None,
@@ -88,15 +87,6 @@ def graph(
     nodes_only: Annotated[bool, typer.Option("--nodes-only", help="Draw arrows from node to node.")] = False,
     ports: Annotated[bool, typer.Option("--ports", help="Label arrows with names in the source, connectors with types.")] = False,
     legend: Annotated[bool, typer.Option("--legend/--no-legend", help="Draw a legend.")] = True,
-    package_path: PackagePath = None,
-    environment: Environment = None,
-    libraries: Libraries = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Draw the nodes that launch files start, and the topics, services and actions that connect them."""
     from rosarch.models.system.view import Selection
@@ -117,14 +107,13 @@ def graph(
         depth=depth,
         connectors=not nodes_only,
     )
-    inputs = SystemInputs(folder, launches, package_path, environment, libraries, engine, jobs, timeout, parse_defines(defines), cached)
-    views = _views(systems_of(inputs, verbose), selection)
+    views = _views(systems_of(question), selection)
     if output_format is GraphFormat.json and out is None:
         from rosarch.reports.graph_json import graphs_text
 
         emit(graphs_text(views))
     else:
-        deliver(folder, views, lambda view: _graph_text(view, output_format, ports, legend), output_format.value, out)
+        deliver(question.folder, views, lambda view: _graph_text(view, output_format, ports, legend), output_format.value, out)
 
 
 def _views(systems: Sequence[SystemModel], selection: Selection) -> list[View]:

@@ -1,4 +1,4 @@
-"""What `query`, `explain`, `why-not`, `rules run`, `watch` and `browse` are asked about, and how that is read: their common options."""
+"""What sub-commands are asked about, and how that is read: the arguments and options that several of them have, told once."""
 
 from __future__ import annotations
 
@@ -12,24 +12,35 @@ from typing import TYPE_CHECKING, Any, get_type_hints
 
 from rosarch.cli.derivations import Component, selected
 from rosarch.cli.errors import InputError
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Input, Jobs, Packages, Timeout, Verbose, parse_defines
+from rosarch.cli.inputs import load_analysis
+from rosarch.cli.options import (
+    Cached,
+    Defines,
+    Engine,
+    EngineChoice,
+    Folder,
+    Input,
+    Jobs,
+    Libraries,
+    Packages,
+    Timeout,
+    Verbose,
+    parse_defines,
+)
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import SystemInputs, Systems, load_surrounding
+from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, Systems, load_surrounding
 from rosarch.cli.terminal import show_diagnostics
 
 if TYPE_CHECKING:
+    from rosarch.models.analysis import Analysis
     from rosarch.models.rule_choice import RuleSet
     from rosarch.models.selection import SelectedComponent
 
 
-@dataclass(frozen=True)
-class Question:
-    """Components, or with `launches` the systems that these compose, and the rules that tell of them."""
+@dataclass(frozen=True, kw_only=True)
+class Reading:
+    """The rules, and how sources are read."""
 
-    folder: Input
-    packages: Packages = None
-    component: Component = None
-    launches: Systems = None
     own: Rules = None
     variants: Variants = None
     settings: Settings = None
@@ -40,14 +51,54 @@ class Question:
     cached: Cached = True
     verbose: Verbose = False
 
+    def rules(self, *files: Path) -> RuleSet:
+        """The rules, with files of the user's own."""
+        return parse_rules([*files, *(self.own or ())], self.variants, self.settings)
+
+    def analysis(self, rules: RuleSet, folder: Path, packages: Sequence[str] | None) -> Analysis:
+        """The models of the components in a folder, by these rules."""
+        return load_analysis(
+            folder, packages, rules=rules, engine=self.engine, jobs=self.jobs, timeout=self.timeout,
+            defines=parse_defines(self.defines), cached=self.cached,
+        )  # fmt: skip
+
+    def systems_in(self, folder: Path, launches: Sequence[str] | None, rules: RuleSet, **more: Any) -> SystemInputs:
+        """Systems of a folder of sources."""
+        return SystemInputs(
+            folder, launches, engine=self.engine, jobs=self.jobs, timeout=self.timeout, defines=parse_defines(self.defines),
+            cached=self.cached, rules=rules, **more,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class SystemQuestion(Reading):
+    """Systems that launch files start."""
+
+    folder: Folder
+    launches: Launches = None
+    package_path: PackagePath = None
+    environment: Environment = None
+    libraries: Libraries = None
+
+    def inputs(self, rules: RuleSet) -> SystemInputs:
+        """What is to be composed, by these rules."""
+        more = {"package_path": self.package_path, "environment": self.environment, "library": self.libraries}
+        return self.systems_in(self.folder, self.launches, rules, **more)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Question(Reading):
+    """Components, or with `launches` the systems that these compose."""
+
+    folder: Input
+    packages: Packages = None
+    component: Component = None
+    launches: Systems = None
+
     @property
     def systems(self) -> bool:
         """Whether it is about systems."""
         return bool(self.launches)
-
-    def rules(self, *files: Path) -> RuleSet:
-        """The rules, with files of the user's own."""
-        return parse_rules([*files, *(self.own or ())], self.variants, self.settings)
 
     @contextmanager
     def asked(self, rules: RuleSet) -> Iterator[Sequence[SelectedComponent]]:
@@ -63,39 +114,41 @@ class Question:
             raise InputError("--launch asks about whole systems; --package and --component are about components")
         from rosarch.models.selection import SelectedComponent
 
-        inputs = SystemInputs(
-            self.folder, self.launches, engine=self.engine, jobs=self.jobs, timeout=self.timeout, defines=parse_defines(self.defines),
-            cached=self.cached, rules=rules,
-        )  # fmt: skip
-        shared, found = load_surrounding(inputs)
+        shared, found = load_surrounding(self.systems_in(self.folder, self.launches, rules))
         show_diagnostics(shared.diagnostics, self.verbose)
         yield [SelectedComponent(launch.name, "", self.folder, partial(shared.rows, launch)) for launch in found]
 
 
 def asks(*without: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a sub-command, whose first parameter is a Question, the arguments and options of one, but for those named here."""
-    hints = get_type_hints(Question, include_extras=True)
-    shared = [
-        inspect.Parameter(
-            field.name, inspect.Parameter.KEYWORD_ONLY, annotation=hints[field.name],
-            default=inspect.Parameter.empty if field.default is MISSING else field.default,
-        )
-        for field in fields(Question)
-        if field.name not in without
-    ]  # fmt: skip
+    """Give a sub-command the arguments and options of its first parameter, a Question or other Reading, but for those named here."""
 
     def decorate(command: Callable[..., None]) -> Callable[..., None]:
-        own = [p.replace(kind=p.KEYWORD_ONLY) for p in list(inspect.signature(command, eval_str=True).parameters.values())[1:]]
-        names = [p.name for p in shared]
-        at = 1 + names.index("settings")  # the folder, arguments of its own, what is asked about; options of its own, how that is read
-        parameters = [shared[0], *(p for p in own if p.default is p.empty), *shared[1:at], *(p for p in own if p.default is not p.empty)]
+        first, *others = inspect.signature(command, eval_str=True).parameters.values()
+        shared = [p for p in _parameters(first.annotation) if p.name not in without]
+        own = [p.replace(kind=p.KEYWORD_ONLY) for p in others]
+        how = [p for p in shared if p.name in _HOW]
+        about = [p for p in shared if p.name not in _HOW]  # with the rules; then options of its own, and last how sources are read
+        parameters = sorted([*about, *own], key=lambda p: (p.default is not p.empty, p not in about)) + how
 
         def ask(**given: Any) -> None:
-            command(Question(**{name: given.pop(name) for name in names}), **given)
+            command(first.annotation(**{p.name: given.pop(p.name) for p in shared}), **given)
 
         ask.__name__, ask.__doc__ = command.__name__, command.__doc__
-        ask.__signature__ = inspect.Signature([*parameters, *shared[at:]])  # type: ignore[attr-defined]
-        ask.__annotations__ = {p.name: p.annotation for p in (*parameters, *shared[at:])}
+        ask.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+        ask.__annotations__ = {p.name: p.annotation for p in parameters}
         return ask
 
     return decorate
+
+
+_RULES = ("own", "variants", "settings")
+_HOW = {field.name for field in fields(Reading)} - set(_RULES)
+
+
+def _parameters(shape: type[Reading]) -> Iterator[inspect.Parameter]:
+    """A parameter for each field, what is asked about first."""
+    hints = get_type_hints(shape, include_extras=True)
+    common = {field.name for field in fields(Reading)}
+    for field in sorted(fields(shape), key=lambda field: field.name in common):
+        default = inspect.Parameter.empty if field.default is MISSING else field.default
+        yield inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, annotation=hints[field.name], default=default)

@@ -10,23 +10,21 @@ import typer
 from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import extraction_cache
-from rosarch.cli.options import Cached, Jobs, Timeout, path_argument
-from rosarch.cli.rule_options import Rules, parse_rules
+from rosarch.cli.options import path_argument
+from rosarch.cli.questions import Reading, asks
 from rosarch.cli.rules_test import checked_path, systems_of
 from rosarch.cli.terminal import emit, progress
 
 
+@asks("variants", "settings", "engine", "defines", "verbose")
 def mutate(
+    reading: Reading,
     paths: Annotated[
         list[Path] | None,
         typer.Argument(parser=path_argument, metavar="[PATH]...", help="The tests, as for `rosarch rules test`."),
     ] = None,
-    own: Rules = None,
     sample: Annotated[int | None, typer.Option("--sample", metavar="N", min=1, help="Only N mutants, chosen at random.")] = None,
     seed: Annotated[int, typer.Option("--seed", metavar="N", help="What the choice starts from.")] = 0,
-    jobs: Jobs = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
 ) -> None:
     """Change rules of components a literal at a time and list the changes that no test notices; those of --rules, or rosarch's own.
 
@@ -42,17 +40,18 @@ def mutate(
     from rosarch.models.rule_sets import component_program
 
     given = [checked_path(path) for path in paths or [Path()]]
-    rules = parse_rules(own)
+    rules = reading.rules()
     try:
         found = find_cases(given)
         with datalog_errors(), progress() as report:
             program = component_program(rules)
-            how = Running(rules, systems_of(rules), jobs=jobs, timeout=timeout, cache=extraction_cache(cached))
+            cache = extraction_cache(reading.cached)
+            how = Running(rules, systems_of(rules, reading), jobs=reading.jobs, timeout=reading.timeout, cache=cache)
             cases = [*(c for folder in found.rules for c in drop_in_cases(program, folder)), *mutation_cases(program, found.cases, how)]
             if not cases:
                 raise InputError(f"{', '.join(map(str, given))}: no tests of rules of components")
             test = MutationTest(program, cases)
-            verdicts = judge_all(test, mutants_of(test, own_files(rules.own), sample, seed), jobs=jobs, progress=report)
+            verdicts = judge_all(test, mutants_of(test, own_files(rules.own), sample, seed), jobs=reading.jobs, progress=report)
     except ExpectationError as error:
         raise InputError(str(error)) from None
     emit(survivors_text(verdicts, shorten=shorten))

@@ -12,8 +12,8 @@ import typer
 from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_engine, check_folder, extraction_cache, read_input
-from rosarch.cli.options import Cached, Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.options import Engine, path_argument
+from rosarch.cli.questions import Reading, asks
 from rosarch.cli.systems import SystemInputs, load_surrounding, load_systems
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
@@ -26,22 +26,16 @@ if TYPE_CHECKING:
     from rosarch.models.rule_sets import RuleSet
 
 
+@asks("defines")
 def test(
+    reading: Reading,
     paths: Annotated[
         list[Path] | None,
         typer.Argument(parser=path_argument, metavar="[PATH]...", help="C++ files, workspaces, folders of them; else the current one."),
     ] = None,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
     coverage: Annotated[
         bool, typer.Option("--coverage/--no-coverage", help="List the clauses that never fired in tests that are folders of facts.")
     ] = True,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Run the tests at and below each PATH; exit code 1 when one fails.
 
@@ -52,22 +46,22 @@ def test(
     from rosarch.expectations.run import Running, run_cases
 
     given = [checked_path(path) for path in paths or [Path()]]
-    check_engine(engine)
-    rules = parse_rules(own, variants, settings)
+    check_engine(reading.engine)
+    rules = reading.rules()
     try:
         found = find_cases(given)
         if not (found.cases or found.rules):
             told = "a test is a source with comments `expect: ...`, or a folder with facts/*.facts and expected/*.csv"
             raise InputError(f"{', '.join(map(str, given))}: no tests; {told}")
         with datalog_errors(), progress() as report:
-            systems = systems_of(rules, engine=engine, jobs=jobs, timeout=timeout, cached=cached)
-            how = Running(rules, systems, engine.value, jobs, timeout, extraction_cache(cached), report)
+            systems = systems_of(rules, reading)
+            how = Running(rules, systems, reading.engine.value, reading.jobs, reading.timeout, extraction_cache(reading.cached), report)
             outcomes = list(run_cases(found.cases, how))
     except ExpectationError as error:
         raise InputError(str(error)) from None
-    met = _tell(outcomes, verbose)
+    met = _tell(outcomes, reading.verbose)
     with datalog_errors():
-        passed = [_run_folder(folder, rules, engine, coverage) for folder in found.rules]
+        passed = [_run_folder(folder, rules, reading.engine, coverage) for folder in found.rules]
     if not (met and all(passed)):
         raise typer.Exit(1)
 
@@ -105,11 +99,9 @@ class _Systems:
         return [{name: list(rows) for name, rows in shared.rows(launch).items()} for launch in launches]
 
 
-def systems_of(
-    rules: RuleSet, *, engine: Engine = Engine.embedded, jobs: int | None = None, timeout: float = 60.0, cached: bool = True
-) -> Callable[[Path], Systems]:
+def systems_of(rules: RuleSet, reading: Reading) -> Callable[[Path], Systems]:
     """Gives the systems of a workspace."""
-    return lambda folder: _Systems(SystemInputs(folder, engine=engine, jobs=jobs, timeout=timeout, cached=cached, rules=rules), rules)
+    return lambda folder: _Systems(reading.systems_in(folder, None, rules), rules)
 
 
 def _tell(outcomes: Sequence[CaseOutcome], verbose: bool) -> bool:

@@ -12,15 +12,14 @@ import typer
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_engine, check_folder, check_output, extraction_cache, unwritable
-from rosarch.cli.options import Cached, Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.options import path_argument
+from rosarch.cli.questions import Reading, asks
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 from rosarch.extractor.files import file_name
 
 if TYPE_CHECKING:
     from rosarch.experiments.single import SingleRun
     from rosarch.experiments.truth import Truth
-    from rosarch.models.rule_sets import RuleSet
 
 TruthFolder = Annotated[
     Path, typer.Argument(parser=path_argument, metavar="TRUTH", help="A folder with a YAML file per component.", show_default=False)
@@ -65,22 +64,16 @@ class ScoreFormat(str, Enum):
     json = "json"
 
 
+@asks("defines")
 def score(
+    reading: Reading,
     truth: TruthFolder,
     systems: SystemsFolder = None,
     models: Models = None,
     out: Out = None,
     misses: Misses = False,
     absent: Absent = False,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
     output_format: Annotated[ScoreFormat, typer.Option("--format", help="The report on stdout.")] = ScoreFormat.text,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Analyse the components that TRUTH is about and say how much of it was found, how much of what was found is true, and what agrees."""
     from rosarch.experiments.single import score_models
@@ -90,7 +83,7 @@ def score(
     check_folder(truth)
     if (systems is None) == (models is None):
         raise InputError("name either the folder of the systems or, with --models, that of their models")
-    check_engine(engine)
+    check_engine(reading.engine)
     if out:
         check_output(out)
     try:
@@ -98,9 +91,8 @@ def score(
         if models is not None:
             found = score_models(truths, check_folder(models))
         else:
-            rules = parse_rules(own, variants, settings)
-            single = _analyzed(truths, check_folder(systems or Path()), rules, engine, jobs, timeout, cached, absent)
-            show_diagnostics(single.diagnostics, verbose)
+            single = _analyzed(truths, check_folder(systems or Path()), reading, absent)
+            show_diagnostics(single.diagnostics, reading.verbose)
             if out:
                 _write(single, out)
             found = single.score
@@ -109,16 +101,7 @@ def score(
     emit(WRITERS[output_format.value](found, misses))
 
 
-def _analyzed(
-    truths: Sequence[Truth],
-    folder: Path,
-    rules: RuleSet,
-    engine: Engine,
-    jobs: int | None,
-    timeout: float,
-    cached: bool,
-    absent: bool,
-) -> SingleRun:
+def _analyzed(truths: Sequence[Truth], folder: Path, reading: Reading, absent: bool) -> SingleRun:
     from rosarch.experiments.run import Runner
     from rosarch.experiments.single import run_single, subjects_of
     from rosarch.experiments.subjects import Extracting
@@ -126,13 +109,12 @@ def _analyzed(
     from rosarch.models.rule_sets import model_program
 
     with datalog_errors():
-        program = model_program(rules)
+        program = model_program(reading.rules())
     with progress() as report:
-        how = Extracting(jobs, timeout, extraction_cache(cached), report)
+        how = Extracting(reading.jobs, reading.timeout, extraction_cache(reading.cached), report)
+        runner = Runner(reading.engine.value, reading.jobs, progress=report)
         try:
-            return run_single(
-                truths, subjects_of(truths, folder, absent=absent), program, how, Runner(engine.value, jobs, progress=report), absent=absent
-            )
+            return run_single(truths, subjects_of(truths, folder, absent=absent), program, how, runner, absent=absent)
         except ManifestError as error:
             raise InputError(str(error)) from None
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -12,27 +11,12 @@ import typer
 from rosarch.cli.errors import InputError
 from rosarch.cli.graph import graph
 from rosarch.cli.includes import includes
-from rosarch.cli.inputs import load_analysis
-from rosarch.cli.options import (
-    Cached,
-    Defines,
-    Engine,
-    EngineChoice,
-    Format,
-    Input,
-    Jobs,
-    MachineFormat,
-    Packages,
-    Timeout,
-    Verbose,
-    parse_defines,
-)
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
+from rosarch.cli.options import Format, MachineFormat
+from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.models.component import ComponentModel
-    from rosarch.models.rule_choice import RuleSet
 
 Node = Annotated[str | None, typer.Argument(metavar="NODE", help="Only this one: NAME, PACKAGE/NAME or its node name.", show_default=False)]
 
@@ -40,24 +24,15 @@ app = typer.Typer(help="Show one aspect of a system.", no_args_is_help=False)
 
 
 @app.command("ports")
+@asks("component", "launches")
 def ports(
-    folder: Input,
+    question: Question,
     node: Node = None,
-    packages: Packages = None,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """List the topics, services, actions and transforms of each node and nodelet below DIR."""
     start = time.perf_counter()
-    models = _models(folder, node, packages, parse_rules(own, variants, settings), engine, jobs, defines, timeout, cached, verbose)
+    models = _models(question, node)
     if output_format is Format.json:
         from rosarch.reports.json_models import ports_text
 
@@ -75,23 +50,14 @@ def ports(
 
 
 @app.command("behavior")
+@asks("component", "launches")
 def behavior(
-    folder: Input,
+    question: Question,
     node: Node = None,
-    packages: Packages = None,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """List what each node and nodelet below DIR does: its reactions, timed loops, state variables and their transitions."""
-    models = _models(folder, node, packages, parse_rules(own, variants, settings), engine, jobs, defines, timeout, cached, verbose)
+    models = _models(question, node)
     if output_format is Format.json:
         from rosarch.reports.json_models import behaviors_text
 
@@ -111,10 +77,10 @@ def behavior(
 
 
 @app.command("machine")
+@asks("component", "launches")
 def machine(
-    folder: Input,
+    question: Question,
     node: Node = None,
-    packages: Packages = None,
     output_format: Annotated[
         MachineFormat, typer.Option("--format", help="The form of the report on stdout; for diagrams and SCXML name a NODE.")
     ] = MachineFormat.text,
@@ -123,21 +89,12 @@ def machine(
         typer.Option("--max-states", metavar="N", min=1, help="Show variables that depend on each other as one machine of up to N states."),
     ] = 16,
     joint: Annotated[bool, typer.Option("--joint", help="Do so even where every combination of their values can occur.")] = False,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Show the state machines of each node and nodelet below DIR: states are the values of its state variables."""
-    models = _models(folder, node, packages, parse_rules(own, variants, settings), engine, jobs, defines, timeout, cached, verbose)
+    models = _models(question, node)
     if len(models) != 1 and output_format not in (MachineFormat.text, MachineFormat.json):
         names = ", ".join(f"{model.package}/{model.component}" for model in models)
-        raise InputError(f"{folder}: {len(models)} components; choose one for {output_format.value}: {names}")
+        raise InputError(f"{question.folder}: {len(models)} components; choose one for {output_format.value}: {names}")
     from rosarch.models.component import to_json
     from rosarch.models.machine.build import build_machine
     from rosarch.reports.machines import machines_text
@@ -150,24 +107,11 @@ app.command("graph")(graph)
 app.command("includes")(includes)
 
 
-def _models(
-    folder: Path,
-    node: str | None,
-    packages: list[str] | None,
-    rules: RuleSet,
-    engine: Engine,
-    jobs: int | None,
-    defines: list[str] | None,
-    timeout: float,
-    cached: bool,
-    verbose: bool,
-) -> tuple[ComponentModel, ...]:
+def _models(question: Question, node: str | None) -> tuple[ComponentModel, ...]:
     """The components to show; what was not understood goes to stderr."""
-    analysis = load_analysis(
-        folder, packages, rules=rules, engine=engine, jobs=jobs, timeout=timeout, defines=parse_defines(defines), cached=cached
-    )
+    analysis = question.analysis(question.rules(), question.folder, question.packages)
     models = analysis.models if node is None else _named(analysis.models, node)
-    show_diagnostics(analysis.diagnostics, verbose)
+    show_diagnostics(analysis.diagnostics, question.verbose)
     return models
 
 

@@ -14,7 +14,7 @@ from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.units import Progress
 from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.places import Place
-from rosarch.models.rule_sets import component_program
+from rosarch.models.rule_sets import SHIPPED, RuleSet, component_program
 
 SLOW = 2.0  # seconds for one source: beyond, a reader will want to know
 
@@ -68,13 +68,14 @@ def examine(
     root: Path,
     packages: Collection[str] | None = None,
     *,
+    rules: RuleSet = SHIPPED,
     jobs: int | None = None,
     timeout: float = 60.0,
     defines: Mapping[str, str] | None = None,
     progress: Progress | None = None,
 ) -> Health:
-    """Read and analyse the components of `packages` below `root` anew, and tell how well that went. See `extract` for the options."""
-    program, health = component_program(), Health()
+    """Read and analyse the components of `packages` below `root` anew, by `rules`, and tell how well that went. See also `extract`."""
+    program, health = component_program(rules), Health()
     asserted = sorted(name for name in program.relations if name.startswith("assert_"))
     keep = ["port", "port_unknown", "node_location", *asserted]
 

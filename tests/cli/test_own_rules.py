@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from rosarch.cli.commands import load_command
 from rosarch.models.own_rules import own_programs
 
 Run = Callable[..., Any]
@@ -255,3 +256,30 @@ def test_what_is_new_passes_its_tests(rosarch: Run, tmp_path: Path) -> None:
     # without the rules they test, they fail
     assert rosarch("rules", "test", rules / "tests" / "my_lib.cpp").code == 1
     assert rosarch("rules", "checks", "long-queue", "--rules", rules).code == 0
+
+
+TOPICS_ALONE = """.pragma "override" "joins_connector"
+joins_connector("topic", Name, Side, Port) :- node_port(Port, Kind), port_side(Kind, "topic", Side), port_name(Port, Name).
+"""
+
+
+def test_reports_on_systems_take_other_rules(rosarch: Run, examples: Path, tmp_path: Path) -> None:
+    rules = write(tmp_path / "r", all=TOPICS_ALONE)
+    kinds = []
+    for more in ((), ("--rules", rules)):
+        done = rosarch("show", "graph", examples / "delivery_robot", "--format", "json", *more)
+        kinds.append({connector["kind"] for graph in json.loads(done.out) for connector in graph["connectors"]})
+    assert kinds == [{"topic", "service", "action"}, {"topic"}]
+    assert done.err.endswith("`joins_connector` is overridden: 1 clause of rules/system/connections.dl dropped\n")
+
+
+@pytest.mark.parametrize(
+    "command", ["analyze", "check", "diff", "doctor", "score", "query", "explain", "why-not", "watch", "browse",
+    "show ports", "show behavior", "show machine", "show graph", "show includes", "export acme", "rules run", "rules test"],
+)  # fmt: skip
+def test_whatever_derives_takes_rules_variants_and_options(command: str) -> None:
+    name, *rest = command.split()
+    found = load_command(name)
+    for part in rest:
+        found = found.commands[part]
+    assert {"own", "variants", "settings"} <= {parameter.name for parameter in found.params}
