@@ -269,7 +269,7 @@ def test_reports_on_systems_take_other_rules(rosarch: Run, examples: Path, tmp_p
     for more in ((), ("--rules", rules)):
         done = rosarch("show", "graph", examples / "delivery_robot", "--format", "json", *more)
         kinds.append({connector["kind"] for graph in json.loads(done.out) for connector in graph["connectors"]})
-    assert kinds == [{"topic", "service", "action"}, {"topic"}]
+    assert kinds == [{"topic", "service"}, {"topic"}]
     assert done.err.endswith("`joins_connector` is overridden: 1 clause of rules/system/connections.dl dropped\n")
 
 
