@@ -1,11 +1,11 @@
 """Measure time and memory of `rosarch check`, on workspaces made for it or on given ones.
 
-    benchmarks/check_speed.py [--nodes N]... [--components N] [--runs N]
+    benchmarks/check_speed.py [--nodes N]... [--components N] [--bus N] [--runs N]
     benchmarks/check_speed.py SYSTEM_DIR... [--runs N]
 
 A workspace made for it has a package for every ten components, a launch file for every ten nodes, and one that includes all of these, each
 in a namespace of its own and with an argument. Nodes have remappings, parameters and YAML files; each reads what the one before it sends,
-but for every tenth, which reads what nobody sends.
+but for every tenth, which reads what nobody sends. With a bus, so many nodes at a time send to and read from one topic.
 
 Prints a Markdown table. A cold run starts with empty caches, a warm run is the cold one again, in an edited run one launch file sets one
 more parameter; of several runs it is the median. Processor time is that of all processes of a run, memory the largest resident set of any
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {{
 """
 NODE = """  <node pkg="{package}" type="{type}" name="stage_{index}">
     <remap from="input" to="/{source}"/>
-    <remap from="output" to="/link_{index}"/>
+    <remap from="output" to="/{sent}"/>
     <param name="gain" value="{index}.5"/>
     <param name="report" value="report_$(arg suffix)_{index}"/>
   </node>
@@ -113,8 +113,8 @@ INCLUDE = """  <group ns="group_{group}">
 """
 
 
-def make_workspace(root: Path, nodes: int, components: int) -> None:
-    """Write a workspace of so many components, and launch files that start so many nodes of them."""
+def make_workspace(root: Path, nodes: int, components: int, bus: int = 0) -> None:
+    """Write a workspace of so many components, and launch files that start so many nodes of them; `bus` of these share a topic."""
     packages = [f"stages_{number}" for number in range((components + GROUP - 1) // GROUP)]
     for number, package in enumerate(packages):
         _make_package(root / package, range(number * GROUP, min((number + 1) * GROUP, components)))
@@ -125,7 +125,9 @@ def make_workspace(root: Path, nodes: int, components: int) -> None:
         for index in range(group * GROUP, min((group + 1) * GROUP, nodes)):
             component = index % components
             source = f"lost_{index}" if index % GROUP == GROUP // 2 else f"link_{(index - 1) % nodes}"
-            texts.append(NODE.format(package=packages[component // GROUP], type=f"stage_{component}", index=index, source=source))
+            read, sent = [f"bus_{index // bus}"] * 2 if bus else (source, f"link_{index}")
+            kind = f"stage_{component}"
+            texts.append(NODE.format(package=packages[component // GROUP], type=kind, index=index, source=read, sent=sent))
         write(root / package / "launch" / f"group_{group}.launch", GROUP_FILE.format(package=package, nodes="".join(texts)))
         includes.append(INCLUDE.format(package=package, group=group))
     write(root / packages[0] / "launch" / "all.launch", f"<launch>\n{''.join(includes)}</launch>\n")
@@ -212,6 +214,7 @@ def main() -> int:
     parser.add_argument("systems", nargs="*", type=Path)
     parser.add_argument("--nodes", type=int, action="append")
     parser.add_argument("--components", type=int, help="of a workspace that is made; as many as nodes, but at most 100, by default")
+    parser.add_argument("--bus", type=int, default=0, metavar="N", help="N nodes at a time share a topic, so that each has N connections")
     parser.add_argument("--runs", type=int, default=3)
     options = parser.parse_args()
     print(HEAD, flush=True)
@@ -220,8 +223,9 @@ def main() -> int:
     for nodes in options.nodes or ([] if options.systems else [100, 1000, 10000]):
         components = options.components or min(nodes, 100)
         with tempfile.TemporaryDirectory(prefix="rosarch-check-speed-") as folder:
-            make_workspace(Path(folder), nodes, components)
-            print(row(f"{nodes} nodes of {components} components", Path(folder), options.runs), flush=True)
+            make_workspace(Path(folder), nodes, components, options.bus)
+            connections = f", {nodes * options.bus} connections" if options.bus else ""
+            print(row(f"{nodes} nodes of {components} components{connections}", Path(folder), options.runs), flush=True)
     return 0
 
 
