@@ -22,9 +22,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.rule_sets import component_program
 
 SITE = re.compile(r"(?:\.|->)\s*(?:template\s+)?(advertise|subscribe|advertiseService|serviceClient)\s*[<(](?!\s*\))")
@@ -87,7 +87,7 @@ def read_system(root: Path, jobs: int) -> Seen:
 
     with extract(root, jobs=jobs) as extraction:
         seen.failed += [str(d).partition("\n")[0] for d in extraction.diagnostics if d.kind == "source"]
-        for index, outcome in run_tasks(work, extraction.components, jobs=jobs, timeout=COMPONENT_TIMEOUT):
+        for index, outcome in run_tasks(work, extraction.components, jobs=jobs, timeout=LIMITS.evaluation):
             component = extraction.components[index]
             if isinstance(outcome, Failure):
                 seen.failed.append(f"{component.package}/{component.name}: {outcome.reason}")

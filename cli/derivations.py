@@ -115,9 +115,9 @@ def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, 
     """All relations of a component, and its facts; with a profile on stderr if asked for."""
     facts = facts_of(component, program)
     if not profiled:
-        from rosarch.models.analysis import COMPONENT_TIMEOUT
+        from rosarch.extractor.limits import LIMITS
 
-        return program.evaluate(facts, engine=engine.value, keep="all", time_limit=COMPONENT_TIMEOUT), facts
+        return program.evaluate(facts, engine=engine.value, keep="all", time_limit=LIMITS.evaluation), facts
     from rosarch.datalog import profile, profile_text
 
     found = profile(program, facts)

@@ -38,9 +38,16 @@ def root(
     _version: Annotated[
         bool, typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_print_version)
     ] = False,
+    memory: Annotated[
+        int | None, typer.Option("--memory", metavar="MIB", min=16, help="What a worker process may have; 4096 by default.")
+    ] = None,
     _traceback: Annotated[bool, typer.Option("--traceback", help="Show where in rosarch an unexpected error arose.")] = False,
 ) -> None:
     """Print the help when no sub-command is named."""
+    if memory:
+        from rosarch.extractor.limits import LIMITS
+
+        LIMITS.memory = memory << 20
     if context.invoked_subcommand is None:
         print(context.get_help())
 

@@ -70,7 +70,25 @@ Defines = Annotated[
     list[str] | None,
     typer.Option("--define", "-D", metavar="K=V", help="A CMake cache variable, e.g. CUDA_FOUND=0; may be repeated.", show_default=False),
 ]
-Timeout = Annotated[float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="The time limit of one source file.")]
+
+
+def _limited(seconds: float) -> float:
+    from rosarch.extractor.limits import LIMITS
+
+    LIMITS.set_source_seconds(seconds)
+    return seconds
+
+
+Timeout = Annotated[
+    float,
+    typer.Option(
+        "--timeout",
+        metavar="SECONDS",
+        min=0.001,
+        callback=_limited,
+        help="The time limit of one source file; the rules of a component or system have five times as long.",
+    ),
+]
 Cached = Annotated[bool, typer.Option("--cache/--no-cache", help="Keep what is read from the sources, and read only what has changed.")]
 EngineChoice = Annotated[Engine, typer.Option("--engine", help="What evaluates the rules; souffle must be on PATH.")]
 Libraries = Annotated[

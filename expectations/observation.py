@@ -13,8 +13,8 @@ from rosarch.datalog.queries import check_query, table_cells
 from rosarch.expectations.comments import Marked
 from rosarch.expectations.elements import Element, elements, finding_element
 from rosarch.expectations.judgement import PlacedRow
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pipeline import ComponentFacts, Extraction
-from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.component import ComponentModel, build_model, to_json
 from rosarch.models.findings import Finding
 
@@ -39,7 +39,7 @@ class ObservedComponent:
     @cached_property
     def result(self) -> Result:
         """The rows of all relations."""
-        return self.program.evaluate(self.rows, engine=self.engine, keep="all", time_limit=COMPONENT_TIMEOUT)
+        return self.program.evaluate(self.rows, engine=self.engine, keep="all", time_limit=LIMITS.evaluation)
 
     @cached_property
     def store(self) -> RowStore:

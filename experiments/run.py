@@ -18,9 +18,9 @@ from rosarch.datalog.values import ValueWriter
 from rosarch.experiments.comparison import Document
 from rosarch.experiments.subjects import OpenSubject
 from rosarch.extractor.cache import Cache, hash_of, version_of
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.stored import Facts
-from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.component import build_model, to_json
 from rosarch.models.rule_sets import SHIPPED, RuleSet
 
@@ -90,7 +90,7 @@ class Runner:
         def work(index: int) -> bytes:
             return _evaluate(waiting[index], self.engine)
 
-        for index, outcome in run_tasks(work, range(len(waiting)), jobs=self.jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
+        for index, outcome in run_tasks(work, range(len(waiting)), jobs=self.jobs or default_jobs(), timeout=LIMITS.evaluation):
             done += 1
             self._tell(done, len(cells))
             if isinstance(outcome, Failure):

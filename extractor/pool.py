@@ -21,13 +21,12 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from rosarch.extractor import observation
+from rosarch.extractor.limits import LIMITS
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 
 
-MEMORY_LIMIT = 4 << 30
-"""Bytes of address space of a worker, where nothing else is asked for."""
 _GARBAGE = 200_000
 """Objects that a worker's tasks have left behind when it looks for cycles among them."""
 _DEATH_SIGNAL = 1
@@ -56,13 +55,14 @@ def default_jobs() -> int:
 
 
 def run_tasks(
-    function: Callable[[Task], Result], tasks: Sequence[Task], *, jobs: int, timeout: float, memory: int = MEMORY_LIMIT
+    function: Callable[[Task], Result], tasks: Sequence[Task], *, jobs: int, timeout: float, memory: int | None = None
 ) -> Iterator[tuple[int, Result | Failure]]:
     """Yield (index of the task, its result or failure) as tasks end, in no particular order.
 
-    A worker that dies or works on one task for more than `timeout` seconds is replaced. None has more than `memory` bytes of addresses.
+    A worker that dies or works on one task for more than `timeout` seconds is replaced. None has more than `memory` bytes of
+    addresses, as many as `LIMITS` tells by default.
     """
-    observed = observation.carried(function)
+    observed, memory = observation.carried(function), memory or LIMITS.memory
     pending = iter(range(len(tasks)))
     workers: list[_Worker[Task]] = []
     busy: list[_Worker[Task]] = []

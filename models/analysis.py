@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rosarch.datalog import CommonFacts
 from rosarch.extractor.cache import Cache
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.extractor.sharing import CommonUnits, in_groups, read_common
 from rosarch.extractor.stored import Facts, read_stored
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
     from rosarch.extractor.pipeline import ComponentFacts
     from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
-
-COMPONENT_TIMEOUT = 300.0
 
 
 @dataclass(frozen=True)
@@ -141,7 +140,7 @@ def _derived(
             result = program.evaluate(component.rows(shared.units), common=shared.facts)
         return {name: result.rows(name) for name in result.names()}
 
-    for index, outcome in run_tasks(work, order, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
+    for index, outcome in run_tasks(work, order, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation):
         yield components[order[index][0]], outcome
 
 

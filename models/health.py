@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.units import Progress
-from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.places import Place
 from rosarch.models.rule_sets import SHIPPED, RuleSet, component_program
 
@@ -94,7 +94,7 @@ def examine(
         seen: set[str] = set()
         unbound: set[tuple[str, str]] = set()
         for done, (index, outcome) in enumerate(
-            run_tasks(work, extraction.components, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT)
+            run_tasks(work, extraction.components, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation)
         ):
             if isinstance(outcome, Failure):
                 component = extraction.components[index]

@@ -12,8 +12,8 @@ from typing import Any
 from rosarch.datalog import Program, RelationDecl
 from rosarch.datalog.queries import Table
 from rosarch.datalog.rederive import Edit, RuleHistory
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.selection import SelectedComponent
 
 Row = tuple[Any, ...]
@@ -64,7 +64,7 @@ class LiveRules:
 
         tables: dict[str, Mapping[str, Table]] = {}
         failures: dict[str, str] = {}
-        for index, outcome in run_tasks(work, range(len(self.components)), jobs=self.jobs, timeout=COMPONENT_TIMEOUT):
+        for index, outcome in run_tasks(work, range(len(self.components)), jobs=self.jobs, timeout=LIMITS.evaluation):
             title = self.components[index].title
             if isinstance(outcome, Failure):
                 failures[title] = f"{outcome.reason}: {outcome.detail}"

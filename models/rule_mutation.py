@@ -11,8 +11,8 @@ from rosarch.datalog import Program
 from rosarch.datalog.mutation import Case, Mutant, MutationTest, Verdict, mutants
 from rosarch.datalog.rule_tests import EXPECTED, FACTS, PROGRAM, find_tests
 from rosarch.extractor.cache import Cache
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.models.analysis import COMPONENT_TIMEOUT
 from rosarch.models.selection import select
 
 Progress = Callable[[str, int, int], None]
@@ -65,7 +65,7 @@ def judge_all(
         return [verdict.killed_by if (verdict := test.judge(chosen[i])) else None for i in indexes]
 
     killed: dict[int, str | None] = {}
-    for done, (number, outcome) in enumerate(run_tasks(work, tasks, jobs=jobs or default_jobs(), timeout=COMPONENT_TIMEOUT), 1):
+    for done, (number, outcome) in enumerate(run_tasks(work, tasks, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation), 1):
         if isinstance(outcome, Failure) and outcome.reason not in _EXCEEDED:
             raise RuntimeError(f"{chosen[tasks[number][0]].location}: {outcome.reason}: {outcome.detail}")
         answers = [outcome.reason] * len(tasks[number]) if isinstance(outcome, Failure) else outcome

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.extractor.limits import LIMITS, Limits
+
 ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -47,6 +49,14 @@ def rosarch(capfd: pytest.CaptureFixture[str]) -> Callable[..., Outcome]:
         return Outcome(code, captured.out, captured.err)
 
     return run
+
+
+@pytest.fixture
+def limits(monkeypatch: pytest.MonkeyPatch) -> Limits:
+    """The limits of worker processes, as they were when the test is over."""
+    for name, value in vars(LIMITS).items():
+        monkeypatch.setattr(LIMITS, name, value)
+    return LIMITS
 
 
 @pytest.fixture

@@ -73,7 +73,7 @@ def _composed(shared: Surrounding, launches: Sequence[Launch], reading: Reading)
             yield index, known
     if not waiting:
         return
-    from rosarch.models.analysis import COMPONENT_TIMEOUT  # all that is not needed otherwise is imported here
+    from rosarch.extractor.limits import LIMITS
     from rosarch.models.rule_sets import system_rules
 
     rules = system_rules(reading.rules)
@@ -81,7 +81,7 @@ def _composed(shared: Surrounding, launches: Sequence[Launch], reading: Reading)
     def work(index: int) -> Composed:
         return _system(rules, launches[index], shared.with_components(own[index]), reading.engine)
 
-    for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=COMPONENT_TIMEOUT):
+    for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=LIMITS.evaluation):
         if kept and not isinstance(outcome, Failure):
             kept.store(launches[waiting[done]], own[waiting[done]], outcome)
         yield waiting[done], outcome

@@ -15,6 +15,8 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.extractor.limits import Limits
+
 
 @pytest.fixture(autouse=True)
 def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -353,12 +355,18 @@ def test_facts_do_not_go_among_sources(rosarch: Callable, workspace: Path, out: 
     assert (outcome.code, outcome.err) == (2, f"rosarch: error: {out}: a folder {what}; choose another one for the facts\n")
 
 
-def test_rules_that_never_end(rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosarch.models.analysis.COMPONENT_TIMEOUT", 1.0)
+def test_rules_that_never_end(rosarch: Callable, workspace: Path, tmp_path: Path, limits: Limits) -> None:
     (tmp_path / "own.dl").write_text(".decl n(x: number)\n.output n\nn(0).\nn(X + 1) :- n(X).\n")
-    outcome = rosarch("rules", "run", "ws", "own.dl")
+    assert rosarch("extract", "ws", "-o", "facts").code == 0
+    outcome = rosarch("rules", "run", "facts", "own.dl", "--timeout", "0.2")
     assert outcome.code == 2
     assert "still running after 1 s" in outcome.err
+    assert limits.evaluation == 1.0
+
+
+def test_the_memory_of_workers(rosarch: Callable, workspace: Path, limits: Limits) -> None:
+    assert rosarch("--memory", 3000, "analyze", "ws").code == 0
+    assert limits.memory == 3000 << 20
 
 
 @pytest.mark.parametrize("text", ["<package", "<package><name>talker</name>"])

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.pool import MEMORY_LIMIT, Failure, default_jobs, meanwhile, run_tasks
+from rosarch.extractor.limits import LIMITS
+from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 
 
 def work(task: object) -> object:
@@ -27,7 +28,7 @@ def work(task: object) -> object:
     if task == "error":
         raise ValueError("no such thing")
     if task == "memory":
-        return len(bytearray(MEMORY_LIMIT))
+        return len(bytearray(LIMITS.memory))
     if task == "full disk":
         raise OSError(errno.ENOSPC, "No space left on device", "/tmp/x")
     if task == "pipes":
@@ -111,6 +112,12 @@ def test_a_large_result_passes() -> None:
 
 def test_there_is_at_least_one_job() -> None:
     assert default_jobs() >= 1
+
+
+def test_memory_is_limited_as_asked_for() -> None:
+    found = dict(run_tasks(bytearray, [100 << 20, 700 << 20], jobs=1, timeout=20.0, memory=600 << 20))
+    assert len(found[0]) == 100 << 20
+    assert found[1] == Failure("memory", "more than 600 MiB")
 
 
 def test_memory_and_disk_have_reasons_of_their_own() -> None:
