@@ -11,6 +11,7 @@ import os
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import IO, Any
 
@@ -136,15 +137,19 @@ class Origins:
 
 def origin_column(original: str, expanded: str, column: int) -> int:
     """The column of `original` for one of `expanded`: the same before the first macro, counted from the end after the last one."""
-    before = _common_prefix(original, expanded)
+    before, word, after = _unchanged(original, expanded)
     if column <= before + 1 or original == expanded:
         return min(column, before + 1) if column > len(original) + 1 else column
-    after = _common_prefix(original[before:][::-1], expanded[before:][::-1])
-    if column > len(expanded) - after:
-        return column + len(original) - len(expanded)
-    while before and (original[before - 1].isalnum() or original[before - 1] == "_"):
-        before -= 1
-    return before + 1
+    return column + len(original) - len(expanded) if column > len(expanded) - after else word + 1
+
+
+@lru_cache(maxsize=16)  # of a line there are many columns
+def _unchanged(original: str, expanded: str) -> tuple[int, int, int]:
+    """How much two texts have in common at their beginning, where the word begins that ends there, and how much at their end."""
+    before = word = _common_prefix(original, expanded)
+    while word and (original[word - 1].isalnum() or original[word - 1] == "_"):
+        word -= 1
+    return before, word, _common_prefix(original[before:][::-1], expanded[before:][::-1])
 
 
 def _common_prefix(one: str, other: str) -> int:

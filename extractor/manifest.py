@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import lru_cache
@@ -165,6 +166,6 @@ def read_manifest(folder: Path) -> Manifest:
             raise ManifestError(f"{folder / entry.folder}: the facts are incomplete or were changed; extract them again")
     root = Path(manifest.root)
     for source, digest in manifest.hashes.items():
-        if (root / source).is_file() and content_hash(root / source) != digest:
+        if os.path.isfile(root / source) and content_hash(root / source) != digest:
             raise ManifestError(f"{root / source}: changed since the facts were extracted; extract them again")
     return manifest

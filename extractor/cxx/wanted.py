@@ -160,7 +160,7 @@ class Wanted:
             rank = _MEMBER_KINDS.index(kind)
             if name not in _KEYWORDS and (name not in self.members or rank > _MEMBER_KINDS.index(self.members[name])):
                 self.members[name], self.changed = kind, True
-        elif len(path) > 1 and self._message(path[0], path[1].rstrip("_")).is_file():
+        elif len(path) > 1 and os.path.isfile(self._message(path[0], path[1].rstrip("_"))):
             fields = self.messages.setdefault((path[0], path[1].rstrip("_")), {})
             if name not in fields:
                 fields[name], self.changed = kind == "constant", True

@@ -130,7 +130,7 @@ def _arguments(words: Iterable[str], base: Path) -> tuple[list[Path], list[str],
         else:
             folder = Path(os.path.normpath(base / value))
             observation.probe(folder)
-            if folder.is_dir():
+            if os.path.isdir(folder):
                 folders[folder] = None
     return list(folders), list(definitions), output
 
