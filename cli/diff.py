@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -100,9 +99,10 @@ def compare_states(old: str, new: str, output_format: DiffFormat, load: Load) ->
 @contextmanager
 def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
     """Both sides as paths; revisions are written to temporary folders, which are called alike."""
+    from rosarch.datalog.scratch import scratch_folder
     from rosarch.extractor.stored import is_facts_text
 
-    with tempfile.TemporaryDirectory(prefix="rosarch-") as temporary:
+    with scratch_folder() as temporary:
         commits = [None if Path(side).is_dir() or is_facts_text(Path(side)) else _commit(side) for side in (old, new)]
         states = []
         for number, (side, commit) in enumerate(zip((old, new), commits, strict=True)):

@@ -37,6 +37,8 @@ def run(command: Callable[[], Any], traceback: bool = False) -> int:
         if error.errno not in _NO_ROOM and not (error.errno == errno.EIO and error.filename):
             return _unexpected(error, traceback)
         return _fail(f"{error.filename or 'disk'}: cannot write ({(error.strerror or str(error)).lower()})")
+    except ImportError as error:
+        return _unexpected(error, traceback) if traceback else _fail(str(error), "a part of the installation is missing or too old")
     except _UsageError as error:
         return _fail(error.format_message(), _usage_hint(error))
     except Exception as error:  # the boundary of the program: nobody above can say more

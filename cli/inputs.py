@@ -173,9 +173,16 @@ def _load_facts(
 
 
 def check_engine(engine: Engine) -> None:
-    """Refuse an engine that is not installed: better before a long extraction than after it."""
+    """Refuse an engine that is not installed, or too old: better before a long extraction than after it."""
     if engine is Engine.souffle:
         import shutil
 
+        from rosarch.datalog import DatalogError
+        from rosarch.datalog.souffle import find_souffle
+
         if shutil.which("souffle") is None:
             raise InputError("--engine souffle: there is no `souffle` on PATH; the embedded engine needs no installation")
+        try:
+            find_souffle()
+        except DatalogError as error:
+            raise InputError(f"--engine souffle: {error.diagnostics[0].message}") from None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import tempfile
 import time
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -45,9 +44,11 @@ def watch(
         try:
             with datalog_errors():
                 rules = question.rules(*(files or ()))
-            with question.asked(rules) as components, tempfile.TemporaryDirectory(prefix="rosarch-watch-") as scratch:
+            from rosarch.datalog.scratch import scratch_folder
+
+            with question.asked(rules) as components, scratch_folder() as scratch:
                 history = rule_history("system" if question.systems else "component", rules)
-                live = LiveRules(components, history, Path(scratch), jobs=question.jobs)
+                live = LiveRules(components, history, scratch, jobs=question.jobs)
                 wanted = _Wanted(relations or [], own_files(rules.own))
                 before = _report(live, wanted, before, [])
                 for saved in saves:

@@ -9,13 +9,14 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-import tempfile
 from collections.abc import Collection, Iterable, Mapping
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .errors import DatalogError, Diagnostic
 from .facts import read_fact_file, write_facts
+from .scratch import scratch_folder
 from .tables import Layout
 from .values import ValueReader
 
@@ -23,6 +24,10 @@ if TYPE_CHECKING:
     from .program import Program
 
 DELIMITER = "\x01"
+OLDEST = (2, 4)
+"""The first version whose language all of this is."""
+_NUMBER = re.compile(r"\bVersion:?\s+v?(\d+)\.(\d+)", re.IGNORECASE)
+_PATIENCE = 30.0
 _SKIPPED = re.compile(
     r"""("(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/)        # strings and comments stay
     |\.include\s+"(?:\\.|[^"\\])*"|\.once\b
@@ -32,16 +37,30 @@ _SKIPPED = re.compile(
 
 
 def find_souffle() -> str:
-    """The path of the binary; DatalogError when there is none."""
+    """The path of the binary; DatalogError when there is none, or one that is too old."""
     found = shutil.which("souffle")
     if found is None:
         message = "the souffle engine was asked for, but there is no `souffle` on PATH"
         raise DatalogError([Diagnostic(message, hint="the embedded engine needs no installation")])
+    _version(found)
     return found
 
 
+@lru_cache(maxsize=4)
 def _version(binary: str) -> str:
-    return subprocess.run([binary, "--version"], capture_output=True, check=False, text=True, errors="replace").stdout
+    """What the binary tells of itself; DatalogError when that is another version than is needed."""
+    try:
+        told = subprocess.run(
+            [binary, "--version"], capture_output=True, check=False, text=True, errors="replace", timeout=_PATIENCE
+        ).stdout
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise DatalogError(f"{binary}: does not run ({error})") from None
+    number = _NUMBER.search(told)
+    if number and (int(number[1]), int(number[2])) < OLDEST:
+        needed = ".".join(map(str, OLDEST))
+        message = f"{binary} is souffle {number[1]}.{number[2]}; {needed} or newer is needed"
+        raise DatalogError([Diagnostic(message, hint="the embedded engine needs no installation")])
+    return told
 
 
 def joined_source(program: Program, kept: Collection[str]) -> str:
@@ -61,8 +80,7 @@ def evaluate_with_souffle(
     binary = find_souffle()
     if program.types.bits != 32 and f"Word size: {program.types.bits}" not in _version(binary):
         raise DatalogError(f"this souffle was not built for numbers of {program.types.bits} bits")
-    with tempfile.TemporaryDirectory(prefix="rosarch-souffle-") as folder:
-        root = Path(folder)
+    with scratch_folder() as root:
         inputs, outputs = root / "facts", root / "out"
         outputs.mkdir()
         relations = {name: program.relations[name] for name in program.inputs}

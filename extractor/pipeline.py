@@ -6,12 +6,12 @@ component are the union of those of its units.
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.datalog.scratch import scratch_folder
 from rosarch.extractor import observation
 from rosarch.extractor.boundary import confined, ros_package_path
 from rosarch.extractor.cache import Cache, hash_of, write_whole
@@ -127,7 +127,7 @@ def extract(
         workspace = workspace or discover(root, packages, defines=defines, timeout=timeout)
         store = load_messages(workspace.packages)
         extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
-        scratch = Path(extraction._stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
+        scratch = extraction._stack.enter_context(scratch_folder())
         observation.ignore(scratch)
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
         commands = read_compile_commands(workspace.root)

@@ -98,8 +98,8 @@ def meanwhile(function: Callable[[], object]) -> Iterator[Callable[[], None]]:
 
     Whether it succeeds is not told: it must be work that the caller does itself where it finds it undone.
     """
-    process = _context().Process(target=_alone, args=(function,), daemon=True)
-    process.start()
+    process = _context().Process(target=_alone, args=(function, os.getpid()), daemon=True)
+    _launch(process)
     try:
         yield process.join
     finally:
@@ -107,9 +107,27 @@ def meanwhile(function: Callable[[], object]) -> Iterator[Callable[[], None]]:
         process.join()
 
 
-def _alone(function: Callable[[], object]) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends it
+def _launch(process: BaseProcess) -> None:
+    """Start a process; Ctrl-C waits until that is done, and the process knows what it does about it."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM, signal.SIGHUP})
+    try:
+        process.start()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _heed_signals() -> None:
+    """In a process that `_launch` started: Ctrl-C is for the parent, which ends this process; all others end it at once."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    signal.pthread_sigmask(signal.SIG_SETMASK, ())
+
+
+def _alone(function: Callable[[], object], parent: int) -> None:
+    _heed_signals()
+    end_with_parent(parent)
     with suppress(Exception):
         function()
 
@@ -125,7 +143,7 @@ def _start(function: Callable[[Any], Any], others: Sequence[_Worker[Any]], memor
     ours, theirs = context.Pipe()
     inherited = [ours, *(worker.connection for worker in others)] if forks else []
     process = context.Process(target=_work, args=(function, theirs, inherited, os.getpid(), memory), daemon=True)
-    process.start()
+    _launch(process)
     theirs.close()
     return _Worker(process, ours)
 
@@ -155,8 +173,7 @@ def _expire(worker: _Worker[Any], timeout: float) -> Failure:
 def _work(function: Callable[[Any], Any], connection: Connection, inherited: Sequence[Connection], parent: int, memory: int) -> None:
     for other in inherited:
         other.close()  # or no worker would see the end of its pipe when the parent is killed
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends its workers
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    _heed_signals()
     _limit(parent, memory)
     gc.disable()  # in the middle of a task nearly everything is in use
     while True:

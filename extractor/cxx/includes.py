@@ -303,7 +303,7 @@ class HeaderFinder:
         try:
             if not path.resolve().is_relative_to(self.scratch.resolve()):  # a name with ../ in it, or an absolute one
                 path = self.scratch / folder / path.name
-            if not path.is_file() and name.count("/") < _DEEPEST:
+            if not path.is_file() and path.name != ".." and name.count("/") < _DEEPEST:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 temporary = path.with_name(f"{path.name}.{os.getpid()}")
                 temporary.write_text(text, encoding="utf-8", errors="surrogateescape")

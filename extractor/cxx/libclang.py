@@ -64,12 +64,27 @@ FOR_SERIALIZATION = 0x10
 DETAILED_PREPROCESSING = 0x01
 FATAL = 4
 
-_lib = ctypes.CDLL(str(next(Path(next(iter(clang.native.__path__))).glob("libclang.*"))))
+
+def _library() -> ctypes.CDLL:
+    folder = Path(next(iter(clang.native.__path__)))
+    path = next(iter(sorted(folder.glob("libclang.*"))), None)
+    if path is None:
+        raise ImportError(f"{folder}: there is no libclang here")
+    try:
+        return ctypes.CDLL(str(path))
+    except OSError as error:
+        raise ImportError(f"{path}: cannot be loaded ({error})") from None
+
+
+_lib = _library()
 _Visitor = ctypes.CFUNCTYPE(c_int, Cursor, Cursor, c_void_p)
 
 
 def _bind(name: str, result: Any, *arguments: Any) -> Callable[..., Any]:
-    function = getattr(_lib, "clang_" + name)
+    try:
+        function = getattr(_lib, "clang_" + name)
+    except AttributeError:
+        raise ImportError(f"{_lib._name}: this libclang has no clang_{name}") from None
     function.restype = result
     function.argtypes = arguments
     return function  # type: ignore[no-any-return]

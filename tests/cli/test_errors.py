@@ -305,7 +305,7 @@ def test_no_room_for_the_declarations(rosarch: Callable, workspace: Path, monkey
     monkeypatch.setattr("rosarch.extractor.units.PRELUDE_BYTES", 1 << 60)
     outcome = rosarch("analyze", "ws", "--no-cache")
     assert (outcome.code, outcome.out) == (2, "")
-    assert re.search(r"^rosarch: error: .*/rosarch-\w+: cannot write \(no space left on device\)$", outcome.err, re.MULTILINE)
+    assert re.search(r"^rosarch: error: .*/rosarch\.run-\w+: cannot write \(no space left on device\)$", outcome.err, re.MULTILINE)
 
 
 @pytest.mark.parametrize(
