@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -145,8 +146,8 @@ class _Reader(YamlReader):
         if text is None:
             return None
         path = self.folder / text
-        if not (path.is_dir() or (facts and is_facts_text(path))):
-            self.problem(node, f"{path}: {'not a folder' if path.exists() else 'no such folder'}")
+        if not (os.path.isdir(path) or (facts and is_facts_text(path))):
+            self.problem(node, f"{path}: {'not a folder' if os.path.exists(path) else 'no such folder'}")
             return None
         return path
 

@@ -115,9 +115,9 @@ def test_there_is_at_least_one_job() -> None:
 
 
 def test_memory_is_limited_as_asked_for() -> None:
-    found = dict(run_tasks(bytearray, [100 << 20, 700 << 20], jobs=1, timeout=20.0, memory=600 << 20))
+    found = dict(run_tasks(bytearray, [100 << 20, 4 << 30], jobs=1, timeout=20.0, memory=3 << 30))
     assert len(found[0]) == 100 << 20
-    assert found[1] == Failure("memory", "more than 600 MiB")
+    assert found[1] == Failure("memory", "more than 3072 MiB")
 
 
 def test_memory_and_disk_have_reasons_of_their_own() -> None:
