@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rosarch.models.machine.cells import Document, Domains
 from rosarch.models.machine.conditions import constant, number
@@ -28,6 +28,7 @@ class Component:
     """What a node of this component can do.
 
     `steps` are those of each trigger, a port or an activity; `rates` those of the triggers that come again and again, None where unknown.
+    `serving` is the trigger of the loop that handles messages, when they are not handled at once.
     `outlets` are the ports that some step sends through, `queues` the sizes of those of subscribers, `left_out` the state variables
     without finitely many values.
     """
@@ -39,6 +40,19 @@ class Component:
     outlets: frozenset[str]
     queues: Mapping[str, int | None]
     left_out: tuple[str, ...]
+    serving: str | None = None
+
+    def timed(self, rates: Mapping[str, float], serving: Sequence[str]) -> Component:
+        """The component with the rates that loops at these places have in a node, one of which may be `serving` messages."""
+        found = dict(self.rates)
+        for trigger in found:
+            told = {hz for place, hz in rates.items() if trigger.partition(" ")[2] in ("", place)}
+            found[trigger] = told.pop() if len(told) == 1 else found[trigger]
+        own = next((place for place in serving if place in rates), None)
+        if own is None:
+            return replace(self, rates=found)
+        trigger = next((trigger for trigger in found if trigger.partition(" ")[2] in ("", own)), f"{PERIODIC} {own}")
+        return replace(self, rates={trigger: rates[own], **found}, serving=trigger)
 
     @property
     def kept(self) -> Mapping[str, tuple[str, ...]]:

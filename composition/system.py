@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from rosarch.composition.components import Component, component
 from rosarch.models.machine.cells import Document
+from rosarch.models.places import Place
 from rosarch.models.system.model import Connector, SystemModel
 
 End = tuple[str, str]
@@ -57,12 +58,19 @@ def composed(model: SystemModel, documents: Mapping[str, Document]) -> System:
         if node.component in documents:
             name = str(node.component)
             known[name] = known.get(name) or component(documents[name])
-            nodes[node.id] = known[name]
+            nodes[node.id] = known[name].timed(
+                {str(place): hz for place, hz in _certain(node.rates)}, [str(place) for place in node.serving]
+            )
     topics: dict[str, Topic] = {}
     for connector in sorted(model.connectors, key=lambda connector: (connector.kind != "topic", connector.kind, connector.name)):
         name = connector.name if connector.name not in topics else f"{connector.kind} {connector.name}"
         topics[name] = _topic(name, connector, nodes)
     return System(model.name, nodes, topics, tuple(node.id for node in model.nodes if node.id not in nodes))
+
+
+def _certain(rates: Sequence[tuple[Place, float]]) -> list[tuple[Place, float]]:
+    """The rates of loops that have only one."""
+    return [(place, hz) for place, hz in rates if sum(place == other for other, _ in rates) == 1]
 
 
 def _topic(name: str, connector: Connector, nodes: Mapping[str, Component]) -> Topic:

@@ -41,13 +41,18 @@ class Message:
 
 @dataclass
 class _Node:
-    """A node at work: what waits for it, in the order of arrival, and what it last received through each port."""
+    """A node at work.
+
+    What waits for it, by port; whose turn it is, in their order, and what has arrived and gets its turn when a loop serves it; what it
+    last received through each port.
+    """
 
     name: str
     component: Component
     values: dict[str, str]
     waiting: dict[str, deque[Message]]
     turns: deque[str] = field(default_factory=deque)
+    arrived: list[str] = field(default_factory=list)
     latest: dict[str, Message] = field(default_factory=dict)
     wake: simpy.Event | None = None
 
@@ -90,8 +95,7 @@ class _Run:
         return _Node(name, component, values, {port: deque() for port in ports})
 
     def _start_loop(self, node: _Node, trigger: str) -> None:
-        rate = node.component.rates[trigger] or self.scenario.rates.get(node.name)
-        if rate:
+        if rate := self._rate(node, trigger):
             self.environment.process(self._loop(node, trigger, 1 / rate))
         else:
             self.record.notes.append(f"a loop of {node.name} does not run: its rate is not known; a scenario can tell it")
@@ -101,6 +105,9 @@ class _Run:
         for number in count():
             yield self._until(first + number * period)
             if trigger not in node.turns:  # a loop that is late runs once
+                if trigger == node.component.serving:
+                    node.turns.extend(node.arrived)
+                    node.arrived.clear()
                 self._turn(node, trigger)
 
     def _outside(self, entry: Entry) -> Waits:
@@ -114,6 +121,14 @@ class _Run:
 
     def _until(self, time: float) -> simpy.Event:
         return self.environment.timeout(max(0.0, time - self.environment.now))
+
+    def _polls(self, node: _Node) -> bool:
+        """Whether messages wait for a loop."""
+        trigger = node.component.serving
+        return trigger is not None and bool(self._rate(node, trigger))
+
+    def _rate(self, node: _Node, trigger: str) -> float | None:
+        return node.component.rates[trigger] or self.scenario.rates.get(node.name)
 
     def _turn(self, node: _Node, trigger: str) -> None:
         node.turns.append(trigger)
@@ -130,6 +145,8 @@ class _Run:
                 queue.popleft()
                 self._tell(Event(self.environment.now, "dropped", name, message.topic))
                 self.record.dropped[name, message.topic] += 1
+            elif self._polls(node):
+                node.arrived.append(port)
             else:
                 self._turn(node, port)
             queue.append(message)

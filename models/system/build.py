@@ -31,6 +31,8 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
     lines = grouped(rows.get("started_at", ()))
     conditions = grouped(rows.get("started_if", ()))
     names = {row[0]: row[1] for row in rows.get("started_name", ())}
+    rates = grouped(result.rows("loop_rate"))
+    serving = grouped(rows.get("interface_serves_callbacks", ()))
     origins = {row[0]: row[4] for row in rows.get("interface", ())}
     nodes = []
     for start, package, type_ in sorted(rows.get("started", ())):
@@ -47,6 +49,8 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
                 ports=tuple(ports.get(start, ())),
                 conditions=tuple(condition for (condition,) in conditions.get(start, [])),
                 open=start in opened,
+                rates=tuple(sorted((places[place], hz) for place, hz in rates.get(start, []))),
+                serving=tuple(sorted(places[place] for (place,) in serving.get(components[0], []))) if components else (),
             )
         )
     inclusions = tuple(sorted((_inclusion(row, places) for row in rows.get("included", ())), key=lambda inclusion: inclusion.at))

@@ -34,7 +34,8 @@ class SystemNode:
     `id` tells apart nodes of the same name. `component` is `package/name` of its model; `origin` tells where that is from: `source`,
     `library`, or `unknown` when there is none; a host of nodelets, which has no ports to speak of, is known without one. `lines` lead from
     the launch file given to the `<node>`, `conditions` are those that launch files leave open. `open` nodes may have more ports than are
-    known.
+    known. `rates` are those of timed loops and timers by place, as often a second as launch files make them; the loops at `serving` handle
+    the messages that have come.
     """
 
     id: str
@@ -47,6 +48,8 @@ class SystemNode:
     ports: tuple[SystemPort, ...]
     conditions: tuple[str, ...] = ()
     open: bool = False
+    rates: tuple[tuple[Place, float], ...] = ()
+    serving: tuple[Place, ...] = ()
 
 
 @dataclass(frozen=True)

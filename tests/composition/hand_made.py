@@ -9,6 +9,7 @@ from typing import Any
 import yaml
 
 from rosarch.composition.system import System, composed
+from rosarch.models.places import Place
 from rosarch.models.system.model import Connector, SystemModel, SystemNode
 
 _SOURCES = ("publisher", "service_client")
@@ -19,8 +20,10 @@ def load(file: Path) -> dict[str, Any]:
     return data
 
 
-def system_of(nodes: dict[str, dict[str, Any]], unknown: dict[str, list[str]] | None = None) -> System:
-    """The system; `unknown` nodes have no behaviour, only topics that they send to."""
+def system_of(
+    nodes: dict[str, dict[str, Any]], unknown: dict[str, list[str]] | None = None, serving: dict[str, tuple[Place, float]] | None = None
+) -> System:
+    """The system; `unknown` nodes have no behaviour, only topics that they send to; loops that are `serving` handle the messages of nodes."""
     ends: dict[tuple[str, str], tuple[list[tuple[str, str]], list[tuple[str, str]]]] = defaultdict(lambda: ([], []))
     for name, document in nodes.items():
         for port in document["ports"]:
@@ -29,7 +32,14 @@ def system_of(nodes: dict[str, dict[str, Any]], unknown: dict[str, list[str]] | 
     for name, topics in (unknown or {}).items():
         for topic in topics:
             ends["topic", topic][0].append((f"/{name}", "p1"))
-    started = [SystemNode(f"/{name}", f"/{name}", "p", name, "source", f"p/{name}", (), ()) for name in nodes]
+    loops = {name: (loop,) for name, loop in (serving or {}).items()}
+    started = [
+        SystemNode(
+            f"/{name}", f"/{name}", "p", name, "source", f"p/{name}", (), (),
+            rates=loops.get(name, ()), serving=tuple(place for place, _ in loops.get(name, ())),
+        )
+        for name in nodes
+    ]  # fmt: skip
     started += [SystemNode(f"/{name}", f"/{name}", "q", name, "unknown", None, (), ()) for name in unknown or ()]
     connectors = tuple(Connector(kind, topic, (), tuple(sources), tuple(sinks)) for (kind, topic), (sources, sinks) in ends.items())
     return composed(SystemModel("by hand", (), tuple(started), connectors), {f"p/{name}": document for name, document in nodes.items()})

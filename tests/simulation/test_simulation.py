@@ -8,6 +8,7 @@ import pytest
 from hand_made import system_of
 
 from rosarch.composition.scenario import ScenarioError, read_scenario
+from rosarch.models.places import Place
 from rosarch.simulation.engine import TooManyEventsError, simulate
 from rosarch.simulation.records import Record, busy, latencies, queues, rates
 
@@ -139,6 +140,19 @@ def test_a_loop_sends_what_it_has_kept() -> None:
     figures = latencies(record)["/a", "/b"]
     assert figures.most <= 1.101  # the next message, the next cycle, its execution
     assert figures.mean == pytest.approx(0.5, abs=0.06)
+
+
+def test_messages_wait_for_the_loop_that_serves_them() -> None:
+    """Ten come in a cycle of 0.1 s, the queue holds five: the newest five are handled in the next, at most 0.05 s after they came."""
+    system = system_of({"node": relay("/a", "/b", queue=5)}, serving={"node": (Place("node.cpp", 20, 1), 10.0)})
+    record = simulate(
+        system, read_scenario("inputs: [{topic: /a, every: 0.01}]\nexecution: {node: 0}", "s.yml", system), seed=1, duration=10
+    )
+    assert abs(number(record, "/b") - 500) <= 5
+    assert abs(record.dropped["/node", "/a"] - 500) <= 5
+    figures = latencies(record)["/a", "/b"]
+    assert 0 <= figures.least <= figures.most <= 0.05
+    assert figures.mean == pytest.approx(0.025, abs=0.006)
 
 
 def test_inputs_have_a_beginning_and_an_end() -> None:
