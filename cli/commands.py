@@ -27,7 +27,7 @@ COMMANDS = {
     "explain": "explain",
     "why-not": "explain:why_not",
     "rules": "rules:app",
-    "options": "choices:options",
+    "options": "list_options:options",
     "new": "new:app",
     "watch": "watch",
     "browse": "browse",

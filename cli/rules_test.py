@@ -19,7 +19,7 @@ from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
-    from rosarch.expectations.observation import Systems
+    from rosarch.expectations.found import Systems
     from rosarch.expectations.run import CaseOutcome
     from rosarch.models.component import ComponentModel
     from rosarch.models.findings import Finding

@@ -8,135 +8,44 @@ left where there is only one; where the clause has constants beside variables, t
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Callable, Collection, Sequence
 
 from .errors import DatalogError, Diagnostic
 from .expressions import Expressions
 from .ground import is_bound
-from .normalise import Absent, Fold, Generate, Scan, Step
+from .nested_code import NestedCode
+from .normalise import Absent, Fold, Generate, Scan, Step, step_variables
 from .plan import Origin
-from .syntax import Argument, Atom, Branch, Constraint, Nil, Number, Record, String, Truth, Unnamed, Variable, variables
+from .storage import IndexKey, RowsNeeded, Storage, TableKey, local, row_of
+from .syntax import Argument, Atom, Branch, Constraint, Number, Record, String, Truth, Unnamed, Variable, variables
 
 MAX_LOOPS = 16
-IndexKey = tuple[str, tuple[int, ...], tuple[tuple[int, Any], ...]]  # relation, key columns, columns with a constant
-TableKey = tuple[str, tuple[int, ...]]  # relation, key columns
 
 
-class RowsNeeded(Exception):
-    """A rule cannot ask `relation` for single keys only: all of its rows must be there."""
-
-    def __init__(self, relation: str) -> None:
-        super().__init__(relation)
-        self.relation = relation
-
-
-@dataclass(slots=True)
-class Storage:
-    """Which indexes the functions of a program use."""
-
-    arity: dict[str, int]
-    indexes: dict[IndexKey, int] = field(default_factory=dict)  # numbered in the order of their first use
-    probed: set[str] = field(default_factory=set)  # relations that are asked for whole rows
-    listed: set[IndexKey] = field(default_factory=set)  # those that are iterated; others only tell whether a key exists
-    demanded: set[str] = field(default_factory=set)  # relations of which only the keys that are asked for are derived
-    tables: dict[TableKey, int] = field(default_factory=dict)  # what is asked of them
-    ranks: Mapping[str, float] = field(default_factory=dict)  # of relations to begin with, the higher the sooner
-
-    def table(self, key: TableKey) -> int:
-        """The number of a table."""
-        return self.tables.setdefault(key, len(self.tables))
-
-    def index(self, key: IndexKey) -> int:
-        """The number of an index."""
-        return self.indexes.setdefault(key, len(self.indexes))
-
-
-def local(relation: str) -> str:
-    """The Python name of a relation inside functions."""
-    return f"r_{re.sub('[^A-Za-z0-9_]', '_', relation)}"
-
-
-def row_of(parts: Sequence[str]) -> str:
-    """The expression of a row: the bare value for one column."""
-    if len(parts) == 1:
-        return parts[0]
-    return f"({', '.join(parts)})"
-
-
-class Emitter:
+class Emitter(NestedCode):
     """Writes the function of one clause, or of one delta version of it."""
 
     def __init__(
         self, storage: Storage, expressions: Expressions, *, ordered: bool, delta: int | None, growing: Collection[str],
         own: TableKey | None = None,
     ) -> None:  # fmt: skip
+        super().__init__()
         self.storage = storage
         self.expressions = expressions
         self.ordered = ordered  # loop in sorted order: something in the clause depends on the order
         self.delta = delta
         self.growing = growing  # relations to which the function may add while it loops over them
         self.own = own  # the table that the function is for, which it knows as `own`
-        self.lines: list[str] = []
-        self.depth = 1
-        self.loops = 0
-        self.temporaries = 0
         self.relations: set[str] = set()
         self.indexes: dict[int, tuple[Origin, ...]] = {}
         self.tables: set[int] = set()
         self.origins: dict[str, tuple[str, int]] = {}  # of a Python name: the relation and column whose values it takes
-        self.names: dict[str, str] = {}
         self.constant: set[str] = set()  # variables that are equal to a constant
-        self.functions: list[int] = []  # depths of open nested functions
 
     def arguments(self) -> list[str]:
         """The names of the relations, indexes and tables that the function is given."""
         numbers = (*(f"i{n}" for n in sorted(self.indexes)), *(f"k{n}" for n in sorted(self.tables)))
         return [*map(local, sorted(self.relations)), *numbers]
-
-    # -- writing ------------------------------------------------------------------------------------
-
-    def line(self, text: str) -> None:
-        """Write one line at the current depth."""
-        self.lines.append("    " * self.depth + text)
-
-    def fail_unless(self, condition: str) -> None:
-        """Go on with the next combination unless the condition holds."""
-        self.line(f"if not ({condition}): {'continue' if self.loops else 'return'}")
-
-    def fail_if(self, condition: str) -> None:
-        """Go on with the next combination if the condition holds."""
-        self.line(f"if {condition}: {'continue' if self.loops else 'return'}")
-
-    def open_loop(self, text: str) -> None:
-        """Write a loop header; what follows is inside."""
-        self.line(text)
-        self.depth += 1
-        self.loops += 1
-
-    def temporary(self) -> str:
-        """A fresh Python name."""
-        self.temporaries += 1
-        return f"t{self.temporaries}"
-
-    def python_name(self, variable: str, bound: dict[str, str]) -> str:
-        """A Python name for a variable, not used by any other variable in scope."""
-        base = "v_" + re.sub("[^A-Za-z0-9_]", "_", variable)
-        name, taken = base, set(self.names.values())
-        while name in taken or name in bound.values():
-            self.temporaries += 1
-            name = f"{base}_{self.temporaries}"
-        self.names[f"{variable}@{name}"] = name
-        return name
-
-    def _open_function(self) -> None:
-        """Continue in a nested function: Python allows no more than twenty nested blocks in one."""
-        self.line("def inner():")
-        self.functions.append(self.depth)
-        self.depth += 1
-        self.loops = 0
 
     # -- bodies -------------------------------------------------------------------------------------
 
@@ -157,7 +66,7 @@ class Emitter:
             step = self._choose(pending, bound)
             pending.remove(step)
             if self.loops >= MAX_LOOPS and checkpoint is not None:
-                self._open_function()
+                self.open_function()
             if isinstance(step, Generate):
                 self._generate(step, bound)
             else:
@@ -495,20 +404,3 @@ class Emitter:
     @staticmethod
     def _wrapped(value: str, kind: str) -> str:
         return f"wrap({value})" if kind == "i" else f"wrap_unsigned({value})"
-
-
-def step_variables(step: Step) -> set[str]:
-    """The variables a step reads or binds."""
-    match step:
-        case Scan() | Absent():
-            return {a.name for a in step.atom.args if isinstance(a, Variable)} | {
-                v for a in step.atom.args if not isinstance(a, (Variable, Unnamed, Nil, Number, String)) for v in variables(a)
-            }
-        case Constraint():
-            return variables(step)
-        case Generate():
-            return {step.variable, *variables(step.functor)}
-        case Fold():
-            return {step.variable, *step.inputs}
-        case _:
-            return set()

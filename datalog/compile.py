@@ -8,13 +8,14 @@ from functools import lru_cache
 from typing import Any
 
 from .bulk_rules import pair_clause, write_bulk
-from .codegen import Emitter, Storage, row_of
+from .codegen import Emitter
 from .expressions import Expressions, number_value
 from .ground import grounded_variables, is_bound
 from .indexes import Index
 from .inference import ClauseTypes, kind_of
 from .normalise import Normaliser, Scan, Step
 from .plan import BulkRule, Code, Member, Rule, Stratum
+from .storage import Storage, row_of
 from .syntax import (
     Argument,
     Atom,

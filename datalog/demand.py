@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from .codegen import Emitter, RowsNeeded, TableKey, row_of
+from .codegen import Emitter
 from .compile import Clauses, Compiler, Plan, assembled, effects, new_plan, normalised
 from .expressions import Expressions
 from .ground import is_bound
 from .inference import ClauseTypes
 from .normalise import Scan, Step
 from .plan import Code, Rule, Stratum, TablePlan
+from .storage import RowsNeeded, TableKey, row_of
 from .strata import atoms_of, turned_around
 from .syntax import Argument, Atom, Clause, Constraint, Relation, Variable, walk
 from .types import Types

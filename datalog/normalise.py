@@ -76,6 +76,23 @@ MAX_DEPTH = 20
 Step: TypeAlias = Scan | Absent | Generate | Fold | Constraint | Truth
 
 
+def step_variables(step: Step) -> set[str]:
+    """The variables a step reads or binds."""
+    match step:
+        case Scan() | Absent():
+            return {a.name for a in step.atom.args if isinstance(a, Variable)} | {
+                v for a in step.atom.args if not isinstance(a, (Variable, Unnamed, Nil, Number, String)) for v in variables(a)
+            }
+        case Constraint():
+            return variables(step)
+        case Generate():
+            return {step.variable, *variables(step.functor)}
+        case Fold():
+            return {step.variable, *step.inputs}
+        case _:
+            return set()
+
+
 class Normaliser:
     """Lifts the terms of one clause; what stands for a term inherits its types."""
 

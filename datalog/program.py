@@ -83,6 +83,10 @@ class Result:
             self._sorted[name] = [(v,) for v in rows] if self._arity[name] == 1 else rows
         return self._sorted[name]
 
+    def all_rows(self) -> dict[str, list[Row]]:
+        """The rows of all relations that were kept."""
+        return {name: self.rows(name) for name in self.names()}
+
     def lines(self, name: str, writers: Sequence[Show], delimiter: str = "\t") -> Iterator[str]:
         """The rows of a relation, sorted, as text in pieces of many lines; `writers` are those of its columns."""
         return line_chunks(self._rows[name], writers, delimiter)

@@ -12,9 +12,9 @@ from rosarch.datalog.mutation import Case as MutationCase
 from rosarch.datalog.rows import Row
 from rosarch.expectations.cases import Case
 from rosarch.expectations.elements import FINDING
+from rosarch.expectations.found import Found, ObservedComponent, is_source
 from rosarch.expectations.grammar import Expectation
 from rosarch.expectations.judgement import unmet
-from rosarch.expectations.observation import Observation, ObservedComponent, is_source
 from rosarch.expectations.run import Running, observed
 
 
@@ -22,12 +22,12 @@ def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Ite
     """A case for each component that has expectations in its sources; what is expected of systems, and of no source, is left out."""
     for case in cases:
         about = [e for e in case.expectations if is_source(e.marked.path) and (e.kind is None or e.kind.name != FINDING)]
-        with observed(case, program, how) as observation:
-            for component in observation.components:
-                own = [e for e in about if component in observation.of(e.marked.path)]
+        with observed(case, program, how) as found:
+            for component in found.components:
+                own = [e for e in about if component in found.of(e.marked.path)]
                 if own and component.rows:
-                    rows = {name: component.result.rows(name) for name in component.result.names()}
-                    fails = partial(_fails, observation, component, own)
+                    rows = component.result.all_rows()
+                    fails = partial(_fails, found, component, own)
                     yield MutationCase(f"{case.root}: {component.facts.name}", rows, _observed(program, own), fails)
 
 
@@ -39,14 +39,14 @@ def _observed(program: Program, expected: Sequence[Expectation]) -> frozenset[st
 
 
 def _fails(
-    observation: Observation, component: ObservedComponent, expected: Sequence[Expectation], rows: Mapping[str, Collection[Row]]
+    found: Found, component: ObservedComponent, expected: Sequence[Expectation], rows: Mapping[str, Collection[Row]]
 ) -> bool:  # fmt: skip
     """Whether an expectation that is met is not when the component has these rows."""
     changed = replace(component)
     changed.rows = component.rows  # the extraction is over
     changed.result = Result.of(rows, component.program)
-    seen = replace(observation)
-    seen.components = [changed if each is component else each for each in observation.components]
+    seen = replace(found)
+    seen.components = [changed if each is component else each for each in found.components]
     try:
         return any(unmet(e, seen, expected) is not None for e in expected)
     except (LookupError, ValueError):

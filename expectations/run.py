@@ -13,9 +13,9 @@ from rosarch.datalog import Program
 from rosarch.expectations.alone import Alone
 from rosarch.expectations.cases import Case
 from rosarch.expectations.elements import FINDING
+from rosarch.expectations.found import Found, Systems, is_source, require_query
 from rosarch.expectations.grammar import Expectation, ExpectationError
 from rosarch.expectations.judgement import Unmet, unmet
-from rosarch.expectations.observation import Observation, Systems, is_source, require_query
 from rosarch.extractor.hints import hint
 from rosarch.extractor.pipeline import extract
 from rosarch.extractor.workspace import Diagnostic, loose_workspace
@@ -96,22 +96,22 @@ def _unknown_check(expectation: Expectation, checks: Sequence[str]) -> str:
 
 
 @contextmanager
-def observed(case: Case, program: Program, how: Running) -> Iterator[Observation]:
+def observed(case: Case, program: Program, how: Running) -> Iterator[Found]:
     """What is found in the sources of a case."""
     loose = case.sources is not None
     workspace = loose_workspace(case.root.absolute(), [source.absolute() for source in case.sources or ()]) if loose else None
     systems = Alone(case.root, how.rules, how.engine) if loose else how.systems(case.root)
     with extract(case.root, jobs=how.jobs, timeout=how.timeout, cache=how.cache, progress=how.progress, workspace=workspace) as extraction:
-        yield Observation(case.root, extraction, program, how.engine, systems)
+        yield Found(case.root, extraction, program, how.engine, systems)
 
 
 def _run(case: Case, program: Program, how: Running) -> CaseOutcome:
-    with observed(case, program, how) as observation:
+    with observed(case, program, how) as found:
         by_file: dict[str, list[Expectation]] = {}
         for expectation in case.expectations:
             by_file.setdefault(expectation.marked.path, []).append(expectation)
         files = []
         for path, expectations in by_file.items():
-            judged = [unmet(expectation, observation, expectations) for expectation in expectations]
-            files.append(FileOutcome(case.root / path, len(expectations), tuple(found for found in judged if found)))
-        return CaseOutcome(tuple(files), tuple(observation.extraction.diagnostics))
+            judged = [unmet(expectation, found, expectations) for expectation in expectations]
+            files.append(FileOutcome(case.root / path, len(expectations), tuple(each for each in judged if each)))
+        return CaseOutcome(tuple(files), tuple(found.extraction.diagnostics))

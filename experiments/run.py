@@ -118,7 +118,7 @@ def _evaluate(cell: Cell, engine: str) -> bytes:
     start = sum(os.times()[:4])  # of this process and those it starts: the time on the clock depends on what else runs
     result = cell.configuration.program.evaluate(facts, engine=engine, keep=cell.configuration.kept)
     seconds = sum(os.times()[:4]) - start
-    found = {name: result.rows(name) for name in result.names()}
+    found = result.all_rows()
     component = cell.facts
     model = build_model(cell.subject.subject.name, component.name, component.package, component.kind, component.sources, found)
     return json.dumps([to_json(model), _texts(cell.configuration.program, found, facts), seconds]).encode()

@@ -138,7 +138,7 @@ def _derived(
         else:
             shared = common(files)
             result = program.evaluate(component.rows(shared.units), common=shared.facts)
-        return {name: result.rows(name) for name in result.names()}
+        return result.all_rows()
 
     for index, outcome in run_tasks(work, order, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation):
         yield components[order[index][0]], outcome

@@ -81,7 +81,7 @@ class LiveRules:
         inputs = set(self.program.inputs)
         facts = {name: rows for name, rows in self.components[index].load().items() if name in inputs}
         result = self.program.evaluate(facts, keep="all")
-        _write(self._file(index), {name: result.rows(name) for name in result.names()})
+        _write(self._file(index), result.all_rows())
         return {name: result.rows(name) for name in wanted}
 
     def _part(self, index: int, edit: Edit, wanted: Collection[str]) -> dict[str, list[Row]]:

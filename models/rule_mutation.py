@@ -27,7 +27,7 @@ def drop_in_cases(program: Program, folder: Path) -> Iterator[Case]:
             facts = program.read_facts(test / FACTS) if (test / FACTS).is_dir() else {}
             result = program.evaluate(facts, keep="all")
             observed = frozenset(path.stem for path in (test / EXPECTED).glob("*.csv"))
-            yield Case(str(test.relative_to(folder)), {name: result.rows(name) for name in result.names()}, observed)
+            yield Case(str(test.relative_to(folder)), result.all_rows(), observed)
 
 
 def workspace_cases(program: Program, workspace: Path, cache: Cache | None = None) -> Iterator[Case]:
@@ -37,7 +37,7 @@ def workspace_cases(program: Program, workspace: Path, cache: Cache | None = Non
         for component in found.components:
             facts = {name: list(rows) for name, rows in component.load().items() if name in inputs}
             result = program.evaluate(facts, keep="all")
-            rows = {name: result.rows(name) for name in result.names()}
+            rows = result.all_rows()
             yield Case(f"{workspace.name}: {component.title}", rows, frozenset(program.outputs))
 
 

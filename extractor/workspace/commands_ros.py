@@ -141,12 +141,10 @@ def _ament_export_dependencies(run: Evaluator, call: Call) -> None:
     run.draft.depends.extend(call.args)
 
 
-@command("ament_auto_find_build_dependencies", "autoware_package")
-def _ament_auto_find(run: Evaluator, call: Call) -> None:
+@command("ament_auto_find_build_dependencies")
+def _ament_auto_find(run: Evaluator, _call: Call) -> None:
     for name in run.manifest_depends:
         find_one(run, name)
-    if call.name == "autoware_package" and os.path.isdir(f"{run.folder}/include"):
-        run.directory.include_dirs.append(f"{run.folder}/include")
 
 
 @command("ament_auto_add_executable", "ament_auto_add_library")

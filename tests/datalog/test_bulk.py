@@ -64,7 +64,7 @@ def always(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 def rows(program: Program, facts: Any) -> dict[str, Any]:
     result = program.evaluate(facts)
-    return {name: result.rows(name) for name in result.names()}
+    return result.all_rows()
 
 
 @pytest.mark.parametrize("name", RULES)

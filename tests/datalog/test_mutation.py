@@ -36,7 +36,7 @@ def judged(tmp_path: Path, *cases: tuple[dict[str, list[tuple[str, ...]]], set[s
 
 def case(program: Program, name: str, facts: dict[str, list[tuple[str, ...]]], observed: set[str]) -> Case:
     result = program.evaluate(facts, keep="all")
-    return Case(name, {r: result.rows(r) for r in result.names()}, frozenset(observed))
+    return Case(name, result.all_rows(), frozenset(observed))
 
 
 CYCLE = [("a", "b"), ("b", "c"), ("c", "a"), ("a", "d"), ("d", "a")]

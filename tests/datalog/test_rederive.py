@@ -39,7 +39,7 @@ def rederived(history: RuleHistory, base: dict[str, list[tuple[str, ...]]], edit
 
 def rows_of(program: object, facts: object) -> dict[str, list[tuple[str, ...]]]:
     result = program.evaluate(facts, keep="all")  # type: ignore[attr-defined]
-    return {name: result.rows(name) for name in result.names()}
+    return result.all_rows()
 
 
 def start(tmp_path: Path, text: str = BASE) -> tuple[Path, RuleHistory, dict[str, list[tuple[str, ...]]]]:

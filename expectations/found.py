@@ -78,7 +78,7 @@ class Systems(Protocol):
 
 
 @dataclass
-class Observation:
+class Found:
     """What is found below `root`; the systems there are looked at when they are asked for."""
 
     root: Path
