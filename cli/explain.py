@@ -9,7 +9,7 @@ import typer
 from rosarch.cli.derivations import datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.questions import Question, asks
-from rosarch.cli.terminal import emit
+from rosarch.cli.terminal import emit_lines
 
 Goal = Annotated[
     str,
@@ -52,7 +52,7 @@ def explain(
                 texts.append(title(each) + "\n".join(proof_text(proof, layout=layout, lines=lines) for proof in proofs))
         if not texts:
             raise no_row(program, goal)
-    emit("\n".join(texts))
+    emit_lines("\n".join(texts))
 
 
 @asks()
@@ -75,4 +75,4 @@ def why_not(
                 raise InputError(f"{question.folder}: {len(components)} components; choose one with --component: {names}")
             store = RowStore(*evaluate(program, components[0], question.engine))
         text = why_not_text(ask(program, store, goal), shorten)
-    emit(text)
+    emit_lines(text)

@@ -10,7 +10,7 @@ import typer
 from rosarch.cli.errors import FINDINGS
 from rosarch.cli.launch_inputs import compose_folder, compose_words, is_folder
 from rosarch.cli.options import Verbose
-from rosarch.cli.terminal import emit, show_diagnostics
+from rosarch.cli.terminal import emit, emit_lines, show_diagnostics
 
 
 def launch(
@@ -43,11 +43,11 @@ def launch(
     if is_folder(words):
         compositions = compose_folder(words, package_path, environment)
         refused = any(composition.refusal for composition in compositions.values())
-        emit(launch_table.overview_json(compositions) if as_json else launch_table.overview_text(compositions, Path.cwd()))
+        emit(launch_table.overview_json(compositions)) if as_json else emit_lines(launch_table.overview_text(compositions, Path.cwd()))
     else:
         composition = compose_words(words, package_path, environment)
         refused = composition.refusal is not None
         show_diagnostics(composition.diagnostics(), verbose)
-        emit(launch_table.composition_json(composition) if as_json else launch_table.composition_text(composition, Path.cwd()))
+        emit(launch_table.composition_json(composition)) if as_json else emit_lines(launch_table.composition_text(composition, Path.cwd()))
     if refused:
         raise typer.Exit(FINDINGS)

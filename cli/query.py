@@ -9,7 +9,7 @@ import typer
 from rosarch.cli.derivations import Profiled, check_profile, datalog_errors, evaluate, heading, load_rules
 from rosarch.cli.options import ModelFormat
 from rosarch.cli.questions import Question, asks
-from rosarch.cli.terminal import emit
+from rosarch.cli.terminal import emit, emit_lines
 
 Query = Annotated[str, typer.Argument(metavar="QUERY", help="A rule body: 'port(P), !port_type(P, _)'.", show_default=False)]
 Most = Annotated[int | None, typer.Option("--most", "-n", metavar="N", min=1, help="No more rows than this; all by default.")]
@@ -45,6 +45,6 @@ def query(
         values = [{"package": e.package, "component": e.name, "rows": table_values(t)} for e, t in answers]
         emit(json.dumps(values, indent=2, ensure_ascii=False) + "\n")
     else:
-        emit("".join(title(e) + table_text(t, program, most=most) for e, t in answers if t.rows or len(answers) == 1))
+        emit_lines("".join(title(e) + table_text(t, program, most=most) for e, t in answers if t.rows or len(answers) == 1))
         if not any(t.rows for _, t in answers) and len(answers) > 1:
             emit("no rows in any component\n")

@@ -17,7 +17,7 @@ from rosarch.cli.questions import Question, asks
 from rosarch.cli.rule_options import Rules, parse_rules
 from rosarch.cli.rules_mutate import mutate
 from rosarch.cli.rules_test import test
-from rosarch.cli.terminal import emit
+from rosarch.cli.terminal import emit, emit_lines
 
 if TYPE_CHECKING:
     pass
@@ -80,7 +80,7 @@ def run(
                 result, _ = evaluate(program, each, question.engine, profiled=profile)
                 tables = [f"{name}\n{table_text(relation_table(program, result, name), program)}" for name in names]
                 texts.append(title(each) + "\n".join(tables))
-    emit("\n".join(texts))
+    emit_lines("\n".join(texts))
 
 
 def _nothing_to_print(files: Sequence[Path], question: Question) -> str:

@@ -13,7 +13,7 @@ from rosarch.cli.graph import graph
 from rosarch.cli.includes import includes
 from rosarch.cli.options import Format, MachineFormat
 from rosarch.cli.questions import Question, asks
-from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
+from rosarch.cli.terminal import emit, emit_lines, is_terminal, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.models.component import ComponentModel
@@ -69,11 +69,11 @@ def behavior(
     if output_format is Format.markdown:
         from rosarch.reports.behavior_markdown import behaviors_text as markdown_text
 
-        emit(markdown_text(documents))
+        emit_lines(markdown_text(documents))
     else:
         from rosarch.reports.behavior_text import behaviors_text as table_text
 
-        emit(table_text(documents))
+        emit_lines(table_text(documents))
 
 
 @app.command("machine")
@@ -100,7 +100,8 @@ def machine(
     from rosarch.reports.machines import machines_text
 
     machines = [build_machine(to_json(model), max_states=max_states, joint=joint) for model in models]
-    emit(machines_text(machines, output_format.value))
+    write = emit if output_format is MachineFormat.json else emit_lines
+    write(machines_text(machines, output_format.value))
 
 
 app.command("graph")(graph)

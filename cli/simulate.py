@@ -11,7 +11,7 @@ from rosarch.cli.composed import ScenarioFile, load_composed, load_scenario
 from rosarch.cli.errors import InputError
 from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, Verbose, parse_defines
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs
-from rosarch.cli.terminal import emit
+from rosarch.cli.terminal import emit, emit_lines
 
 
 class RunFormat(str, Enum):
@@ -60,7 +60,7 @@ def simulate(
     if output_format is RunFormat.text:
         from rosarch.reports.simulation_tables import simulation_text
 
-        emit(simulation_text(record))
+        emit_lines(simulation_text(record))
     elif output_format in (RunFormat.json, RunFormat.csv):
         from rosarch.reports.simulation_trace import simulation_json, trace_csv
 
@@ -68,4 +68,4 @@ def simulate(
     else:
         from rosarch.reports.simulation_mermaid import sequence_diagram, timeline
 
-        emit(sequence_diagram(record, system) if output_format is RunFormat.sequence else timeline(record))
+        emit_lines(sequence_diagram(record, system) if output_format is RunFormat.sequence else timeline(record))

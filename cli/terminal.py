@@ -26,6 +26,13 @@ _reports: list[Callable[[str, int, int], None]] = []
 """What is told of progress at the moment: a terminal has room for one display."""
 
 
+def emit_lines(text: str) -> None:
+    """Write a report for readers to stdout: nothing of the input that is in it moves the cursor or turns what is beside it around."""
+    from rosarch.reports.printable import printable_lines
+
+    emit(printable_lines(text))
+
+
 def emit(text: str) -> None:
     """Write a report to stdout; a reader that went away (`| head`) is no error."""
     if not sys.stdout:

@@ -26,7 +26,7 @@ from rosarch.cli.options import (
     path_argument,
 )
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs
-from rosarch.cli.terminal import emit
+from rosarch.cli.terminal import emit, emit_lines
 
 if TYPE_CHECKING:
     from rosarch.composition.inputs import Inputs
@@ -145,11 +145,11 @@ def _check(
     elif output_format is VerdictFormat.mermaid:
         from rosarch.reports.verdicts_mermaid import verdicts_text as mermaid_text
 
-        emit(mermaid_text(system, verdicts))
+        emit_lines(mermaid_text(system, verdicts))
     else:
         from rosarch.reports.verdicts_text import verdicts_text
 
-        emit(verdicts_text(system.name, verdicts, used))
+        emit_lines(verdicts_text(system.name, verdicts, used))
     return CLEAN if all(found.verdict == HOLDS for found in verdicts) else FINDINGS
 
 

@@ -13,7 +13,7 @@ import typer
 from rosarch.cli.derivations import chosen_relations, datalog_errors, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.questions import Question, asks
-from rosarch.cli.terminal import emit
+from rosarch.cli.terminal import emit_lines
 
 if TYPE_CHECKING:
     from rosarch.datalog import RelationDecl
@@ -114,7 +114,7 @@ def _report(live: LiveRules, wanted: _Wanted, before: Tables | None, saved: Sequ
         return before
     for title, failure in update.failures.items():
         _tell(f"rosarch: {title}: {failure}")
-    emit(_all(live, update) if before is None else f"{_heading(saved)}  {_effort(update)}\n{_changes(live, update, before)}")
+    emit_lines(_all(live, update) if before is None else f"{_heading(saved)}  {_effort(update)}\n{_changes(live, update, before)}")
     return update.tables
 
 

@@ -10,7 +10,7 @@ from rosarch.models.policy import Reported
 from rosarch.reports.excerpts import Excerpts
 from rosarch.reports.findings import Alike, Setting, alike, summary_line
 from rosarch.reports.labels import counted
-from rosarch.reports.printable import printable
+from rosarch.reports.printable import code_span, printable
 
 LONGEST = 60_000  # characters; a comment on GitHub has 65,536 at most
 
@@ -21,7 +21,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
     parts = [f"### rosarch: {summary_line(reported)}\n"]
     length, left = len(parts[0]), len(reported.shown)
     for path, findings in groupby(reported.shown, key=lambda finding: finding.place.path):
-        heading = f"\n#### {_code(setting.path(path))}\n\n"
+        heading = f"\n#### {code_span(setting.path(path))}\n\n"
         for each in alike(findings):
             text = heading + "\n".join(_finding(each, excerpts, setting)) + "\n"
             if length + len(text) > LONGEST:
@@ -34,12 +34,12 @@ def findings_text(reported: Reported, setting: Setting) -> str:
 def _finding(each: Alike, excerpts: Excerpts, setting: Setting) -> Iterator[str]:
     finding = each.first
     line = f"line {finding.place.line}: " if finding.place.line > 0 else ""
-    yield f"- **{finding.severity}** {line}{_escape(finding.message)} ({_code(finding.check.id)})"
+    yield f"- **{finding.severity}** {line}{_escape(finding.message)} ({code_span(finding.check.id)})"
     yield "  <details><summary>why, and what to do</summary>"
     yield ""
     for step in finding.evidence:
         text = f": {_escape(step.text)}" if step.text else ""
-        yield f"  {_code(setting.line(step.place))}{text}"
+        yield f"  {code_span(setting.line(step.place))}{text}"
         excerpt = excerpts.at(step.place)
         if excerpt:
             fence = "`" * (1 + max([2, *(len(run) for run in re.findall("`+", excerpt.text))]))
@@ -53,16 +53,9 @@ def _finding(each: Alike, excerpts: Excerpts, setting: Setting) -> Iterator[str]
         yield f"  **Hint:** {_escape(' '.join(finding.check.recommendation.split()))}"
         yield ""
     if each.systems:
-        yield f"  In: {', '.join(map(_code, each.systems))}"
+        yield f"  In: {', '.join(map(code_span, each.systems))}"
         yield ""
     yield "  </details>"
-
-
-def _code(text: str) -> str:
-    """A code span of any text."""
-    text = printable(text)
-    fence = "`" * (1 + max((len(run) for run in re.findall("`+", text)), default=0))
-    return f"{fence} {text} {fence}" if "`" in text else f"`{text}`"
 
 
 def _escape(text: str) -> str:

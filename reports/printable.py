@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
 
@@ -11,6 +12,18 @@ Value = TypeVar("Value")
 def printable(text: str) -> str:
     r"""The text with control, format and other invisible characters as escapes: `\n`, `\x1b`, `\u202e`."""
     return text if text.isprintable() else "".join(c if c.isprintable() else _escape(c) for c in text)
+
+
+def code_span(text: str) -> str:
+    """Any text as code in Markdown."""
+    text = printable(text)
+    fence = "`" * (1 + max((len(run) for run in re.findall("`+", text)), default=0))
+    return f"{fence} {text} {fence}" if "`" in text else f"`{text}`"
+
+
+def printable_lines(text: str) -> str:
+    """A text of lines, tabs within them, each line printable."""
+    return re.sub(r"[^\t\n]+", lambda part: printable(part[0]), text)
 
 
 def _escape(character: str) -> str:
