@@ -154,6 +154,7 @@ def _check(
 
 
 def _export(system: System, wanted: list[Property], given: Inputs, language: Language, bound: int, out: Path | None) -> None:
+    from rosarch.composition.reactions import TooManyCases
     from rosarch.extractor.cache import write_whole
     from rosarch.verification.check import model_for
     from rosarch.verification.jani import UnsupportedError
@@ -161,7 +162,7 @@ def _export(system: System, wanted: list[Property], given: Inputs, language: Lan
 
     try:
         written = [file for item in wanted for file in files(language.value, model_for(system, item.formula, given, bound), item)]
-    except UnsupportedError as error:
+    except (UnsupportedError, TooManyCases) as error:
         raise InputError(str(error)) from None
     if out is not None:
         check_output(out)

@@ -10,6 +10,7 @@ from rosarch.composition.commands import BOUND, model_of
 from rosarch.composition.cone import Watched, cone_of_influence
 from rosarch.composition.inputs import Inputs
 from rosarch.composition.model import Model
+from rosarch.composition.reactions import TooManyCases
 from rosarch.composition.system import System
 from rosarch.verification import ltl, spin, storm
 from rosarch.verification.checkers import CheckerError, Found
@@ -82,7 +83,10 @@ def verify(
 
 def _verdict(system: System, item: Property, inputs: Inputs, checker: str, bound: int, limits: Limits) -> Verdict:
     start = time.perf_counter()
-    transitions = model_for(system, item.formula, inputs, bound)
+    try:
+        transitions = model_for(system, item.formula, inputs, bound)
+    except TooManyCases as error:
+        raise CheckerError(f"{item.name}: {error}") from None
     try:
         found = CHECKERS[checker].check(transitions, item.formula, timeout=limits.seconds, memory=limits.memory)
     except CheckerError as error:

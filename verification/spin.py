@@ -18,7 +18,8 @@ from rosarch.verification.promela import STEP, promela
 from rosarch.verification.transitions import TransitionSystem
 
 HINT = "SPIN is not installed: `apt-get install spin gcc`, or see https://spinroot.com"
-_DEPTHS = (10_000, 5_000_000)  # steps of a run; room for many takes time to prepare
+_SHORT = 10_000  # steps of a run; room for many takes time to prepare
+_PER_MIB = 5_000  # steps of a run that there is room for beside the states
 _TOO_DEEP = "max search depth too small"
 _FEW = 1_000_000  # valuations for which it is not worth while to let the compiler optimise
 _GIVEN_UP = ("Search not completed", _TOO_DEEP, "out of memory")
@@ -39,7 +40,7 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
     """
     with tempfile.TemporaryDirectory(prefix="rosarch-spin-") as folder:
         _compile(system, [formula], folder, timeout, memory)
-        found = _claim(0, folder, timeout)
+        found = _claim(0, folder, timeout, memory)
         return found if found.holds else replace(found, lasso=_trail(_run(["spin", "-t", "-B", "model.pml"], folder, timeout)))
 
 
@@ -47,7 +48,7 @@ def check_all(system: TransitionSystem, formulas: Sequence[Formula], *, timeout:
     """Let SPIN check several properties of one model, without the runs that violate them."""
     with tempfile.TemporaryDirectory(prefix="rosarch-spin-") as folder:
         _compile(system, formulas, folder, timeout, memory)
-        return [_claim(index, folder, timeout) for index in range(len(formulas))]
+        return [_claim(index, folder, timeout, memory) for index in range(len(formulas))]
 
 
 def _compile(system: TransitionSystem, formulas: Sequence[Formula], folder: str, timeout: float, memory: int) -> None:
@@ -59,8 +60,8 @@ def _compile(system: TransitionSystem, formulas: Sequence[Formula], folder: str,
     _run(["gcc", effort, "-w", f"-DMEMLIM={memory}", "-DNOFAIR", "-DNOREDUCE", "-DNOSTUTTER", "-o", "pan", "pan.c"], folder, timeout)
 
 
-def _claim(index: int, folder: str, timeout: float) -> Found:
-    for depth in _DEPTHS:
+def _claim(index: int, folder: str, timeout: float, memory: int) -> Found:
+    for depth in (_SHORT, memory * _PER_MIB):
         report = _run(["./pan", "-a", f"-m{depth}", "-N", f"claim{index}"], folder, timeout)
         if _TOO_DEEP not in report:
             break

@@ -63,5 +63,8 @@ def _work(answer: Connection, text: str, asked: str, memory: int) -> None:
             model = stormpy.build_model(program, formulas)
             result = stormpy.model_checking(model, formulas[0], only_initial_states=True)
             answer.send((result.get_value(model.initial_states[0]), model.nr_states))
+    except MemoryError:
+        pass  # no answer is answer enough
     except RuntimeError as error:
-        answer.send((" ".join(str(error).split()), 0))
+        if not str(error).startswith("std::"):  # what the standard library throws when there is no room
+            answer.send((" ".join(str(error).split()), 0))

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from hand_made import load, system_of
 
+from rosarch.composition.inputs import Inputs
 from rosarch.verification import spin, storm
+from rosarch.verification.check import Limits
+from rosarch.verification.check import verify as verify_all
+from rosarch.verification.checkers import CheckerError
+from rosarch.verification.properties import read_properties
 
 SYSTEMS = Path(__file__).parent.parent / "verification" / "systems"
 needs_checker = pytest.mark.skipif(not (spin.is_installed() or storm.is_installed()), reason=f"{spin.HINT}; {storm.HINT}")
@@ -42,6 +49,29 @@ def test_an_example(rosarch: Callable, examples: Path) -> None:
         "odometry": "holds",
         "stops": "possibly violated",
     }
+
+
+@needs_checker
+def test_states_of_a_node_and_its_loop(rosarch: Callable, examples: Path, tmp_path: Path) -> None:
+    """Searching for the dock ends only when something comes; the lamp is lit by a message on /charging that says so."""
+    shutil.copytree(examples / "docking_states" / "src", tmp_path / "ws" / "src")
+    (tmp_path / "ws" / "dock.launch").write_text(
+        '<launch><node pkg="auto_docking" type="docking" name="docking"/><node pkg="auto_docking" type="dock_lamp" name="lamp"/></launch>'
+    )
+    (tmp_path / "p").write_text(
+        "asked: precedence(received(docking, /docking/dock), docking.state_ == SEARCHING)\n"
+        "ends: left(docking.state_ == SEARCHING)\n"
+        "in_order: precedence(docking.state_ == APPROACHING, docking.state_ == DOCKED)\n"
+        "dark: precedence(received(lamp, /charging) or received(lamp, /bumper), lamp.g_lit)\n"
+        "lit: absence(sent(/lamp))\n"
+    )
+    found = rosarch("verify", tmp_path / "ws", "--properties", tmp_path / "p", "--format", "json")
+    rows = {item["property"]: item for item in json.loads(found.out)["properties"]}
+    expected = {"asked": "holds", "ends": "violated", "in_order": "holds", "dark": "holds", "lit": "violated"}
+    assert {name: row["verdict"] for name, row in rows.items()} == expected
+    steps = rows["lit"]["counterexample"]["stem"]
+    assert [step["cause"] for step in steps if step["changes"]] == ["receives /charging", "2 Hz loop"]
+    assert steps[0]["inputs"] == ["msg.data"]
 
 
 @needs_checker
@@ -100,6 +130,22 @@ def test_too_many_states(verify: Callable) -> None:
     found = verify("chain", "p: response(sent(/a), sent(/c))\n", "--checker", "storm", "--time-limit", "0.001")
     assert found.code == 2
     assert found.err.startswith("rosarch: error: p: Storm did not end within 0.001 s; most values have ")
+
+
+@pytest.mark.parametrize("checker", [spin, storm], ids=["spin", "storm"])
+def test_too_little_memory(checker: ModuleType) -> None:
+    if not checker.is_installed():
+        pytest.skip(checker.HINT)
+    switches = range(16)
+    node = {
+        "ports": [{"id": f"p{i}", "kind": "subscriber", "name": f"/t{i}", "queue": 1} for i in switches],
+        "state_variables": [{"name": f"Panel::s{i}", "type": "bool", "initial": "false", "at": "panel.h:1"} for i in switches],
+        "transitions": [{"variable": f"Panel::s{i}", "trigger": [f"p{i}"], "value": f"!s{i}", "at": "panel.cpp:1"} for i in switches],
+    }
+    system = system_of({"panel": node})
+    text = f"p: absence({' and '.join(f'panel.s{i} and sent(/t{i})' for i in switches)})"
+    with pytest.raises(CheckerError, match=r"^p: (SPIN|Storm) gave up.*; most values have panel\.s0 \(2\), "):
+        verify_all(system, read_properties(text, "f", system), Inputs(), checker.__name__.rsplit(".")[-1], limits=Limits(memory=64))
 
 
 def test_mistakes(verify: Callable) -> None:
