@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rosarch.reports.printable import printable
 from rosarch.reports.tables import Table, table_text, tables_as
 from rosarch.simulation.records import Record, busy, latencies, queues, rates
 
@@ -11,8 +12,11 @@ _MILLI = 1000
 def simulation_text(record: Record) -> str:
     """Rates, queues, latencies and load."""
     head = f"{record.system}: {record.duration:g} s, seed {record.seed}, {len(record.events)} events\n\n"
-    notes = [f"note: {note}\n" for note in dict.fromkeys(record.notes)]
-    notes += [f"note: `{text}` of {node} was decided by lot, {number} times\n" for (node, text), number in sorted(record.guessed.items())]
+    notes = [f"note: {printable(note)}\n" for note in dict.fromkeys(record.notes)]
+    notes += [
+        f"note: `{printable(text)}` of {printable(node)} was decided by lot, {number} times\n"
+        for (node, text), number in sorted(record.guessed.items())
+    ]
     return head + tables_as(table_text, simulation_tables(record)) + ("\n" if notes else "") + "".join(notes)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from rosarch.reports.printable import printable
 from rosarch.verification.check import HOLDS, Verdict
 from rosarch.verification.trace import Step, Trace
 
@@ -19,7 +20,9 @@ def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str
     number = sum(found.verdict == HOLDS for found in verdicts)
     most = max((found.states for found in verdicts), default=0)
     seconds = sum(found.seconds for found in verdicts)
-    return "\n".join([*lines, f"{number} of {len(verdicts)} properties hold; {checker}, up to {most} states, {seconds:.1f} s", ""])
+    return "\n".join(
+        [*map(printable, lines), f"{number} of {len(verdicts)} properties hold; {checker}, up to {most} states, {seconds:.1f} s", ""]
+    )
 
 
 def _trace(trace: Trace) -> Iterator[str]:
