@@ -18,7 +18,7 @@ def browse(question: Question) -> None:
     try:
         from rosarch.cli.browser import Browser, Robot
     except ImportError as error:
-        raise InputError(f"browse needs {error.name}: pip install 'rosarch[interactive]'") from None
+        raise InputError(f"browse needs {error.name}: pip install '.[interactive]' in the checkout of rosarch") from None
     if not is_terminal():
         raise InputError("browse is for a terminal; rosarch query prints rows")
     with datalog_errors():

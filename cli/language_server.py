@@ -18,7 +18,7 @@ def language_server() -> None:
     try:
         from rosarch.datalog.editor.server import serve
     except ImportError as error:
-        raise InputError(f"the language server needs {error.name}: pip install 'rosarch[interactive]'") from None
+        raise InputError(f"the language server needs {error.name}: pip install '.[interactive]' in the checkout of rosarch") from None
     serve(version("rosarch"), entries)
 
 

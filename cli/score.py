@@ -11,7 +11,7 @@ import typer
 
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_engine, check_folder, check_output, extraction_cache, unwritable
+from rosarch.cli.inputs import check_engine, check_folder, check_input, check_output, extraction_cache, unwritable
 from rosarch.cli.options import path_argument
 from rosarch.cli.questions import Reading, asks
 from rosarch.cli.terminal import emit, progress, show_diagnostics
@@ -91,7 +91,7 @@ def score(
         if models is not None:
             found = score_models(truths, check_folder(models))
         else:
-            single = _analyzed(truths, check_folder(systems or Path()), reading, absent)
+            single = _analyzed(truths, check_input(systems or Path()), reading, absent)
             show_diagnostics(single.diagnostics, reading.verbose)
             if out:
                 _write(single, out)

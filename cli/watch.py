@@ -82,7 +82,7 @@ def _saves(paths: Sequence[Path]) -> Iterator[list[Path]]:
         from watchfiles import DefaultFilter
         from watchfiles import watch as changes
     except ImportError as error:
-        raise InputError(f"watch needs {error.name}: pip install 'rosarch[interactive]'") from None
+        raise InputError(f"watch needs {error.name}: pip install '.[interactive]' in the checkout of rosarch") from None
     from rosarch.extractor.manifest import rules_folder
 
     for path in paths:

@@ -14,6 +14,7 @@ from rosarch.experiments.scores import Score, score
 from rosarch.experiments.subjects import Extracting, Subject, opened
 from rosarch.experiments.truth import Truth, TruthError, read_models, systems
 from rosarch.extractor.pool import Failure
+from rosarch.extractor.stored import is_facts_text
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Diagnostic
@@ -34,7 +35,7 @@ class SingleRun:
 
 
 def subjects_of(truths: Sequence[Truth], folder: Path, *, absent: bool = False) -> list[Subject]:
-    """Each system that truth is about, in `folder` under its name; the only one may be `folder` itself.
+    """Each system that truth is about, in `folder` under its name, a folder or a text of facts; the only one may be `folder` itself.
 
     Raises:
         TruthError: there is no folder of a system, and such must not be `absent`.
@@ -44,8 +45,10 @@ def subjects_of(truths: Sequence[Truth], folder: Path, *, absent: bool = False) 
     problems = []
     for system, own in found:
         below = folder / system
-        if below.is_dir() or len(found) == 1:
-            subjects.append(Subject(system, below if below.is_dir() else folder, own))
+        text = folder / f"{system}.txt"
+        here = below if below.is_dir() else text if is_facts_text(text) else folder
+        if here is not folder or len(found) == 1:
+            subjects.append(Subject(system, here, own))
         elif not absent:
             problems.append(f"{own[0].at}:{own[0].at.column}: no folder {below} of the system {system}")
     if problems:

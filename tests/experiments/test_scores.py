@@ -114,6 +114,9 @@ def test_the_single_run(rosarch: Callable, workspace: Path, tmp_path: Path) -> N
     assert rosarch("score", tmp_path / "truth", "--models", tmp_path / "models", "--format", "csv").out == done.out
     assert rosarch("extract", workspace, "-o", tmp_path / "facts" / "ws").code == 0
     assert rosarch("score", tmp_path / "truth", tmp_path / "facts", "--format", "csv").out == done.out
+    assert rosarch("extract", workspace, "--text", "-o", tmp_path / "texts" / "ws.txt").code == 0
+    for text in (tmp_path / "texts", tmp_path / "texts" / "ws.txt"):
+        assert rosarch("score", tmp_path / "truth", text, "--format", "csv").out == done.out
     (tmp_path / "truth" / "talker.yml").write_text(TRUTH.replace("chatter", "chat"))
     listed = rosarch("score", tmp_path / "truth", tmp_path, "--misses").out
     assert listed.endswith(
