@@ -116,8 +116,9 @@ def load_analysis(
     timeout: float,
     defines: Mapping[str, str],
     cached: bool,
+    component: str | None = None,
 ) -> Analysis:
-    """Analyse a folder of packages, or stored facts."""
+    """Analyse a folder of packages, or stored facts; of a folder of packages only `component`, when it is given."""
     check_input(folder)
     check_engine(engine)
     with progress() as report:
@@ -129,12 +130,12 @@ def load_analysis(
         from rosarch.models.system.reading import Reading
 
         reading = Reading(rules or SHIPPED, (), engine.value, jobs, timeout, defines, extraction_cache(cached), report)
-        analysis = _analysis(folder, packages or None, reading)
+        analysis = _analysis(folder, packages or None, component, reading)
     check_diagnostics(folder, len(analysis.models), analysis.diagnostics)
     return analysis
 
 
-def _analysis(folder: Path, packages: Collection[str] | None, reading: Reading) -> Analysis:
+def _analysis(folder: Path, packages: Collection[str] | None, component: str | None, reading: Reading) -> Analysis:
     """The analysis of a folder of packages; as it was when nothing has changed since."""
     from rosarch.extractor.memo import Memo
 
@@ -142,12 +143,14 @@ def _analysis(folder: Path, packages: Collection[str] | None, reading: Reading) 
         from rosarch.models.analysis import analyze
 
         options: dict[str, Any] = {"engine": reading.engine, "jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines}
-        return analyze(folder, packages, rules=reading.rules, cache=reading.cache, progress=reading.progress, **options)
+        options |= {"rules": reading.rules, "cache": reading.cache, "progress": reading.progress}
+        return analyze(folder, packages, only=(lambda found: found.name == component) if component else None, **options)
 
     if reading.cache is None or reading.engine != Engine.embedded.value:
         return find()
     top = os.path.abspath(folder)
-    return Memo(reading.cache).recall(["analysis", top, repr(packages and sorted(packages)), *reading.key()], (top,), find)
+    asked = [repr(packages and sorted(packages)), repr(component)]
+    return Memo(reading.cache).recall(["analysis", top, *asked, *reading.key()], (top,), find)
 
 
 def _load_facts(

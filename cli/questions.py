@@ -55,11 +55,11 @@ class Reading:
         """The rules, with files of the user's own."""
         return parse_rules([*files, *(self.own or ())], self.variants, self.settings)
 
-    def analysis(self, rules: RuleSet, folder: Path, packages: Sequence[str] | None) -> Analysis:
-        """The models of the components in a folder, by these rules."""
+    def analysis(self, rules: RuleSet, folder: Path, packages: Sequence[str] | None, component: str | None = None) -> Analysis:
+        """The models of the components in a folder, by these rules; see `load_analysis`."""
         return load_analysis(
             folder, packages, rules=rules, engine=self.engine, jobs=self.jobs, timeout=self.timeout,
-            defines=parse_defines(self.defines), cached=self.cached,
+            defines=parse_defines(self.defines), cached=self.cached, component=component,
         )  # fmt: skip
 
     def systems_in(self, folder: Path, launches: Sequence[str] | None, rules: RuleSet, **more: Any) -> SystemInputs:

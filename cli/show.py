@@ -16,7 +16,9 @@ from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit, emit_lines, is_terminal, show_diagnostics
 
 if TYPE_CHECKING:
+    from rosarch.models.analysis import Analysis
     from rosarch.models.component import ComponentModel
+    from rosarch.models.rule_choice import RuleSet
 
 Node = Annotated[str | None, typer.Argument(metavar="NODE", help="Only this one: NAME, PACKAGE/NAME or its node name.", show_default=False)]
 
@@ -110,10 +112,24 @@ app.command("includes")(includes)
 
 def _models(question: Question, node: str | None) -> tuple[ComponentModel, ...]:
     """The components to show; what was not understood goes to stderr."""
-    analysis = question.analysis(question.rules(), question.folder, question.packages)
+    rules = question.rules()
+    analysis = _only(question, rules, node) if node and not question.packages else None
+    analysis = analysis or question.analysis(rules, question.folder, question.packages)
     models = analysis.models if node is None else _named(analysis.models, node)
     show_diagnostics(analysis.diagnostics, question.verbose)
     return models
+
+
+def _only(question: Question, rules: RuleSet, node: str) -> Analysis | None:
+    """The analysis of PACKAGE/NAME alone; None when there is no such component in a folder of packages."""
+    package, _, component = node.partition("/")
+    if not (component and question.folder.is_dir()):
+        return None
+    try:
+        found = question.analysis(rules, question.folder, [package], component)
+    except InputError:
+        return None
+    return found if found.models else None
 
 
 def _named(models: Sequence[ComponentModel], node: str) -> tuple[ComponentModel, ...]:

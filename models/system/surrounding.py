@@ -16,7 +16,16 @@ from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
 from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged, rows_digest
-from rosarch.models.system.workspace import named_by, programs_named, set_rows, shared_rows, source_rows, workspace_rows
+from rosarch.models.system.workspace import (
+    Dependencies,
+    dependencies,
+    named_by,
+    programs_named,
+    set_rows,
+    shared_rows,
+    source_rows,
+    workspace_rows,
+)
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Component, Diagnostic
@@ -95,7 +104,11 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
 
     words = sorted({setting.name for composition in compositions for setting in composition.params})
     sources = memo.recall(["said", top, components.digest, *words], (top,), said) if memo else said()
-    there = workspace_rows(root, compositions, components.programs, components.expected)
+
+    def depends() -> Dependencies:
+        return memo.recall(["dependencies", top], (top,), lambda: dependencies(root)) if memo else dependencies(root)
+
+    there = workspace_rows(depends, compositions, components.programs, components.expected)
     named = merged([there, sources, set_rows(compositions, components.models)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     return Surrounding(root, components, named, tuple(dict.fromkeys(found)))

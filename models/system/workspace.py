@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
@@ -12,6 +12,8 @@ from rosarch.extractor.launch.model import Composition, PackageNamed, ProgramNam
 from rosarch.models.component import ComponentModel
 from rosarch.models.system.rows import Rows
 
+Dependencies = tuple[set[str], set[str]]
+"""Packages that manifests depend on, and those that they are of."""
 _DEPENDENCY = re.compile(r"<\w*depend[^<>]*>\s*([^<\s]+)\s*</")
 
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu", ".h", ".hh", ".hpp", ".hxx", ".cuh", ".ipp", ".inl", ".cfg")
@@ -25,13 +27,15 @@ def programs_named(compositions: Iterable[Composition]) -> set[tuple[str, str]]:
     return {(named.package, named.type) for named in named if isinstance(named, ProgramNamed) and not named.mentioned}
 
 
-def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Collection[tuple[str, str]], known: Collection[str]) -> Rows:
+def workspace_rows(
+    depends: Callable[[], Dependencies], compositions: Sequence[Composition], programs: Collection[tuple[str, str]], known: Collection[str]
+) -> Rows:
     """Which of the programs and packages that launch files name there are, or are to be expected: those `known`, and those needed here."""
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
     shipped = set(known)
-    depended, own = _dependencies(root) if absent - shipped else (set(), set())
+    depended, own = depends() if absent - shipped else (set(), set())
     return {
         "program_built": set(programs),
         "package_expected": {(package,) for package in absent & (shipped | depended | own)},
@@ -39,7 +43,7 @@ def workspace_rows(root: Path, compositions: Sequence[Composition], programs: Co
     }
 
 
-def _dependencies(root: Path) -> tuple[set[str], set[str]]:
+def dependencies(root: Path) -> Dependencies:
     """All that the manifests below `root` depend on, and their own packages: of these, only ignored ones are not found."""
     from rosarch.extractor.package_names import quick_name
     from rosarch.extractor.workspace.manifests import find_manifests

@@ -62,3 +62,22 @@ def test_behavior_as_json(rosarch: Callable, workspace: Path) -> None:
         "system", "component", "package", "kind", "node_name", "ports",
         "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot",
     ]  # fmt: skip
+
+
+def test_one_node_is_read_alone(rosarch: Callable, examples: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from rosarch.models import analysis
+
+    read: list[list[str]] = []
+    evaluate = analysis._evaluate
+
+    def recording(system: str, components: list, *rest: object) -> object:
+        read.append([component.name for component in components])
+        return evaluate(system, components, *rest)
+
+    monkeypatch.setattr(analysis, "_evaluate", recording)
+    alone = rosarch("show", "ports", examples / "mobile_base", "base_odometry/odometry_node", "--no-cache", "--format", "json")
+    assert read == [["odometry_node"]]
+    assert alone == rosarch("show", "ports", examples / "mobile_base", "odometry_node", "--no-cache", "--format", "json")
+    assert len(read[1]) == 2
+    unknown = rosarch("show", "ports", examples / "mobile_base", "base_odometry/odometry_nod", "--no-cache")
+    assert unknown.err == "rosarch: error: no node or nodelet base_odometry/odometry_nod, did you mean `base_odometry/odometry_node`?\n"

@@ -15,7 +15,7 @@ from rosarch.extractor.launch.scripts import MAX_FILES, script_rows
 from rosarch.extractor.launch.values import Binary
 from rosarch.extractor.manifest import rules_folder
 from rosarch.library import load
-from rosarch.models.system.workspace import workspace_rows
+from rosarch.models.system.workspace import dependencies, workspace_rows
 
 Rows = dict[str, set[tuple[Any, ...]]]
 MAIN = "here/main.launch:"
@@ -229,7 +229,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\n")
     filled = launch_rows(composition, tmp_path)
     filled |= script_rows(composition, PackagePath([tmp_path]))
-    filled |= workspace_rows(tmp_path, [composition], {("here", "built")}, load().packages)
+    filled |= workspace_rows(lambda: dependencies(tmp_path), [composition], {("here", "built")}, load().packages)
     declared = load_declarations(rules_folder() / "schema" / "launch.dl")
     assert {name for name, rows in filled.items() if rows} == set(declared)
     for name, rows in filled.items():
