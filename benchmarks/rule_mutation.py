@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from functools import partial
 from pathlib import Path
 
 from rosarch.datalog import Result
@@ -20,9 +21,10 @@ from rosarch.expectations.cases import find_cases
 from rosarch.expectations.mutation import mutation_cases
 from rosarch.expectations.run import Running
 from rosarch.models.rule_mutation import drop_in_cases, judge_all, mutants_of, workspace_cases
-from rosarch.models.rule_sets import SHIPPED, component_program
+from rosarch.models.rule_sets import SHIPPED, component_program, rule_set
 
 TOP = Path(__file__).resolve().parents[1]
+TESTS = TOP / "tests" / "rules"
 FIRED, KILLED = 0.95, 0.80
 
 
@@ -35,9 +37,14 @@ def main() -> int:
     parser.add_argument("--list", action="store_true", help="clauses that never fire and mutants that survive")
     given = parser.parse_args()
     program = component_program()
-    cases = list(drop_in_cases(program, TOP / "tests" / "rules"))
-    how = Running(SHIPPED, lambda folder: Alone(folder, SHIPPED, "embedded"), jobs=given.jobs)
-    cases += mutation_cases(program, find_cases([TOP / "tests" / "rules" / "sources"]).cases, how)
+    cases = list(drop_in_cases(program, TESTS))
+    for folder, rules in (
+        (TESTS / "sources", SHIPPED),
+        (TESTS / "packages", SHIPPED),
+        (TESTS / "hints", rule_set([TESTS / "hints" / "hints.dl"])),
+    ):
+        how = Running(rules, partial(Alone, rules=rules, engine="embedded"), jobs=given.jobs)
+        cases += mutation_cases(component_program(rules), find_cases([folder]).cases, how)
     for workspace in sorted(path.parent for path in (TOP / "examples").glob("*/expected")):
         cases += workspace_cases(program, workspace)
     fired = coverage(program, (Result.of(case.rows, program) for case in cases))

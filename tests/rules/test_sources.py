@@ -1,10 +1,11 @@
 """Sources of `sources/` that say in comments what is expected of them: one extraction for all, each a component of its own.
 
-A file `<rule file>_<what>.cpp` is about that file of `rules/core`.
+A file `<rule file>_<what>.cpp`, or a package of `packages/`, is about that file of `rules/core`. Those of `hints/` are told hints.
 """
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -12,20 +13,26 @@ import pytest
 from rosarch.expectations.alone import Alone
 from rosarch.expectations.cases import find_cases
 from rosarch.expectations.run import FileOutcome, Running, run_cases
-from rosarch.models.rule_sets import SHIPPED
+from rosarch.models.rule_sets import SHIPPED, rule_set
 from rosarch.reports.expectations import file_text
 
-SOURCES = Path(__file__).parent / "sources"
+HERE = Path(__file__).parent
+FOLDERS = {"sources": SHIPPED, "packages": SHIPPED, "hints": rule_set([HERE / "hints" / "hints.dl"])}
+NAMES = sorted(f"{folder}/{path.relative_to(HERE / folder)}" for folder in FOLDERS for path in (HERE / folder).rglob("*.cpp"))
 
 
 @pytest.fixture(scope="module")
 def outcomes() -> dict[str, FileOutcome]:
     """What became of each file."""
-    how = Running(SHIPPED, lambda folder: Alone(folder, SHIPPED, "embedded"), jobs=1)
-    return {file.path.name: file for case in run_cases(find_cases([SOURCES]).cases, how) for file in case.files}
+    found = {}
+    for folder, rules in FOLDERS.items():
+        how = Running(rules, partial(Alone, rules=rules, engine="embedded"), jobs=1)
+        files = [file for case in run_cases(find_cases([HERE / folder]).cases, how) for file in case.files]
+        found.update({str(file.path.relative_to(HERE)): file for file in files})
+    return found
 
 
-@pytest.mark.parametrize("name", sorted(path.name for path in SOURCES.glob("*.cpp")))
+@pytest.mark.parametrize("name", NAMES)
 def test_expectations_are_met(outcomes: dict[str, FileOutcome], name: str) -> None:
     assert outcomes[name].expected > 0
     assert not outcomes[name].unmet, file_text(outcomes[name])
