@@ -1,10 +1,10 @@
 // Which objects live as long as the component, which of them are plain data, and what changes what they hold.
 //
 // expect: N = count : { component_variable(_) }, N = 31
-// expect: N = count : { assignment(_, _, _) }, N = 28
-// expect: N = count : { final_value(_, _) }, N = 32
+// expect: N = count : { assignment(_, _, _) }, N = 29
+// expect: N = count : { final_value(_, _) }, N = 33
 // expect: N = count : { parameter_assigned(_, _) }, N = 5
-// expect: N = count : { part_of_variable(_, _) }, N = 56
+// expect: N = count : { part_of_variable(_, _) }, N = 59
 // expect: N = count : { plain_class(Class), location(Class, _, _, _) }, N = 3
 // expect: plain_class("Pose")
 // expect: plain_class("Size")
@@ -273,6 +273,7 @@ void Robot::onIn(const std_msgs::Float64& message)
   raise(g_pair, yaw_, 1);
   raisePose(goal_, scale_);
   pitch_ = look(goal_, pose_);
+  yaw_ = pitch_ + roll_;
   if (samples_.size() > 1)
     pub_.publish(message);
 }

@@ -1,15 +1,15 @@
 // What gives a text its value, and what leaves it unknown.
 //
-// expect: N = count : { definition(_, _) }, N = 57
+// expect: N = count : { definition(_, _) }, N = 63
 // expect: N = count : { garbled(_, _) }, N = 8
 // expect: N = count : { extracts(_, _, _) }, N = 2
-// expect: N = count : { text_variable(_) }, N = 31
-// expect: N = count : { reaches(_, _) }, N = 73
-// expect: N = count : { entry_reaches(_) }, N = 20
-// expect: N = count : { parameter_changed(_, _) }, N = 3
+// expect: N = count : { text_variable(_) }, N = 35
+// expect: N = count : { reaches(_, _) }, N = 77
+// expect: N = count : { entry_reaches(_) }, N = 22
+// expect: N = count : { parameter_changed(_, _) }, N = 5
 // expect: N = count : { written_through(_) }, N = 2
 // expect: N = count : { written_on(_) }, N = 6
-// expect: N = count : { appended(_, _, _) }, N = 9
+// expect: N = count : { appended(_, _, _) }, N = 11
 // expect: N = count : { inserted(_, _, _) }, N = 1
 // expect: N = count : { prepended(_, _, _) }, N = 4
 // expect: N = count : { cut(_, _, _) }, N = 5
@@ -45,6 +45,12 @@ void add(std::string& name)
 void replace(std::string* name)
 {
   *name = "/replaced";
+}
+
+void addTwo(std::string& first, std::string& second)
+{
+  first += "/one";
+  second += "/two";
 }
 
 void keep(const std::string& name, std::string copy, int* number)
@@ -101,6 +107,12 @@ void changed()
   replace(&b);
   // expect: subscriber /replaced
   subscribe(b);
+  std::string two = "/c", one = "/b";
+  addTwo(one, two);
+  // expect: subscriber /b/one
+  subscribe(one);
+  // expect: subscriber /c/two
+  subscribe(two);
   std::string c = "/c";
   int number = 0;
   keep(c, c, &number);

@@ -1,14 +1,14 @@
 // Names in namespaces: of handles, of the node, of parameters, and with parts that are not known.
 //
-// expect: N = count : { joined_text(_, _, _) }, N = 19
+// expect: N = count : { joined_text(_, _, _) }, N = 20
 // expect: N = count : { one_parameter(_, _, _) }, N = 36
-// expect: N = count : { name_parameter(_, _, _, _) }, N = 40
-// expect: N = count : { resolved(_, _, _) }, N = 46
-// expect: N = count : { joins(_, _, _) }, N = 7
-// expect: N = count : { names_namespace(_, _) }, N = 7
-// expect: N = count : { name_values(_, _, _, _, _, _) }, N = 4
-// expect: N = count : { operand_values(_, _, _, _, _, _) }, N = 20
-// expect: N = count : { call_namespace(_, _, _, _) }, N = 38
+// expect: N = count : { name_parameter(_, _, _, _) }, N = 43
+// expect: N = count : { resolved(_, _, _) }, N = 50
+// expect: N = count : { joins(_, _, _) }, N = 8
+// expect: N = count : { names_namespace(_, _) }, N = 8
+// expect: N = count : { name_values(_, _, _, _, _, _) }, N = 5
+// expect: N = count : { operand_values(_, _, _, _, _, _) }, N = 21
+// expect: N = count : { call_namespace(_, _, _, _) }, N = 41
 // expect: N = count : { port_in_namespace(_, _) }, N = 3
 // expect: port_in_namespace([_, "subscriber", "/of_node"], "first")
 // expect: port_in_namespace([_, "subscriber", "/pre"], "first")
@@ -40,7 +40,7 @@ int main(int argc, char** argv)
   ros::M_string remappings;
   remappings["remapped"] = "/elsewhere";
   ros::init(remappings, "names");
-  ros::NodeHandle nh, private_nh("~"), robot("robot"), arm(robot, "arm"), absolute("/abs"), slash("robot/"), same(robot), own(robot, "~own");
+  ros::NodeHandle nh, private_nh("~"), robot("robot"), arm(robot, "arm"), absolute("/abs"), slash("robot/"), empty(""), inside(robot, ""), same(robot), own(robot, "~own");
   std::vector<ros::Subscriber> subs;
   irrelevant("text");
 
@@ -55,6 +55,8 @@ int main(int argc, char** argv)
   subs.push_back(absolute.subscribe("i", 1, onMessage));  // expect: subscriber /abs/i
   subs.push_back(same.subscribe("j", 1, onMessage));  // expect: subscriber robot/j
   subs.push_back(own.subscribe("k", 1, onMessage));  // expect: subscriber ~own/k
+  subs.push_back(empty.subscribe("empty", 1, onMessage));  // expect: subscriber empty
+  subs.push_back(inside.subscribe("inside", 1, onMessage));  // expect: subscriber robot/inside
   subs.push_back(nh.subscribe("remapped", 1, onMessage));  // expect: subscriber /elsewhere
 
   subs.push_back(nh.subscribe(ros::names::append("append", "l"), 1, onMessage));  // expect: subscriber append/l
@@ -86,6 +88,7 @@ int main(int argc, char** argv)
   subs.push_back(nh.subscribe(unknown + "/t" + "/u", 1, onMessage));  // expect: subscriber ?/t/u
   subs.push_back(nh.subscribe("v/" + unknown, 1, onMessage));  // expect: subscriber ?
   subs.push_back(nh.subscribe(unknown + "/w" + unknown, 1, onMessage));  // expect: subscriber ?
+  subs.push_back(nh.subscribe(unknown + unknown, 1, onMessage));  // expect: subscriber ?
   subs.push_back(nh.subscribe(unknown + "_x", 1, onMessage));  // expect: subscriber ?
   subs.push_back(nh.subscribe("y/" + std::string("/z"), 1, onMessage));  // expect: subscriber y/z
   subs.push_back(robot.subscribe(unknown + "/known", 1, onMessage));  // expect: subscriber ?/known

@@ -3,6 +3,7 @@
 // expect: N = count : { expr_class(E, "Board"), location(E, File, Line, Column) }, N = 14
 // expect: N = count : { variable_class(V, "Board") }, N = 4
 // expect: N = count : { class_instance(Class, Instance), location(Class, File, Line, Column) }, N = 2
+// expect: N = count : { variable_type(V, Type), type_holds_instance(Type, "Relay<std_msgs::String_>") }, N = 2
 // expect-only: subscriber
 // expect-only: publisher
 #include <boost/make_shared.hpp>
@@ -85,6 +86,9 @@ int main(int argc, char** argv)
   std::shared_ptr<Board> shared = std::make_shared<Board>();
   const std::vector<Board> boards(2);
   NamedRelay relay(nh);
+  Relay<std_msgs::String>* base = &relay;
+  const std::shared_ptr<Relay<std_msgs::String>> kept(new Relay<std_msgs::String>(nh));
+  const std::vector<Relay<std_msgs::String>> several;
   std::vector<ros::Subscriber> subs;
   subs.push_back(nh.subscribe("/text", 1, &Board::onText, &board));  // expect: subscriber /text std_msgs/String callback=Board::onText
   subs.push_back(nh.subscribe("/shared", 1, &Board::onShared, pointer));  // expect: subscriber /shared std_msgs/Int32
