@@ -38,3 +38,19 @@ def test_what_no_test_notices(rosarch: Callable[..., Any], tmp_path: Path) -> No
     case(tmp_path / "tests" / "two", [("c", "f"), ("d", "g")], ["c"], [("c", "f")])
     found = rosarch("rules", "mutate", tmp_path / "tests", "--rules", tmp_path / "own.dl")
     assert (found.code, found.out) == (0, "2 of 2 mutants killed (100.0%)\n")
+
+
+def test_expectations_notice_what_they_are_about(rosarch: Callable[..., Any], tmp_path: Path) -> None:
+    """What is expected of a model is met whatever rows a relation has that no model is made from."""
+    (tmp_path / "own.dl").write_text(RULES)
+    source = tmp_path / "tests" / "node.cpp"
+    source.parent.mkdir()
+    source.write_text(
+        '#include <ros/ros.h>\n#include <std_msgs/Empty.h>\n// expect: publisher /out\n'
+        'int main() { ros::NodeHandle nh; ros::Publisher pub = nh.advertise<std_msgs::Empty>("/out", 1); ros::spin(); }\n'
+    )  # fmt: skip
+    found = rosarch("rules", "mutate", tmp_path / "tests", "--rules", tmp_path / "own.dl")
+    assert (found.code, found.out.splitlines()[-1]) == (1, "0 of 2 mutants killed (0.0%)")
+    source.write_text(source.read_text().replace("publisher /out", 'Count = count : { own_called(_, "advertise") }, Count = 1'))
+    found = rosarch("rules", "mutate", tmp_path / "tests", "--rules", tmp_path / "own.dl")
+    assert found.out.splitlines()[-1] == "1 of 2 mutants killed (50.0%)"
