@@ -3,7 +3,7 @@
 // expect: runs_later(C, F), function_name(F, "onRead")
 // expect: feeds_filter(C, F), function_name(F, "onFiltered")
 // expect: Count = count : { enters(C, F), function_name(F, "onRead") }, Count = 1
-// expect: reactive /in -> /filtered
+// expect: reactive /in -> /filtered may
 // expect: periodic /read 10 Hz
 // expect-not: reactive /in -> /read
 #include <boost/asio.hpp>

@@ -8,7 +8,7 @@
 // expect: one_shot /maybe 2.5 s may
 // expect-not: periodic /late
 // expect: enters(_, F), function_name(F, "sendOne")
-// expect: reactive /in -> /each
+// expect: reactive /in -> /each may
 // expect: state g_stop = false
 // expect: transition g_stop = true
 // expect-not: reactive /in -> /late

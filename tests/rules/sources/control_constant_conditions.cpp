@@ -2,7 +2,7 @@
 //
 // expect: Count = count : { constant_condition(E, "1"), operator(E, _) }, Count = 10
 // expect: Count = count : { constant_condition(E, "0"), operator(E, _) }, Count = 10
-// expect: Count = count : { dead_expr(E), sends(E, _) }, Count = 9
+// expect: Count = count : { dead_expr(E), call(E, "publish") }, Count = 9
 // expect: reactive /in -> /out must
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
