@@ -45,4 +45,4 @@ def frequency(amount: str, per_second: int) -> float | None:
         return None
     if per_second == 0:
         return value
-    return round(per_second / value, 6) if value else None
+    return per_second / value if value else None

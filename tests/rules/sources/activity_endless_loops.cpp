@@ -1,6 +1,6 @@
 // Loops that go on as long as the node lives, each in a thread, and one that does not.
 //
-// expect: Count = count : { endless_loop(_) }, Count = 8
+// expect: Count = count : { endless_loop(H) }, Count = 8
 // expect: periodic /forever 1 Hz
 // expect: periodic /flag 2 Hz
 // expect: periodic /stopped 4 Hz
@@ -8,8 +8,7 @@
 // expect: periodic /atomic 8 Hz
 // expect: periodic /closing 10 Hz
 // expect: periodic /both 20 Hz
-// expect-not: periodic /once
-// expect-not: periodic /outer
+// expect-only: periodic
 // expect: activity(F, "thread"), function_name(F, "Node::forever")
 // expect: activity(F, "end"), function_name(F, "Node::~Node")
 #include <atomic>

@@ -1,12 +1,12 @@
 // Functions that are given away, and do not come back: what is called is another function, or one that nobody knows.
 //
 // expect-not: calls(_, F), function_name(F, Name), match("never.*", Name)
-// expect: Count = count : { function_value(_, F), function_name(F, Name), match("never.*", Name) }, Count = 12
-// expect: Count = count : { function_holder(_, F), function_name(F, Name), match("never.*", Name) }, Count = 3
+// expect: Count = count : { function_value(E, F), function_name(F, Name), match("never.*", Name) }, Count = 12
+// expect: Count = count : { function_holder(V, F), function_name(F, Name), match("never.*", Name) }, Count = 3
 // expect: Count = count : { calls(C, F), function_name(F, "byReference") }, Count = 1
 // expect: Count = count : { calls(C, F), function_name(F, "byThen") }, Count = 1
 // expect: Count = count : { calls(C, F), function_name(F, "byElse") }, Count = 1
-// expect: Count = count : { bound_argument(_, _, _) }, Count = 2
+// expect: Count = count : { bound_argument(F, I, A) }, Count = 2
 // expect: bound_argument(F, 0, A), function_name(F, "Worker::work"), literal(A, _, "5")
 // expect: bound_argument(F, 0, A), function_name(F, "byThread"), literal(A, _, "6")
 // expect-not: calls(_, F), function_name(F, "elsewhere")
