@@ -139,8 +139,9 @@ def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds,
     found = []
     for site, root, mechanism in roots:
         hz, parameter = _best_rate(rates[site])
+        told = None if hz is None else round(hz, 6)
         for guard, published in (sent[site, root] or {formula.TRUE: set()}).items():
-            found.append(Periodic(mechanism, None if hz is None else round(hz, 6), parameter, tuple(sorted(published, key=_number)), places[site], guard))
+            found.append(Periodic(mechanism, told, parameter, tuple(sorted(published, key=_number)), places[site], guard))
     return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
 
 

@@ -14,6 +14,8 @@
 // expect: publisher /status std_msgs/Int32 latched=true
 // expect: publisher /plain std_msgs/Int32 latched=false
 // expect: publisher /options std_msgs/String queue=5
+// expect: publisher /initialised std_msgs/String queue=2
+// expect: subscriber /assigned std_msgs/Int32 queue=3 callback=onChain
 // expect: subscriber /bound std_msgs/Int32 callback=onBound
 // expect: subscriber /scan sensor_msgs/LaserScan queue=7 callback=onScan via=message_filters
 // expect: subscriber /first std_msgs/Int32 callback=onBoth via=message_filters
@@ -85,7 +87,16 @@ int main(int argc, char** argv)
   options.topic = "/options";
   options.queue_size = 5;
   options.datatype = "std_msgs/String";
+  if (options.queue_size == 9)
+    options.latch = false;
   ros::Publisher options_pub = nh.advertise(options);
+  ros::AdvertiseOptions initialised, unused_options;
+  initialised.init<std_msgs::String>("/initialised", 2);
+  unused_options.init<std_msgs::String>("/never_advertised", 2);
+  ros::Publisher initialised_pub = nh.advertise(initialised);
+  ros::SubscribeOptions assigned;
+  assigned = ros::SubscribeOptions::create<std_msgs::Int32>("/assigned", 3, onChain, ros::VoidPtr(), nullptr);
+  ros::Subscriber assigned_sub = nh.subscribe(assigned);
 
   std_msgs::String text;
   ros::Subscriber bound_sub = nh.subscribe<std_msgs::Int32>("/bound", 1, boost::bind(onBound, _1, text));

@@ -29,12 +29,15 @@ int main(int argc, char** argv)
   private_nh.param<std::string>("frame", frame, "scan");         // it names no topic
   private_nh.param<std::string>("empty_topic", none, "");
   private_nh.param<std::string>("topical", topical, "scan");     // another word
+  private_nh.param<std::string>("fixed_topic", scan, "fixed");   // the name is written elsewhere
   private_nh.setParam("written_topic", "scan");
   ros::Subscriber sub = nh.subscribe("scan", 1, onScan);
   ros::Publisher odom_pub = nh.advertise<nav_msgs::Odometry>("/odom", 1);
   ros::Publisher plan_pub = nh.advertise<nav_msgs::Path>("plan", 1);
   ros::ServiceClient client = nh.serviceClient<std_srvs::Empty>("reset");
   ros::Subscriber map_sub = nh.subscribe(map, 1, onMap);
-  ros::Subscriber again_sub = nh.subscribe(std::string("map"), 1, onMap);
+  ros::Subscriber again_sub = nh.subscribe("map", 1, onMap);
+  const std::string fixed = "fixed";
+  ros::Publisher fixed_pub = nh.advertise<nav_msgs::Path>(fixed, 1);
   ros::spin();
 }
