@@ -131,6 +131,10 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
         for case in cases:
             when = tuple((_index(builder, node, key), values) for key, values in sorted(case.items()))
             yield from _by_length(builder, replace(command, when=when))
+    if topic and queue is not None and trigger in component.filtered:
+        held = f"{component.filtered[trigger]} of {node} holds {topic.name} back"
+        cause = _cause(component, trigger, topic)
+        yield from _by_length(builder, Command(node, cause, (), takes=queue, obligation=obligation, assumes=(held,)))
 
 
 def _by_length(builder: _Builder, command: Command) -> Iterator[Command]:

@@ -43,6 +43,12 @@ class Component:
     left_out: tuple[str, ...]
     serving: str | None = None
 
+    @property
+    def filtered(self) -> Mapping[str, str]:
+        """The ports of subscribers whose messages come by way of something that may hold them back, and what that is."""
+        ports = (port for port in self.document.get("ports") or () if port.get("kind") == "subscriber")
+        return {str(port["id"]): str(port["via"]) for port in ports if port.get("via") not in (None, "plain")}
+
     def timed(self, rates: Mapping[str, float], serving: Sequence[str]) -> Component:
         """The component with the rates that loops at these places have in a node, one of which may be `serving` messages."""
         found = dict(self.rates)
