@@ -125,7 +125,9 @@ def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManag
     """What may be read: the workspace, the package path, and what else the options name."""
     from rosarch.extractor.boundary import confined, ros_package_path
 
-    return confined([*where.package_path, *ros_package_path(), *(inputs.library or ()), *(inputs.rules.own if inputs.rules else ())])
+    named = [*(inputs.library or ()), *(inputs.rules.own if inputs.rules else ())]
+    launches = [path for request in _requests(inputs, None) for file in request.files for path in (Path(file), inputs.folder / file)]
+    return confined([*where.package_path, *ros_package_path(), *named, *launches])
 
 
 def _analyze(

@@ -272,6 +272,16 @@ def test_a_file_beside_the_workspace(robot: Path, check: Check, afresh: Check) -
     assert check() == afresh() != first
 
 
+def test_a_launch_file_beside_the_workspace_that_an_option_names(robot: Path, check: Check, afresh: Check) -> None:
+    beside = robot.parent.parent / "beside.launch"
+    beside.write_text('<launch><include file="$(find robot)/launch/part.launch"/></launch>')
+    arguments = ("--launch", str(beside))
+    first = check(*arguments)
+    assert "outside of the workspace" not in repr(first) and "/nowhere/at/all.yaml" in repr(first)
+    beside.write_text('<launch><node pkg="robot" type="absent" name="x"/></launch>')
+    assert check(*arguments) == afresh(*arguments) != first
+
+
 def test_nothing_changed(robot: Path, check: Check, done: list[str]) -> None:
     first = check()
     (robot.parent / "README.md").touch()
