@@ -60,6 +60,8 @@ def read_baseline(text: str, path: str) -> Baseline:
         raise BaselineError(f"{path}:{error.lineno}:{error.colno}: not a baseline: {error.msg.lower()}") from None
     except RecursionError:
         raise BaselineError(f"{path}:1:1: not a baseline: nested too deeply") from None
+    except ValueError as error:  # a number of more digits than Python reads
+        raise BaselineError(f"{path}:1:1: not a baseline: {str(error).partition(';')[0].lower()}") from None
     if not isinstance(data, dict) or "rosarch_baseline" not in data:
         raise BaselineError(f"{path}:1:1: not a baseline: `rosarch check --write-baseline FILE` writes one")
     if data["rosarch_baseline"] != FORMAT:
