@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
@@ -28,15 +29,15 @@ def own_files(paths: Iterable[Path]) -> list[Path]:
     """
     found: list[Path] = []
     for path in paths:
-        if path.is_dir():
+        if os.path.isdir(path):
             below = sorted(file for file in path.rglob("*.dl") if not set(file.relative_to(path).parts[:-1]) & set(ASIDE))
             if not below and not (path / FOLDER).is_dir():
                 raise RuleSetError(f"{path}: no file of rules (*.dl) in this folder")
             found += below
-        elif path.is_file():
+        elif os.path.isfile(path):
             found.append(path)
         else:
-            raise RuleSetError(f"{path}: {'neither a file nor a folder' if path.exists() else 'no such file or folder'}")
+            raise RuleSetError(f"{path}: {'neither a file nor a folder' if os.path.exists(path) else 'no such file or folder'}")
     return list(dict.fromkeys(found))
 
 
