@@ -10,12 +10,13 @@ from pathlib import Path
 class RuleSet:
     """What differs from the shipped rules: `own` files and folders, `variants` (decision and variant), `options` (name and value).
 
-    Made by `rule_set`, which checks it. Equal ones derive the same as long as no file changes.
+    Made by `rule_set`, which checks it. Equal ones derive the same as long as no file changes. With `flows`, models tell of the flow of data.
     """
 
     own: tuple[Path, ...] = ()
     variants: tuple[tuple[str, str], ...] = ()
     options: tuple[tuple[str, str], ...] = ()
+    flows: bool = False
 
 
 SHIPPED = RuleSet()

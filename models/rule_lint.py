@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from rosarch.datalog.conventions import unconventional
@@ -34,11 +35,11 @@ def lint_rules(own: Sequence[Path] = ()) -> list[Diagnostic]:
 def _lint(rules: RuleSet, own: Sequence[Path] = ()) -> list[Diagnostic]:
     folder = rules_folder()
     files = {str(path) for path in own_files(own)} if own else {str(path) for path in folder.rglob("*.dl")}
-    system = system_rules(rules)
+    system, component = system_rules(rules), component_program(replace(rules, flows=True))
     types = {type_ for check in system.checks for _, type_ in check.columns}
     shown = {check.relation for check in system.checks} | {name for type_ in types for name in (evidence_of(type_), shown_as(type_))}
-    options = {name for name in component_program(rules).relations if name.startswith("option")}
+    options = {name for name in component.relations if name.startswith("option")}
     return [
-        *unconventional(component_program(rules), files.__contains__, options),
+        *unconventional(component, files.__contains__, options),
         *unconventional(system.program, files.__contains__, shown | options),
     ]

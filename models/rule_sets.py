@@ -115,8 +115,8 @@ def _system_rules(rules: RuleSet, _stamp: tuple[int, ...]) -> SystemRules:
 
 def roots(program: str, rules: RuleSet = SHIPPED) -> list[Path]:
     """The root files of the rules of components or of systems; what else there is they include."""
-    checks = check_files() if program == "system" else []
-    return [rules_folder() / f"{program}.dl", *checks, *_files(rules)[program]]
+    optional = check_files() if program == "system" else [rules_folder() / "flows.dl"] if rules.flows else []
+    return [rules_folder() / f"{program}.dl", *optional, *_files(rules)[program]]
 
 
 def _files(rules: RuleSet) -> Mapping[str, tuple[Path, ...]]:

@@ -19,6 +19,11 @@ TRAITS = {
     "call_blocks": ("port", "port", "place"),
     "names_nothing": ("place", "text", "port"),
     "sends_frame": ("place", "text", "text"),
+    "port_flow": ("port", "port", "text", "text"),
+    "flow_variable": ("port", "port", "variable"),
+    "flow_filter": ("port", "port", "variable"),
+    "flow_always": ("port", "port", "text"),
+    "field_flow": ("port", "text", "port", "text"),
 }
 
 

@@ -26,7 +26,7 @@ DIRECTIVE = re.compile(r"^\s*\.(input|output|printsize)\s+(\w+)", re.MULTILINE)
 ELSEWHERE = {"source_failed": "tests/extractor/test_pipeline.py"}
 
 
-PROGRAMS = ("component.dl", "system.dl")
+PROGRAMS = ("component.dl", "flows.dl", "system.dl")
 CHECKS = sorted((RULES / "checks").glob("*.dl"))
 DECISIONS = decisions()
 
@@ -34,7 +34,7 @@ DECISIONS = decisions()
 @lru_cache
 def programs() -> list[Mapping[str, RelationDecl]]:
     """The relations of the rules of components and of systems, checks included, with each of the variants."""
-    found = [load_declarations(RULES / "component.dl"), load_declarations([RULES / "system.dl", *CHECKS])]
+    found = [load_declarations([RULES / "component.dl", RULES / "flows.dl"]), load_declarations([RULES / "system.dl", *CHECKS])]
     for decision in DECISIONS:
         for variant in decision.variants:
             rules = rule_set(variants={decision.name: variant.name})
@@ -96,7 +96,7 @@ def test_outputs_are_in_one_file() -> None:
         for kind, _ in DIRECTIVE.findall(path.read_text(encoding="utf-8"))
         if kind != "input"
     }
-    assert found == {"export.dl", "system/export.dl"}
+    assert found == {"export.dl", "flows.dl", "system/export.dl"}
 
 
 @pytest.mark.parametrize("name", [path.relative_to(RULES).as_posix() for path in FILES])
