@@ -19,6 +19,7 @@ TRAITS = {
     "call_blocks": ("port", "port", "place"),
     "names_nothing": ("place", "text", "port"),
     "sends_frame": ("place", "text", "text"),
+    "flows_told": ("text",),
     "port_flow": ("port", "port", "text", "text"),
     "flow_variable": ("port", "port", "variable"),
     "flow_filter": ("port", "port", "variable"),
