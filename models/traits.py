@@ -24,7 +24,6 @@ TRAITS = {
     "flow_variable": ("port", "port", "variable"),
     "flow_filter": ("port", "port", "variable"),
     "flow_always": ("port", "port", "text"),
-    "field_flow": ("port", "text", "port", "text"),
 }
 
 

@@ -1,0 +1,200 @@
+"""Answers to questions about cause and effect in a system: what the rules derive, and the shortest chain that shows it."""
+
+from __future__ import annotations
+
+from collections import defaultdict, deque
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rosarch.datalog import Result
+from rosarch.models import formula
+from rosarch.models.component import ComponentModel
+from rosarch.models.places import Place
+from rosarch.models.rule_sets import SystemRules
+from rosarch.models.system.asking import Causes, Port, find_ports
+from rosarch.models.system.rows import Rows
+
+PORTS = ("port_node", "port_name", "port_written", "node_port")
+ANSWERS = (
+    "answer", "chain_step", "certain_step", "certainly_influenced", "influence_ends", "certainty_ends", "missing_for_answer", "step_waits",
+    "step_filter", "step_variable",
+)  # fmt: skip
+_ORDER = {"data": 0, "control": 1, "connection": 0, "answer": 0, "reactive": 1, "deferred": 2, "kept": 3}
+
+
+@dataclass(frozen=True)
+class PortShown:
+    """A port of a chain; `at` is where its component makes it."""
+
+    name: str
+    kind: str
+    node: str
+    at: Place | None
+
+
+@dataclass(frozen=True)
+class Step:
+    """Two ports next to each other in a chain.
+
+    `kind` is connection, answer (of a service), reactive, deferred (to a timed loop or timer) or kept (until something else makes the node
+    send); `how` is data or control. Inside a node, `at` are the calls that send, `condition` tells when, `variables` keep what arrives,
+    `filters` are state variables that decide, and `waits` are how many seconds it waits at most, and for what.
+    """
+
+    source: PortShown
+    sink: PortShown
+    kind: str
+    how: str
+    certain: bool
+    at: tuple[Place, ...] = ()
+    condition: str | None = None
+    variables: tuple[str, ...] = ()
+    filters: tuple[str, ...] = ()
+    waits: tuple[tuple[float, str], ...] = ()
+
+    @property
+    def bounded(self) -> bool:
+        """Whether it is known how long something waits here at most."""
+        return self.kind not in ("deferred", "kept") or (self.kind == "deferred" and any("round" in reason for _, reason in self.waits))
+
+
+@dataclass(frozen=True)
+class ChainAnswer:
+    """The answer to a question in the system `system`: yes with a chain, no with what cuts it, unknown with what is missing.
+
+    `ends` are the ports at which the influence ends, `uncertain` the steps that need not follow, `missing` the nodes of which too little is
+    known, each with the reason.
+    """
+
+    system: str
+    asked: Causes
+    answer: str
+    chain: tuple[Step, ...] = ()
+    ends: tuple[tuple[PortShown, str], ...] = ()
+    uncertain: tuple[Step, ...] = ()
+    missing: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def waits(self) -> float | None:
+        """How many seconds all steps of the chain wait at most; None when that is not known."""
+        return sum(seconds for step in self.chain for seconds, _ in step.waits) if all(step.bounded for step in self.chain) else None
+
+
+def ask_chain(rules: SystemRules, rows: Rows, asked: Causes, system: str, models: Sequence[ComponentModel], engine: str) -> ChainAnswer:
+    """Answer a question about the system that `rows` are the facts of.
+
+    Raises:
+        QuestionError: it is about something that is not there.
+    """
+    there = rules.program.evaluate(rows, engine=engine, keep=PORTS)
+    sources, targets = find_ports(asked.source, there), find_ports(asked.target, there)
+    question = {"question_source": {(port,) for port in sources}, "question_target": {(port,) for port in targets}}
+    result = rules.program.evaluate({**rows, **question}, engine=engine, keep=(*PORTS, *ANSWERS))
+    shower = _Shower(rows, result, models)
+    answers = {answer for (answer,) in result.rows("answer")}
+    steps = _best_steps(result)
+    if asked.always and "must" in answers:
+        certain = set(result.rows("certain_step"))
+        chain = _shortest({pair: step for pair, step in steps.items() if pair in certain}, sources, targets)
+        return ChainAnswer(system, asked, "yes", shower.chain(chain))
+    if not asked.always and "can" in answers:
+        return ChainAnswer(system, asked, "yes", shower.chain(_shortest(steps, sources, targets)))
+    missing = tuple(sorted({(shower.node_names.get(node, node), reason) for node, reason in result.rows("missing_for_answer")}))
+    ends = tuple(sorted({(shower.port(port), reason) for port, reason in result.rows("influence_ends")}, key=repr))
+    if "can" in answers:
+        uncertain = sorted(set(result.rows("certainty_ends")), key=repr)
+        return ChainAnswer(
+            system, asked, "no", shower.chain(_shortest(steps, sources, targets)), uncertain=tuple(shower.step(s, t, *steps[s, t]) for s, t in uncertain)
+        )
+    return ChainAnswer(system, asked, "unknown" if "unknown" in answers else "no", ends=ends, missing=missing)
+
+
+Kinds = tuple[str, str]
+"""How something goes on, and by what kind of step."""
+
+
+def _best_steps(result: Result) -> dict[tuple[Port, Port], Kinds]:
+    """The steps; of several from one port to another data rather than control, and at once rather than later."""
+    found: dict[tuple[Port, Port], Kinds] = {}
+    for source, sink, how, kind in result.rows("chain_step"):
+        known = found.get((source, sink))
+        if known is None or (_ORDER[how], _ORDER[kind]) < (_ORDER[known[0]], _ORDER[known[1]]):
+            found[source, sink] = (how, kind)
+    return found
+
+
+def _shortest(steps: Mapping[tuple[Port, Port], Kinds], sources: Sequence[Port], targets: Sequence[Port]) -> list[tuple[Port, Port, str, str]]:
+    """The steps of a shortest chain from one of `sources` to one of `targets`."""
+    after: dict[Port, list[Port]] = defaultdict(list)
+    for source, sink in sorted(steps, key=repr):
+        after[source].append(sink)
+    before: dict[Port, Port | None] = dict.fromkeys(sources)
+    waiting = deque(sources)
+    while waiting:
+        port = waiting.popleft()
+        if port in targets:
+            chain = []
+            while (previous := before[port]) is not None:
+                chain.append((previous, port, *steps[previous, port]))
+                port = previous
+            return chain[::-1]
+        for following in after[port]:
+            if following not in before:
+                before[following] = port
+                waiting.append(following)
+    return []
+
+
+class _Shower:
+    """Tells of ports and steps what models and facts know about them."""
+
+    def __init__(self, rows: Rows, result: Result, models: Sequence[ComponentModel]) -> None:
+        self._places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
+        self._at = dict(rows.get("interface_port_at", ()))
+        self._nodes: Mapping[Port, str] = dict(result.rows("port_node"))
+        self._names: Mapping[Port, str] = dict(result.rows("port_name"))
+        self._kinds: Mapping[Port, str] = dict(result.rows("node_port"))
+        self._written = {(node, model, parameter): name for node, model, parameter, name in result.rows("port_written")}
+        self._models = {f"{model.package}/{model.component}": model for model in models}
+        self._certain = set(result.rows("certain_step"))
+        self._told = {name: _grouped(result.rows(name)) for name in ("step_waits", "step_filter", "step_variable")}
+        self.node_names = {row[0]: row[1] for row in rows.get("started_name", ())}
+
+    def port(self, port: Port) -> PortShown:
+        """A port as it is shown."""
+        name = self._names.get(port) or self._written[port]
+        return PortShown(name, self._kinds[port], self._nodes[port], self._places.get(self._at.get(port[1], "")))
+
+    def chain(self, steps: Sequence[tuple[Port, Port, str, str]]) -> tuple[Step, ...]:
+        """The steps of a chain as they are shown."""
+        return tuple(self.step(*step) for step in steps)
+
+    def step(self, source: Port, sink: Port, how: str, kind: str) -> Step:
+        """A step as it is shown."""
+        places, condition = self._sent(source[1], sink[1], kind)
+        waits, filters, variables = (self._told[name].get((source, sink), []) for name in ("step_waits", "step_filter", "step_variable"))
+        waits = [(seconds, reason) for reason, seconds in waits if kind == "deferred" or "round of" in reason or not reason.startswith("sent")]
+        certain = (source, sink) in self._certain
+        names = (tuple(sorted(name for (name,) in found)) for found in (variables, filters))
+        return Step(self.port(source), self.port(sink), kind, how, certain, places, condition, *names, waits=tuple(sorted(waits, key=repr)))
+
+    def _sent(self, source: str, sink: str, kind: str) -> tuple[tuple[Place, ...], str | None]:
+        """Where a component sends, and under which condition, when something arrives or in a timed loop."""
+        component, _, input_ = source.rpartition("#")
+        model, output = self._models.get(component), sink.rpartition("#")[2]
+        if model is None or kind in ("connection", "answer"):
+            return (), None
+        for reaction in model.behavior.reactive if kind == "reactive" else ():
+            if (reaction.input, reaction.output) == (input_, output):
+                return reaction.at, formula.text(reaction.guard)
+        loops = [loop for loop in model.behavior.periodic if output in loop.publishes] if kind == "deferred" else []
+        conditions = {formula.text(loop.guard) for loop in loops}
+        return tuple(sorted({loop.at for loop in loops})), conditions.pop() if len(conditions) == 1 else None
+
+
+def _grouped(rows: Any) -> dict[tuple[Port, Port], list[tuple[Any, ...]]]:
+    found: dict[tuple[Port, Port], list[tuple[Any, ...]]] = defaultdict(list)
+    for source, sink, *rest in rows:
+        found[source, sink].append(tuple(rest))
+    return found

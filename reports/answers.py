@@ -1,0 +1,105 @@
+"""Answers to questions about systems, as text and as JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+from rosarch.models.system.chains import ChainAnswer, PortShown, Step
+
+_SIDES = {
+    "publisher": "publishes", "subscriber": "reads", "tf_broadcaster": "sends transforms on", "tf_listener": "looks transforms up on",
+    "service_client": "calls", "service_server": "serves", "action_client": "sends goals to", "action_server": "serves",
+}  # fmt: skip
+
+
+def chain_text(answer: ChainAnswer) -> str:
+    """An answer with its chain, or with what is in its way."""
+    lines = [f"{answer.answer}: {_summary(answer)}"]
+    if answer.chain and (answer.answer == "yes" or answer.asked.always):
+        lines += _chain_lines(answer.chain)
+        lines.append(f"  waits {_seconds(answer.waits)} at most, besides execution" if answer.waits is not None else "  how long it waits is not known")
+    if answer.uncertain:
+        lines.append("not certain:")
+        lines += [f"  {_inside(step)}" for step in answer.uncertain]
+    if answer.missing:
+        lines.append("missing:")
+        lines += [f"  {node}: {reason}" for node, reason in answer.missing]
+    if answer.ends:
+        lines.append("the influence ends at:")
+        lines += [f"  {_port(port)}{_place(port)}: {reason}" for port, reason in answer.ends]
+    return "\n".join(lines) + "\n"
+
+
+def _summary(answer: ChainAnswer) -> str:
+    verb = {"yes": "always causes" if answer.asked.always else "can cause", "no": "need not cause" if answer.chain else "cannot cause"}
+    return f"{answer.asked.source} {verb.get(answer.answer, 'might cause')} {answer.asked.target} in {answer.system}"
+
+
+def _chain_lines(chain: Sequence[Step]) -> list[str]:
+    lines = [f"  {_port(chain[0].source)}{_place(chain[0].source)}"]
+    for step in chain:
+        if step.kind in ("connection", "answer"):
+            lines.append(f"    {'is answered by' if step.kind == 'answer' else 'arrives at'} {_port(step.sink)}{_place(step.sink)}")
+        else:
+            lines.append(f"    {_inside(step)}")
+    return lines
+
+
+def _inside(step: Step) -> str:
+    """What a node does between two of its ports, in one line; a connection as one that need not be there."""
+    if step.kind in ("connection", "answer"):
+        return f"{_port(step.source)} -> {_port(step.sink)}: whether it is there is not certain"
+    kind = {"reactive": "reacts", "deferred": "sends it in a loop or timer", "kept": "keeps it until something else makes it send"}[step.kind]
+    told = [f"{step.source.node} {kind}, {step.how}: {step.source.name} -> {step.sink.name}"]
+    if step.variables:
+        told.append(f"through {', '.join(step.variables)}")
+    if step.condition:
+        told.append(f"if {step.condition}")
+    if step.filters:
+        told.append(f"decided by {', '.join(step.filters)}")
+    told += [f"{reason}: {_seconds(seconds)}" for seconds, reason in step.waits]
+    return "; ".join(told) + (f"  {' '.join(map(str, step.at))}" if step.at else "")
+
+
+def _port(port: PortShown) -> str:
+    return f"{port.node} {_SIDES.get(port.kind, port.kind)} {port.name}"
+
+
+def _place(port: PortShown) -> str:
+    return f"  {port.at}" if port.at else ""
+
+
+def _seconds(value: float | None) -> str:
+    return "?" if value is None else f"{value:.3g} s"
+
+
+def chain_json(answers: Sequence[ChainAnswer]) -> str:
+    """Answers as JSON."""
+    return json.dumps([_document(answer) for answer in answers], indent=2, ensure_ascii=False) + "\n"
+
+
+def _document(answer: ChainAnswer) -> dict[str, Any]:
+    return {
+        "system": answer.system,
+        "question": f"{'must' if answer.asked.always else 'can'} {answer.asked.source} cause {answer.asked.target}",
+        "answer": answer.answer,
+        "chain": [_step_document(step) for step in answer.chain],
+        "waits": answer.waits,
+        "uncertain": [_step_document(step) for step in answer.uncertain],
+        "missing": [{"node": node, "reason": reason} for node, reason in answer.missing],
+        "ends": [{**_port_document(port), "reason": reason} for port, reason in answer.ends],
+    }
+
+
+def _step_document(step: Step) -> dict[str, Any]:
+    return {
+        "from": _port_document(step.source), "to": _port_document(step.sink), "kind": step.kind, "how": step.how, "certain": step.certain,
+        "at": list(map(str, step.at)), "condition": step.condition, "variables": list(step.variables), "filters": list(step.filters),
+        "waits": [{"seconds": seconds, "reason": reason} for seconds, reason in step.waits],
+    }  # fmt: skip
+
+
+def _port_document(port: PortShown) -> dict[str, Any]:
+    return {"node": port.node, "name": port.name, "kind": port.kind, "at": str(port.at) if port.at else None}
