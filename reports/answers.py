@@ -13,6 +13,9 @@ _SIDES = {
     "service_client": "calls", "service_server": "serves", "action_client": "sends goals to", "action_server": "serves",
 }  # fmt: skip
 
+_MOST = 4
+"""How many variables are named; JSON has them all."""
+
 
 def chain_text(answer: ChainAnswer) -> str:
     """An answer with its chain, or with what is in its way."""
@@ -54,13 +57,17 @@ def _inside(step: Step) -> str:
     kind = {"reactive": "reacts", "deferred": "sends it in a loop or timer", "kept": "keeps it until something else makes it send"}[step.kind]
     told = [f"{step.source.node} {kind}, {step.how}: {step.source.name} -> {step.sink.name}"]
     if step.variables:
-        told.append(f"through {', '.join(step.variables)}")
+        told.append(f"through {_few(step.variables)}")
     if step.condition:
         told.append(f"if {step.condition}")
     if step.filters:
-        told.append(f"decided by {', '.join(step.filters)}")
+        told.append(f"decided by {_few(step.filters)}")
     told += [f"{reason}: {_seconds(seconds)}" for seconds, reason in step.waits]
     return "; ".join(told) + (f"  {' '.join(map(str, step.at))}" if step.at else "")
+
+
+def _few(names: Sequence[str]) -> str:
+    return ", ".join(names[:_MOST]) + (f" and {len(names) - _MOST} more" if len(names) > _MOST else "")
 
 
 def _port(port: PortShown) -> str:
