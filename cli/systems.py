@@ -105,20 +105,20 @@ def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked
         with _confined(inputs, where):
             return check()
     folders = [os.path.abspath(folder) for folder in (*where.package_path, *(inputs.library or ()))]
-    asked = [repr(_requests(inputs, configuration)), repr(folders), *_reading(inputs).key()]
+    asked = [repr(_requests(inputs, configuration)), repr(folders), *_reading(inputs, configuration).key(), repr(configuration.rates)]
     with _confined(inputs, where):
         return memo.recall(["check", os.path.abspath(inputs.folder), os.getcwd(), *asked], folders, check)
 
 
-def load_surrounding(inputs: SystemInputs) -> tuple[Surrounding, list[Launch]]:
-    """The launches that the options name, and what is known around them, for questions about the systems."""
+def load_surrounding(inputs: SystemInputs, configuration: Configuration | None = None) -> tuple[Surrounding, list[Launch]]:
+    """The launches that the options name, or else the configuration, and what is known around them, for questions about the systems."""
     from rosarch.models.system.surrounding import surrounding
 
     with progress() as report:
-        where = _surroundings(inputs, None)
-        launches = _launches(inputs, None, where)
+        where = _surroundings(inputs, configuration)
+        launches = _launches(inputs, configuration, where)
         with _confined(inputs, where):
-            return surrounding(inputs.folder, launches, _reading(inputs, report), _memo(inputs, where)), launches
+            return surrounding(inputs.folder, launches, _reading(inputs, configuration, report), _memo(inputs, where)), launches
 
 
 def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:
@@ -139,19 +139,20 @@ def _analyze(
         launches = _launches(inputs, configuration, where)
         if required and not launches:
             raise InputError(f"{inputs.folder}: no launch file below this folder")
-        analysis = analyze_systems(inputs.folder, launches, _reading(inputs, report), memo)
+        analysis = analyze_systems(inputs.folder, launches, _reading(inputs, configuration, report), memo)
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
     return analysis
 
 
-def _reading(inputs: SystemInputs, report: Progress | None = None) -> Reading:
+def _reading(inputs: SystemInputs, configuration: Configuration | None, report: Progress | None = None) -> Reading:
     from rosarch.models.rule_choice import SHIPPED
     from rosarch.models.system.reading import Reading
 
     library = tuple(map(check_folder, inputs.library or ()))
     cache = extraction_cache(inputs.cached)
-    return Reading(inputs.rules or SHIPPED, library, inputs.engine.value, inputs.jobs, inputs.timeout, inputs.defines, cache, report)
+    rates = configuration.rates if configuration else ()
+    return Reading(inputs.rules or SHIPPED, library, inputs.engine.value, inputs.jobs, inputs.timeout, inputs.defines, cache, report, rates)
 
 
 def _memo(inputs: SystemInputs, where: Surroundings) -> Memo | None:

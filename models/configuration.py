@@ -21,6 +21,16 @@ class LaunchChoice:
 
 
 @dataclass(frozen=True)
+class RateGiven:
+    """How many messages a second pass through `topic`: from `low` to `high`."""
+
+    topic: str
+    low: float
+    high: float
+    at: Place
+
+
+@dataclass(frozen=True)
 class Configuration:
     """The settings of a workspace; None and empty ones are not given. Paths are as written: relative to the folder of the file."""
 
@@ -31,3 +41,4 @@ class Configuration:
     launch: tuple[LaunchChoice, ...] = ()
     package_path: tuple[str, ...] = ()
     environment: tuple[tuple[str, str], ...] = ()
+    rates: tuple[RateGiven, ...] = ()

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection
 from typing import Any
 
 import yaml
 
 from rosarch.extractor.hints import hint
-from rosarch.models.configuration import Configuration, LaunchChoice
+from rosarch.models.configuration import Configuration, LaunchChoice, RateGiven
 from rosarch.models.plain_yaml import YamlError, YamlReader, compose
 from rosarch.models.policy import CHOICES, THRESHOLDS, Severities, unmatched
 
@@ -51,8 +52,35 @@ class _Reader(YamlReader):
             "launch": lambda node: tuple(filter(None, map(self._launch, self.items(node)))),
             "package_path": self.texts,
             "environment": lambda node: tuple((key.value, self.text(value, empty=True) or "") for key, value in self.pairs(node)),
+            "rates": lambda node: tuple(filter(None, (self._rate(key, value) for key, value in self.pairs(node)))),
         }
         return dict(self.known_keys(root, known, "setting"))
+
+    def _rate(self, topic: yaml.ScalarNode, node: yaml.Node) -> RateGiven | None:
+        """`TOPIC: HZ`, or `TOPIC: [LEAST, MOST]`."""
+        if not topic.value.startswith("/"):
+            self.problem(topic, f"the name of a topic begins with `/`, not `{topic.value}`")
+            return None
+        ends = [self._hertz(end) for end in (node.value if isinstance(node, yaml.SequenceNode) else [node])]
+        low, high = ends[0] if ends else None, ends[-1] if ends else None
+        if low is None or high is None or len(ends) > 2:
+            if len(ends) not in (1, 2):
+                self.problem(node, "a rate is a number, or two: the least and the most")
+            return None
+        if low > high:
+            self.problem(node, f"the least rate, {low:g}, is more than the most, {high:g}")
+            return None
+        return RateGiven(topic.value, low, high, self.place(topic))
+
+    def _hertz(self, node: yaml.Node) -> float | None:
+        text = self.text(node)
+        try:
+            number = float(text or "")
+        except ValueError:
+            number = -1.0
+        if text is not None and not 0 <= number < math.inf:
+            self.problem(node, f"`{text}` is no number of messages a second")
+        return number if 0 <= number < math.inf else None
 
     def _severities(self, node: yaml.Node) -> Severities:
         found = []

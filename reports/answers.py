@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from rosarch.models.system.chains import ChainAnswer, PortShown, Step
+from rosarch.models.system.rates import TopicRate
 
 _SIDES = {
     "publisher": "publishes", "subscriber": "reads", "tf_broadcaster": "sends transforms on", "tf_listener": "looks transforms up on",
@@ -110,3 +111,28 @@ def _step_document(step: Step) -> dict[str, Any]:
 
 def _port_document(port: PortShown) -> dict[str, Any]:
     return {"node": port.node, "name": port.name, "kind": port.kind, "at": str(port.at) if port.at else None}
+
+
+def rates_text(system: str, rates: Sequence[TopicRate]) -> str:
+    """Rates of topics, one a line."""
+    width = max((len(rate.topic) for rate in rates), default=0)
+    lines = [f"rates in {system}"]
+    for rate in rates:
+        told = [*rate.senders, *(f"({reason})" for reason in rate.reasons)]
+        lines.append(f"  {rate.topic:{width}}  {_interval(rate)}  {', '.join(told)}".rstrip())
+    return "\n".join(lines) + "\n"
+
+
+def _interval(rate: TopicRate) -> str:
+    if rate.high is None:
+        return f"{rate.low:.4g} Hz or more" if rate.low else "not known"
+    return f"{rate.low:.4g} Hz" if rate.low == rate.high else f"{rate.low:.4g} to {rate.high:.4g} Hz"
+
+
+def rates_json(found: Sequence[tuple[str, Sequence[TopicRate]]]) -> str:
+    """Rates of topics as JSON."""
+    documents = [
+        {"system": system, "rates": [{**vars(rate), "senders": list(rate.senders), "reasons": list(rate.reasons)} for rate in rates]}
+        for system, rates in found
+    ]
+    return json.dumps(documents, indent=2, ensure_ascii=False) + "\n"

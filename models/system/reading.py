@@ -13,11 +13,12 @@ from rosarch.models.rule_choice import SHIPPED, RuleSet
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
     from rosarch.extractor.units import Progress
+    from rosarch.models.configuration import RateGiven
 
 
 @dataclass(frozen=True)
 class Reading:
-    """The rules, users' folders of library files that come before rosarch's own; for the rest see `analyze`."""
+    """The rules, users' folders of library files that come before rosarch's own, the rates that users give; for the rest see `analyze`."""
 
     rules: RuleSet = SHIPPED
     library: Sequence[Path] = ()
@@ -27,6 +28,7 @@ class Reading:
     defines: Mapping[str, str] = field(default_factory=dict)
     cache: Cache | None = None
     progress: Progress | None = None
+    rates: Sequence[RateGiven] = ()
 
     def key(self) -> list[str]:
         """All that the result depends on, but for the input and what ships."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -60,12 +60,13 @@ class Components:
 
 @dataclass(frozen=True)
 class Surrounding:
-    """What all launches of a workspace share: its components, what launch files name of it, and what was not understood."""
+    """What all launches of a workspace share: its components, what launch files name of it, what was not understood, what users say."""
 
     root: Path
     components: Components
     named: Rows
     diagnostics: tuple[Diagnostic, ...]
+    given: Rows = field(default_factory=dict)
 
     @property
     def models(self) -> tuple[ComponentModel, ...]:
@@ -75,7 +76,7 @@ class Surrounding:
     def own_rows(self, launch: Launch) -> Rows:
         """The facts about one system that are not about its components."""
         composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
-        return merged([*composed, named_by(launch.composition, self.named)])
+        return merged([*composed, named_by(launch.composition, self.named), self.given])
 
     def with_components(self, own: Rows) -> Rows:
         """The facts about one system."""
@@ -111,7 +112,8 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
     there = workspace_rows(depends, compositions, components.programs, components.expected)
     named = merged([there, sources, set_rows(compositions, components.models)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
-    return Surrounding(root, components, named, tuple(dict.fromkeys(found)))
+    given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
+    return Surrounding(root, components, named, tuple(dict.fromkeys(found)), given)
 
 
 def _absolute(folders: Sequence[Path]) -> list[str]:

@@ -1,0 +1,48 @@
+"""How often topics of a system are sent on: the intervals that the rules derive, with the nodes that send."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+
+from rosarch.models.rule_sets import SystemRules
+from rosarch.models.system.asking import Rate, find_topic
+from rosarch.models.system.rows import Rows
+
+EVERY = "*"
+"""All topics."""
+_KEPT = ("joins_connector", "port_node", "topic_high", "topic_low", "topic_unbounded")
+
+
+@dataclass(frozen=True)
+class TopicRate:
+    """Between `low` and `high` messages a second pass through `topic`; without an upper bound `high` is None, `reasons` tell why."""
+
+    topic: str
+    low: float
+    high: float | None
+    senders: tuple[str, ...]
+    reasons: tuple[str, ...] = ()
+
+
+def ask_rates(rules: SystemRules, rows: Rows, asked: Rate, engine: str) -> list[TopicRate]:
+    """The rate of a topic, or of all of them, in the system that `rows` are the facts of.
+
+    Raises:
+        QuestionError: there is no such topic.
+    """
+    result = rules.program.evaluate(rows, engine=engine, keep=_KEPT)
+    nodes = dict(result.rows("port_node"))
+    senders: dict[str, set[str]] = defaultdict(set)
+    topics: set[str] = set()
+    for kind, name, side, port in result.rows("joins_connector"):
+        if kind == "topic":
+            topics.add(name)
+            if side == "source":
+                senders[name].add(nodes[port])
+    low, high = dict(result.rows("topic_low")), dict(result.rows("topic_high"))
+    reasons: dict[str, set[str]] = defaultdict(set)
+    for topic, reason in result.rows("topic_unbounded"):
+        reasons[topic].add(reason)
+    wanted = sorted(topics) if asked.topic == EVERY else [find_topic(asked.topic, sorted(topics))]
+    return [TopicRate(t, low.get(t, 0.0), high.get(t), tuple(sorted(senders[t])), tuple(sorted(reasons[t]))) for t in wanted]
