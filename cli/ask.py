@@ -49,7 +49,7 @@ def ask(
     cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:
-    """Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what, and how often messages are sent."""
+    """Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what; how often."""
     from rosarch.models.checks import shipped_checks
     from rosarch.models.rule_sets import system_rules
     from rosarch.models.system.asking import Causes, QuestionError, parse_question

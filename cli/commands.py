@@ -48,8 +48,7 @@ SUMMARIES = {
     "verify": "Say whether temporal properties hold in the system that launch files start, whatever comes from outside.",
     "simulate": "Run the system that launch files start, in simulated time: rates, queues, lost messages, latencies.",
     "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
-    "ask": "Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what, and how often"
-    " messages are sent.",
+    "ask": "Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what; how often.",
     "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",
     "explain": "Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about.",
     "why-not": "Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there.",

@@ -13,7 +13,8 @@ _SIDES = {
     "publisher": "publishes", "subscriber": "reads", "tf_broadcaster": "sends transforms on", "tf_listener": "looks transforms up on",
     "service_client": "calls", "service_server": "serves", "action_client": "sends goals to", "action_server": "serves",
 }  # fmt: skip
-
+_KINDS = {"reactive": "reacts", "deferred": "sends it in a loop or timer", "kept": "keeps it until something else makes it send"}
+_WAITS = {"callbacks": "callbacks run once a round", "sending": "sent in the next round"}
 _MOST = 4
 """How many variables are named; JSON has them all."""
 
@@ -23,7 +24,8 @@ def chain_text(answer: ChainAnswer) -> str:
     lines = [f"{answer.answer}: {_summary(answer)}"]
     if answer.chain and (answer.answer == "yes" or answer.asked.always):
         lines += _chain_lines(answer.chain)
-        lines.append(f"  waits {_seconds(answer.waits)} at most, besides execution" if answer.waits is not None else "  how long it waits is not known")
+        known = answer.waits is not None
+        lines.append(f"  waits {_seconds(answer.waits)} at most, besides execution" if known else "  how long it waits is not known")
     if answer.uncertain:
         lines.append("not certain:")
         lines += [f"  {_inside(step)}" for step in answer.uncertain]
@@ -55,15 +57,14 @@ def _inside(step: Step) -> str:
     """What a node does between two of its ports, in one line; a connection as one that need not be there."""
     if step.kind in ("connection", "answer"):
         return f"{_port(step.source)} -> {_port(step.sink)}: whether it is there is not certain"
-    kind = {"reactive": "reacts", "deferred": "sends it in a loop or timer", "kept": "keeps it until something else makes it send"}[step.kind]
-    told = [f"{step.source.node} {kind}, {step.how}: {step.source.name} -> {step.sink.name}"]
+    told = [f"{step.source.node} {_KINDS[step.kind]}, {step.how}: {step.source.name} -> {step.sink.name}"]
     if step.variables:
         told.append(f"through {_few(step.variables)}")
     if step.condition:
         told.append(f"if {step.condition}")
     if step.filters:
         told.append(f"decided by {_few(step.filters)}")
-    told += [f"{reason}: {_seconds(seconds)}" for seconds, reason in step.waits]
+    told += [f"{_WAITS[reason]}: {_seconds(seconds)}" for seconds, reason in step.waits]
     return "; ".join(told) + (f"  {' '.join(map(str, step.at))}" if step.at else "")
 
 

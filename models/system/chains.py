@@ -39,7 +39,7 @@ class Step:
 
     `kind` is connection, answer (of a service), reactive, deferred (to a timed loop or timer) or kept (until something else makes the node
     send); `how` is data or control. Inside a node, `at` are the calls that send, `condition` tells when, `variables` keep what arrives,
-    `filters` are state variables that decide, and `waits` are how many seconds it waits at most, and for what.
+    `filters` are state variables that decide, and `waits` are how many seconds it waits at most for callbacks to run, or for sending.
     """
 
     source: PortShown
@@ -56,7 +56,7 @@ class Step:
     @property
     def bounded(self) -> bool:
         """Whether it is known how long something waits here at most."""
-        return self.kind not in ("deferred", "kept") or (self.kind == "deferred" and any("round" in reason for _, reason in self.waits))
+        return self.kind not in ("deferred", "kept") or (self.kind == "deferred" and any(reason == "sending" for _, reason in self.waits))
 
 
 @dataclass(frozen=True)
@@ -103,15 +103,14 @@ def ask_chain(rules: SystemRules, rows: Rows, asked: Causes, system: str, models
     missing = tuple(sorted({(shower.node_names.get(node, node), reason) for node, reason in result.rows("missing_for_answer")}))
     ends = tuple(sorted({(shower.port(port), reason) for port, reason in result.rows("influence_ends")}, key=repr))
     if "can" in answers:
-        uncertain = sorted(set(result.rows("certainty_ends")), key=repr)
-        return ChainAnswer(
-            system, asked, "no", shower.chain(_shortest(steps, sources, targets)), uncertain=tuple(shower.step(s, t, *steps[s, t]) for s, t in uncertain)
-        )
+        uncertain = tuple(shower.step(*pair, *steps[pair]) for pair in sorted(set(result.rows("certainty_ends")), key=repr))
+        return ChainAnswer(system, asked, "no", shower.chain(_shortest(steps, sources, targets)), uncertain=uncertain)
     return ChainAnswer(system, asked, "unknown" if "unknown" in answers else "no", ends=ends, missing=missing)
 
 
 Kinds = tuple[str, str]
 """How something goes on, and by what kind of step."""
+_Joined = tuple[Port, Port, str, str]
 
 
 def _best_steps(result: Result) -> dict[tuple[Port, Port], Kinds]:
@@ -124,7 +123,7 @@ def _best_steps(result: Result) -> dict[tuple[Port, Port], Kinds]:
     return found
 
 
-def _shortest(steps: Mapping[tuple[Port, Port], Kinds], sources: Sequence[Port], targets: Sequence[Port]) -> list[tuple[Port, Port, str, str]]:
+def _shortest(steps: Mapping[tuple[Port, Port], Kinds], sources: Sequence[Port], targets: Sequence[Port]) -> list[_Joined]:
     """The steps of a shortest chain from one of `sources` to one of `targets`."""
     after: dict[Port, list[Port]] = defaultdict(list)
     for source, sink in sorted(steps, key=repr):
@@ -166,7 +165,7 @@ class _Shower:
         name = self._names.get(port) or self._written[port]
         return PortShown(name, self._kinds[port], self._nodes[port], self._places.get(self._at.get(port[1], "")))
 
-    def chain(self, steps: Sequence[tuple[Port, Port, str, str]]) -> tuple[Step, ...]:
+    def chain(self, steps: Sequence[_Joined]) -> tuple[Step, ...]:
         """The steps of a chain as they are shown."""
         return tuple(self.step(*step) for step in steps)
 
@@ -174,7 +173,7 @@ class _Shower:
         """A step as it is shown."""
         places, condition = self._sent(source[1], sink[1], kind)
         waits, filters, variables = (self._told[name].get((source, sink), []) for name in ("step_waits", "step_filter", "step_variable"))
-        waits = [(seconds, reason) for reason, seconds in waits if kind == "deferred" or "round of" in reason or not reason.startswith("sent")]
+        waits = [(seconds, reason) for reason, seconds in waits if reason == "callbacks" or kind == "deferred"]
         certain = (source, sink) in self._certain
         names = (tuple(sorted(name for (name,) in found)) for found in (variables, filters))
         return Step(self.port(source), self.port(sink), kind, how, certain, places, condition, *names, waits=tuple(sorted(waits, key=repr)))
