@@ -124,7 +124,7 @@ def find_ports(name: PortName, result: Result) -> list[Port]:
 
 
 def _named(result: Result) -> Iterable[tuple[Port, str, str]]:
-    resolved = dict(result.rows("port_name"))
+    resolved: dict[Port, str] = dict(result.rows("port_name"))
     for node, model, parameter, written in result.rows("port_written"):
         port = (node, model, parameter)
         yield port, resolved.get(port, written), written

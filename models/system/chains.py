@@ -100,10 +100,10 @@ def ask_chain(rules: SystemRules, rows: Rows, asked: Causes, system: str, models
         return ChainAnswer(system, asked, "yes", shower.chain(chain))
     if not asked.always and "can" in answers:
         return ChainAnswer(system, asked, "yes", shower.chain(_shortest(steps, sources, targets)))
-    missing = tuple(sorted({(shower.node_names.get(node, node), reason) for node, reason in result.rows("missing_for_answer")}))
+    missing = tuple(sorted({(shower.node_names[node], reason) for node, reason in result.rows("missing_for_answer")}))
     ends = tuple(sorted({(shower.port(port), reason) for port, reason in result.rows("influence_ends")}, key=repr))
     if "can" in answers:
-        uncertain = tuple(shower.step(*pair, *steps[pair]) for pair in sorted(set(result.rows("certainty_ends")), key=repr))
+        uncertain = shower.chain([(s, t, *steps[s, t]) for s, t in sorted(set(result.rows("certainty_ends")), key=repr)])
         return ChainAnswer(system, asked, "no", shower.chain(_shortest(steps, sources, targets)), uncertain=uncertain)
     return ChainAnswer(system, asked, "unknown" if "unknown" in answers else "no", ends=ends, missing=missing)
 
@@ -150,7 +150,7 @@ class _Shower:
 
     def __init__(self, rows: Rows, result: Result, models: Sequence[ComponentModel]) -> None:
         self._places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
-        self._at = dict(rows.get("interface_port_at", ()))
+        self._at: dict[str, str] = {row[0]: row[1] for row in rows.get("interface_port_at", ())}
         self._nodes: Mapping[Port, str] = dict(result.rows("port_node"))
         self._names: Mapping[Port, str] = dict(result.rows("port_name"))
         self._kinds: Mapping[Port, str] = dict(result.rows("node_port"))
@@ -158,7 +158,7 @@ class _Shower:
         self._models = {f"{model.package}/{model.component}": model for model in models}
         self._certain = set(result.rows("certain_step"))
         self._told = {name: _grouped(result.rows(name)) for name in ("step_waits", "step_filter", "step_variable")}
-        self.node_names = {row[0]: row[1] for row in rows.get("started_name", ())}
+        self.node_names: dict[str, str] = {row[0]: row[1] for row in rows.get("started_name", ())}
 
     def port(self, port: Port) -> PortShown:
         """A port as it is shown."""
@@ -173,10 +173,10 @@ class _Shower:
         """A step as it is shown."""
         places, condition = self._sent(source[1], sink[1], kind)
         waits, filters, variables = (self._told[name].get((source, sink), []) for name in ("step_waits", "step_filter", "step_variable"))
-        waits = [(seconds, reason) for reason, seconds in waits if reason == "callbacks" or kind == "deferred"]
         certain = (source, sink) in self._certain
-        names = (tuple(sorted(name for (name,) in found)) for found in (variables, filters))
-        return Step(self.port(source), self.port(sink), kind, how, certain, places, condition, *names, waits=tuple(sorted(waits, key=repr)))
+        kept, decided = (tuple(sorted(name for (name,) in found)) for found in (variables, filters))
+        waited = tuple(sorted((seconds, reason) for reason, seconds in waits if reason == "callbacks" or kind == "deferred"))
+        return Step(self.port(source), self.port(sink), kind, how, certain, places, condition, kept, decided, waited)
 
     def _sent(self, source: str, sink: str, kind: str) -> tuple[tuple[Place, ...], str | None]:
         """Where a component sends, and under which condition, when something arrives or in a timed loop."""

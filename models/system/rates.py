@@ -6,7 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 
 from rosarch.models.rule_sets import SystemRules
-from rosarch.models.system.asking import Rate, find_topic
+from rosarch.models.system.asking import Port, Rate, find_topic
 from rosarch.models.system.rows import Rows
 
 EVERY = "*"
@@ -32,7 +32,7 @@ def ask_rates(rules: SystemRules, rows: Rows, asked: Rate, engine: str) -> list[
         QuestionError: there is no such topic.
     """
     result = rules.program.evaluate(rows, engine=engine, keep=_KEPT)
-    nodes = dict(result.rows("port_node"))
+    nodes: dict[Port, str] = dict(result.rows("port_node"))
     senders: dict[str, set[str]] = defaultdict(set)
     topics: set[str] = set()
     for kind, name, side, port in result.rows("joins_connector"):
@@ -40,7 +40,8 @@ def ask_rates(rules: SystemRules, rows: Rows, asked: Rate, engine: str) -> list[
             topics.add(name)
             if side == "source":
                 senders[name].add(nodes[port])
-    low, high = dict(result.rows("topic_low")), dict(result.rows("topic_high"))
+    low: dict[str, float] = dict(result.rows("topic_low"))
+    high: dict[str, float] = dict(result.rows("topic_high"))
     reasons: dict[str, set[str]] = defaultdict(set)
     for topic, reason in result.rows("topic_unbounded"):
         reasons[topic].add(reason)
