@@ -127,7 +127,7 @@ def _named(result: Result) -> Iterable[tuple[Port, str, str]]:
     resolved: dict[Port, str] = dict(result.rows("port_name"))
     for node, model, parameter, written in result.rows("port_written"):
         port = (node, model, parameter)
-        yield port, resolved.get(port, written), written
+        yield port, resolved.get(port) or written, written
 
 
 def _absolute(name: str) -> str:
