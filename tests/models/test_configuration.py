@@ -71,7 +71,7 @@ def test_one_path_needs_no_list() -> None:
         ("check: {}", ["1:1: unknown setting `check`, did you mean `checks`?"]),
         (
             "wibble: 1",
-            ["1:1: unknown setting `wibble`, there are checks, fail_on, ignore_paths, baseline, launch, package_path, environment"],
+            ["1:1: unknown setting `wibble`, there are checks, fail_on, ignore_paths, baseline, launch, package_path, environment, rates"],
         ),
         ("checks:\n  topic-type-mismach: error", ["2:3: unknown check `topic-type-mismach`, did you mean `topic-type-mismatch`?"]),
         ("checks: {'x-*': error}", ["1:10: no check matches `x-*`"]),

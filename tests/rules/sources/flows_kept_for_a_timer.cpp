@@ -3,6 +3,7 @@
 // expect: port_flow([_, _, "/pose"], [_, _, "/goal"], "data", "deferred")
 // expect: flow_variable([_, _, "/pose"], [_, _, "/goal"], "Follower::pose_")
 // expect: flow_always([_, _, "/pose"], [_, _, "/goal"], "deferred")
+// expect: round_always(_, [_, _, "/goal"])
 // expect: field_flow([_, _, "/pose"], "position.x", [_, _, "/goal"], "x")
 // expect: Fields = count : { field_flow(_, _, _, _) }, Fields = 1
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 1

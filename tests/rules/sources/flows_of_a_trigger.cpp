@@ -2,6 +2,7 @@
 //
 // expect: port_flow([_, _, "/ping"], [_, _, "/pong"], "control", "reactive")
 // expect: flow_always([_, _, "/ping"], [_, _, "/pong"], "reactive")
+// expect: answers_most([_, _, "/ping"], [_, _, "/pong"], "1")
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 1
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>

@@ -3,6 +3,9 @@
 // expect: port_flow([_, _, "/enable"], [_, _, "/beat"], "control", "deferred")
 // expect: port_flow([_, _, "/level"], [_, _, "/beat"], "control", "deferred")
 // expect: flow_filter([_, _, "/enable"], [_, _, "/beat"], "Beat::enabled_")
+// expect: round_sends(_, [_, _, "/beat"], "1")
+// expect-not: round_always(_, _)
+// expect-not: sent_untimed(_)
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 2
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>

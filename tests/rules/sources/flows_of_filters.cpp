@@ -3,6 +3,7 @@
 // expect: port_flow([_, _, "/image"], [_, _, "/mark"], "data", "reactive")
 // expect: port_flow([_, _, "/info"], [_, _, "/mark"], "control", "reactive")
 // expect: port_flow([_, "tf_listener", _], [_, _, "/mark"], "data", "kept")
+// expect: synchronised([_, _, "/image"], [_, _, "/info"])
 #include <geometry_msgs/PointStamped.h>
 #include <message_filters/subscriber.h>
 #include <message_filters/time_synchronizer.h>
