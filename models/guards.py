@@ -13,6 +13,9 @@ from rosarch.models.places import Place
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
 
+MOST_STEPS = 20_000
+"""For one guard: among functions that call each other in circles the ways multiply. What lies beyond is taken as possible."""
+
 CREATION = "creation "
 """Begins the root of what is made at any time, the start of the program included; a function may follow that is taken as entered."""
 
@@ -47,9 +50,11 @@ class Guards:
         self._roots = {root for root, kind in relations["activity"] if kind not in ("loop", "main")}
         self._known: dict[tuple[str, str], Formula] = {}
         self._cuts = 0
+        self._left = MOST_STEPS
 
     def guard(self, root: str, node: str) -> Formula:
         """When the activity of `root` evaluates `node`; true when nothing is known."""
+        self._left = MOST_STEPS
         found = either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
         return found if found.alternatives else TRUE
 
@@ -57,6 +62,7 @@ class Guards:
         """When `node` is evaluated, from the start of the program, or of what runs later; `through`: the calls that enter its function."""
         blocks = self._blocks.get(node, ())
         entries = [self.created(call, ()) for call in through if call in self._blocks]
+        self._left = MOST_STEPS
         found = either(self._of(CREATION + _function(block) if entries else CREATION, block, ()) for block in blocks)
         if entries:
             found = both(either(entries), found)
@@ -75,6 +81,9 @@ class Guards:
         known = self._known.get((root, node))
         if known is not None:
             return known
+        self._left -= 1
+        if self._left < 0:
+            return TRUE
         cuts, steps = self._cuts, self._steps.get(node, ())
         found = either(self._step(root, row, (*path, node)) for row in steps) if steps else TRUE
         if not path or cuts == self._cuts:  # else it lacks the ways that lead back

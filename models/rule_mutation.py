@@ -65,11 +65,19 @@ def judge_all(
         return [verdict.killed_by if (verdict := test.judge(chosen[i])) else None for i in indexes]
 
     killed: dict[int, str | None] = {}
-    for done, (number, outcome) in enumerate(run_tasks(work, tasks, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation), 1):
-        if isinstance(outcome, Failure) and outcome.reason not in _EXCEEDED:
-            raise RuntimeError(f"{chosen[tasks[number][0]].location}: {outcome.reason}: {outcome.detail}")
-        answers = [outcome.reason] * len(tasks[number]) if isinstance(outcome, Failure) else outcome
-        killed.update(zip(tasks[number], answers, strict=True))
-        if progress is not None:
-            progress("mutants", done, len(tasks))
+    while tasks:
+        again = []
+        for number, outcome in run_tasks(work, tasks, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation):
+            indexes = tasks[number]
+            if isinstance(outcome, Failure):
+                if outcome.reason not in _EXCEEDED:
+                    raise RuntimeError(f"{chosen[indexes[0]].location}: {outcome.reason}: {outcome.detail}")
+                if len(indexes) > 1:  # one of them is to blame
+                    again += [[index] for index in indexes]
+                    continue
+                outcome = [outcome.reason]
+            killed.update(zip(indexes, outcome, strict=True))
+            if progress is not None:
+                progress("mutants", len(killed), len(chosen))
+        tasks = again
     return [Verdict(chosen[i], found) for i, found in sorted(killed.items()) if found is not None]

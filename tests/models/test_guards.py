@@ -1,0 +1,32 @@
+"""Guards where functions call each other in circles."""
+
+from __future__ import annotations
+
+import time
+
+from rosarch.models.formula import TRUE
+from rosarch.models.guards import Guards
+
+EMPTY = (
+    "node_text",
+    "silent_condition",
+    "loop_condition",
+    "stable_condition",
+    "settled_local",
+    "switch_case",
+    "activity_part",
+    "activity_enters",
+    "activity",
+)
+
+
+def test_ways_through_circles_of_calls_are_not_all_walked() -> None:
+    """Thirteen functions that all call each other have more than six thousand million ways."""
+    functions = [f"f{number}" for number in range(13)]
+    calls = [(callee, f"{caller} B0", "", "always", "") for callee in functions for caller in functions if caller != callee]
+    steps = [*calls, *((f"{function} B0", function, "", "", "") for function in functions)]
+    relations = dict.fromkeys(EMPTY, ()) | {"node_block": [("send", "f0 B0")], "guard_step": steps}
+    relations["activity_enters"] = [("callback", function) for function in functions]
+    begin = time.process_time()
+    assert Guards(relations, {}).guard("callback", "send") == TRUE
+    assert time.process_time() - begin < 20
