@@ -47,6 +47,8 @@ def test_several_are_explained(rosarch: Callable) -> None:
         "duplicate-node",
         "topic-name-mismatch",
         "topic-renamed",
+        "topic-too-fast",
+        "topic-too-slow",
         "topic-type-mismatch",
     ]
     assert re.findall(r"^rules: (.*)$", out, re.MULTILINE)[0] == "rules/checks/duplicate-node.dl"

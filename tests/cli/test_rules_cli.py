@@ -168,4 +168,4 @@ def test_rules_doc_and_list(rosarch: Run, tmp_path: Path) -> None:
     assert rosarch("rules", "doc").out == text
     done = rosarch("rules", "list", "port_t*")
     assert done.out.startswith("output   port_type(port: Port, type: symbol)  rules/core/ports.dl:")
-    assert rosarch("rules", "list", "nothing").err == "rosarch: error: no relation nothing\n"
+    assert rosarch("rules", "list", "zzzz").err == "rosarch: error: no relation zzzz\n"

@@ -119,7 +119,7 @@ BOMB = "a: &a [x, x]\n" + "".join(f"{chr(c + 1)}: &{chr(c + 1)} [*{chr(c)}, *{ch
         ("fail_on: [a", "1:12: while parsing a flow sequence expected ',' or ']', but got '<stream end>'"),
         ("a: b: c", "1:5: mapping values are not allowed here"),
         ("fail_on: a\n--- \nfail_on: b", "2:1: expected a single document in the stream but found another document"),
-        ("[" * 50_000, "1:1: nested too deeply"),
+        ("[" * 50_000, "1:201: brackets nested more than 200 deep"),
         ("a" * (LONGEST + 1), f"1:1: more than {LONGEST} characters"),
     ],
     ids=range(9),

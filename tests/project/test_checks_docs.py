@@ -47,7 +47,7 @@ def test_the_finding() -> None:
 
 def test_the_configuration() -> None:
     found = read_configuration(blocks("yaml")[0], ".rosarch.yml", IDS)
-    fields = ("checks", "fail_on", "ignore_paths", "baseline", "launch", "package_path", "environment")
+    fields = ("checks", "fail_on", "ignore_paths", "baseline", "launch", "package_path", "environment", "rates")
     assert all(getattr(found, name) for name in fields)
     assert set(yaml.safe_load(blocks("yaml")[0])) == set(fields)
 
