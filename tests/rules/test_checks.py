@@ -11,8 +11,8 @@ from functools import lru_cache
 from pathlib import Path
 
 import pytest
+from system_cases import facts_and_program
 
-from rosarch.datalog import load_program
 from rosarch.extractor.manifest import rules_folder
 from rosarch.models.checks import check_files, read_check
 from rosarch.models.findings import Finding
@@ -29,9 +29,9 @@ EXPECT = re.compile(r"^// expect: (.*)(?:\n// at: (.*))?$", re.MULTILINE)
 @lru_cache
 def found(case: Path) -> list[Finding]:
     check = read_check(rules_folder() / "checks" / f"{case.parent.name}.dl")
-    program = load_program([rules_folder() / "system.dl", Path(check.path), HERE / "shorthand.dl", case])
+    facts, program = facts_and_program(case)
     rules = SystemRules(program, (check,))
-    result = evaluate(rules, {}, keep=("place",))
+    result = evaluate(rules, facts, keep=("place",))
     places = {row[0]: Place(*row[1:]) for row in result.rows("place")}
     return findings(rules.checks, result, places, "demo")
 

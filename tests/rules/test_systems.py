@@ -9,45 +9,20 @@ from __future__ import annotations
 import re
 import shutil
 from collections import Counter
-from functools import cache
 from pathlib import Path
-from typing import Literal
 
 import pytest
+from system_cases import evaluated, program_of, whole
 
-from rosarch.datalog import Program, Result, load_program
-from rosarch.datalog.errors import DatalogError, Location
+from rosarch.datalog.errors import Location
 from rosarch.datalog.facts import show_cell
 from rosarch.datalog.rule_coverage import Collector
-from rosarch.extractor.manifest import rules_folder
-from rosarch.models.checks import check_files
 
 HERE = Path(__file__).parent
 CASES = sorted((HERE / "systems").glob("*.dl"))
 CHECK_CASES = sorted((HERE / "checks").glob("*/*.dl"))
 EXPECT = re.compile(r"^// expect: (\w+)\((.*)\)$", re.MULTILINE)
 NONE = re.compile(r"^// none: (\w+)$", re.MULTILINE)
-
-
-SHORTHAND = HERE / "checks" / "shorthand.dl"
-
-
-@cache
-def whole() -> Program:
-    return load_program([rules_folder() / "system.dl", *check_files()])
-
-
-def program_of(case: Path) -> Program:
-    return load_program([rules_folder() / "system.dl", *check_files(), SHORTHAND, case])
-
-
-def evaluated(case: Path, keep: list[str] | Literal["all"]) -> Result:
-    """The rules on the facts that a case stands for, unless it adds to what rules derive; then on all in one program, which is compiled anew."""
-    try:
-        facts = load_program([rules_folder() / "system_schema.dl", SHORTHAND, case]).evaluate({}, keep="all")
-    except DatalogError:
-        return program_of(case).evaluate({}, keep=keep)
-    return whole().evaluate({name: facts.rows(name) for name in whole().inputs}, keep=keep)
 
 
 def expectations(case: Path) -> dict[str, list[str]]:
