@@ -39,7 +39,10 @@ def test_a_broken_workspace(rosarch: Callable, workspace: Path, monkeypatch: pyt
 
 
 def test_a_source_that_fails_is_a_finding(rosarch: Callable, workspace: Path) -> None:
-    outcome = rosarch("doctor", workspace, "--timeout", "0.001")
+    endless = "template <int N, int M> struct Tree { Tree<N - 1, 2 * M> left; Tree<N - 1, 2 * M + 1> right; };\nTree<40, 0> tree;\n"
+    source = workspace / "talker/talker.cpp"
+    source.write_text(endless + source.read_text())
+    outcome = rosarch("doctor", workspace, "--timeout", "1")
     assert outcome.code == 1
     assert "not analysed: time limit" in outcome.out
     assert "  -> raise --timeout for time limits; a source that crashes the parser costs that source only\n" in outcome.out
