@@ -12,9 +12,9 @@ from rosarch.cli.check_options import ConfigFile, load_configuration
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, ModelFormat, Timeout, Verbose, parse_defines
-from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import Launches, SystemInputs, load_surrounding
+from rosarch.cli.options import ModelFormat
+from rosarch.cli.questions import SystemQuestion, asks
+from rosarch.cli.systems import load_surrounding
 from rosarch.cli.terminal import emit, show_diagnostics
 
 if TYPE_CHECKING:
@@ -32,42 +32,31 @@ Asked = Annotated[
 ]
 
 
+@asks("package_path", "environment")
 def ask(
-    folder: Folder,
-    question: Asked,
-    launches: Launches = None,
-    libraries: Libraries = None,
+    question: SystemQuestion,
+    asked: Asked,
     config: ConfigFile = None,
     output_format: Annotated[ModelFormat, typer.Option("--format", help="The form of the answer on stdout.")] = ModelFormat.table,
-    own: Rules = None,
-    variants: Variants = None,
-    settings: Settings = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what; how often."""
     from rosarch.models.checks import shipped_checks
     from rosarch.models.rule_sets import system_rules
     from rosarch.models.system.asking import Causes, QuestionError, parse_question
 
+    folder, engine = question.folder, question.engine.value
     try:
-        asked = parse_question(question)
+        parsed = parse_question(asked)
         check_folder(folder)
-        chosen = parse_rules(own, variants, settings)
-        rules = replace(chosen, flows=True) if isinstance(asked, Causes) else chosen
-        extraction = (engine, jobs, timeout, parse_defines(defines), cached)
-        inputs = SystemInputs(folder, launches, None, None, libraries, *extraction, rules)
-        shared, found = load_surrounding(inputs, load_configuration(folder, config, shipped_checks()))
-        show_diagnostics(shared.diagnostics, verbose)
+        chosen = question.rules()
+        rules = replace(chosen, flows=True) if isinstance(parsed, Causes) else chosen
+        shared, found = load_surrounding(question.inputs(rules), load_configuration(folder, config, shipped_checks()))
+        show_diagnostics(shared.diagnostics, question.verbose)
         if not found:
             raise InputError(f"{folder}: no launch file below this folder")
         with datalog_errors():
             program = system_rules(rules)
-        emit(_answers(asked, program, shared, found, engine.value, json=output_format is ModelFormat.json))
+        emit(_answers(parsed, program, shared, found, engine, json=output_format is ModelFormat.json))
     except QuestionError as error:
         raise InputError(str(error)) from None
 

@@ -11,7 +11,8 @@ from rosarch.cli.check_options import load_configuration
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import read_input
 from rosarch.cli.options import path_argument
-from rosarch.cli.systems import SystemInputs, load_systems
+from rosarch.cli.questions import SystemQuestion
+from rosarch.cli.systems import load_systems
 from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
@@ -26,17 +27,18 @@ ScenarioFile = Annotated[
 ]
 
 
-def load_composed(inputs: SystemInputs, verbose: bool) -> System:
+def load_composed(question: SystemQuestion) -> System:
     """The only system that the options or the configuration name, with the behaviour of its nodes."""
     from rosarch.composition.system import composed
     from rosarch.models.component import to_json
     from rosarch.models.rule_sets import system_rules
 
-    analysis = load_systems(inputs, load_configuration(inputs.folder, None, system_rules().checks), required=True)
-    show_remaining(analysis, inputs.folder, verbose)
+    rules, folder = question.rules(), question.folder
+    analysis = load_systems(question.inputs(rules), load_configuration(folder, None, system_rules(rules).checks), required=True)
+    show_remaining(analysis, folder, question.verbose)
     if len(analysis.systems) != 1:
         known = ", ".join(system.name for system in analysis.systems) or "none"
-        raise InputError(f"{inputs.folder}: {len(analysis.systems)} systems; choose one with --launch: {known}")
+        raise InputError(f"{folder}: {len(analysis.systems)} systems; choose one with --launch: {known}")
     return composed(analysis.systems[0], {f"{model.package}/{model.component}": to_json(model) for model in analysis.models})
 
 

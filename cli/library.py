@@ -8,22 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_folder, check_output, load_analysis, unwritable
-from rosarch.cli.options import (
-    Cached,
-    Defines,
-    Engine,
-    EngineChoice,
-    Input,
-    Jobs,
-    Libraries,
-    ModelFormat,
-    Packages,
-    Timeout,
-    Verbose,
-    parse_defines,
-    path_argument,
-)
+from rosarch.cli.inputs import check_folder, check_output, unwritable
+from rosarch.cli.options import Input, Libraries, ModelFormat, Packages, path_argument
+from rosarch.cli.questions import Reading, asks
 from rosarch.cli.terminal import emit, show_diagnostics
 
 if TYPE_CHECKING:
@@ -67,7 +54,9 @@ def show(
 
 
 @app.command("build")
+@asks("own", "variants", "settings")
 def build(
+    reading: Reading,
     folder: Input,
     origin: Annotated[str, typer.Option(metavar="URL", help="Where the sources come from.", show_default=False)],
     revision: Annotated[str, typer.Option(metavar="REV", help="The commit or tag of the sources.", show_default=False)],
@@ -76,12 +65,6 @@ def build(
         typer.Option("--out", "-o", parser=path_argument, metavar="FOLDER", help="Where to write a file per package.", show_default=False),
     ],
     packages: Packages = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Write library files for the packages below DIR, from their sources."""
     from rosarch.library.build import library_documents, write_library
@@ -89,15 +72,14 @@ def build(
     for option, text in (("--origin", origin), ("--revision", revision)):
         if not text.strip():
             raise InputError(f"{option}: is empty")
-    variables = parse_defines(defines)
     check_output(out)
-    analysis = load_analysis(folder, packages, engine=engine, jobs=jobs, timeout=timeout, defines=variables, cached=cached)
+    analysis = reading.analysis(reading.rules(), folder, packages)
     chosen = [model for model in analysis.models if not packages or model.package in packages]
     try:
         paths = write_library(library_documents(chosen, origin, revision), out)
     except OSError as error:
         raise unwritable(out, error) from None
-    show_diagnostics(analysis.diagnostics, verbose)
+    show_diagnostics(analysis.diagnostics, reading.verbose)
     emit("".join(f"{path}\n" for path in paths))
 
 

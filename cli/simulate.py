@@ -9,8 +9,7 @@ import typer
 
 from rosarch.cli.composed import ScenarioFile, load_composed, load_scenario
 from rosarch.cli.errors import InputError
-from rosarch.cli.options import Cached, Defines, Engine, EngineChoice, Folder, Jobs, Libraries, Timeout, Verbose, parse_defines
-from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs
+from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines
 
 
@@ -24,24 +23,15 @@ class RunFormat(str, Enum):
     timeline = "timeline"
 
 
+@asks("own", "variants", "settings")
 def simulate(
-    folder: Folder,
-    launches: Launches = None,
+    question: SystemQuestion,
     scenario: ScenarioFile = None,
     seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="What is left to chance comes out the same for the same N.")] = 0,
     duration: Annotated[float, typer.Option("--duration", metavar="SECONDS", min=0.001, max=1e6, help="The simulated time.")] = 10.0,
     output_format: Annotated[
         RunFormat, typer.Option("--format", help="Figures, figures with all events, events, or Mermaid diagrams of the beginning.")
     ] = RunFormat.text,
-    package_path: PackagePath = None,
-    environment: Environment = None,
-    libraries: Libraries = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
 ) -> None:
     """Run the system that launch files start, in simulated time: rates, queues, lost messages, latencies.
 
@@ -51,8 +41,7 @@ def simulate(
     from rosarch.simulation.engine import TooManyEventsError
     from rosarch.simulation.engine import simulate as run
 
-    inputs = SystemInputs(folder, launches, package_path, environment, libraries, engine, jobs, timeout, parse_defines(defines), cached)
-    system = load_composed(inputs, verbose)
+    system = load_composed(question)
     try:
         record = run(system, load_scenario(scenario, system), seed=seed, duration=duration)
     except TooManyEventsError as error:

@@ -10,22 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.composed import ScenarioFile, load_composed, load_scenario
-from rosarch.cli.errors import CLEAN, FINDINGS, InputError
+from rosarch.cli.errors import FINDINGS, InputError
 from rosarch.cli.inputs import check_output, read_input
-from rosarch.cli.options import (
-    Cached,
-    Defines,
-    Engine,
-    EngineChoice,
-    Folder,
-    Jobs,
-    Libraries,
-    Timeout,
-    Verbose,
-    parse_defines,
-    path_argument,
-)
-from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs
+from rosarch.cli.options import path_argument
+from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines
 
 if TYPE_CHECKING:
@@ -62,10 +50,10 @@ PropertyFile = Annotated[
 ]
 
 
+@asks("own", "variants", "settings")
 def verify(
-    folder: Folder,
+    question: SystemQuestion,
     properties: PropertyFile,
-    launches: Launches = None,
     names: Annotated[
         list[str] | None, typer.Option("--property", metavar="NAME", help="Only this property; may be repeated.", show_default=False)
     ] = None,
@@ -80,30 +68,20 @@ def verify(
         typer.Option("--export", help="Check nothing; write each property with its model for another tool.", show_default=False),
     ] = None,
     out: Annotated[Path | None, typer.Option("--output", "-o", metavar="DIR", help="Where --export writes.", show_default=False)] = None,
-    package_path: PackagePath = None,
-    environment: Environment = None,
-    libraries: Libraries = None,
-    engine: EngineChoice = Engine.embedded,
-    jobs: Jobs = None,
-    defines: Defines = None,
-    timeout: Timeout = 60.0,
-    cached: Cached = True,
-    verbose: Verbose = False,
-) -> int:
+) -> None:
     """Say whether temporal properties hold in the system that launch files start, whatever comes from outside.
 
     Exits with 1 when a property is violated, or may be. How properties are written, what is assumed of time, queues and fairness, and
     what a verdict means is in docs/behavior.md.
     """
     text = read_input(properties)
-    inputs = SystemInputs(folder, launches, package_path, environment, libraries, engine, jobs, timeout, parse_defines(defines), cached)
-    system = load_composed(inputs, verbose)
+    system = load_composed(question)
     wanted = _properties(text, str(properties), system, names)
     given = load_scenario(scenario, system).inputs
     if export is not None:
         _export(system, wanted, given, export, bound, out)
-        return CLEAN
-    return _check(system, wanted, given, checker, bound, (seconds, memory), output_format)
+    else:
+        _check(system, wanted, given, checker, bound, (seconds, memory), output_format)
 
 
 def _properties(text: str, path: str, system: System, names: Sequence[str] | None) -> list[Property]:
@@ -129,7 +107,7 @@ def _check(
     bound: int,
     limits: tuple[float, int],
     output_format: VerdictFormat,
-) -> int:
+) -> None:
     from rosarch.verification.check import HOLDS, Limits, chosen_checker, verify
     from rosarch.verification.checkers import CheckerError
 
@@ -150,7 +128,8 @@ def _check(
         from rosarch.reports.verdicts_text import verdicts_text
 
         emit_lines(verdicts_text(system.name, verdicts, used))
-    return CLEAN if all(found.verdict == HOLDS for found in verdicts) else FINDINGS
+    if any(found.verdict != HOLDS for found in verdicts):
+        raise typer.Exit(FINDINGS)
 
 
 def _export(system: System, wanted: list[Property], given: Inputs, language: Language, bound: int, out: Path | None) -> None:
