@@ -106,6 +106,7 @@ class HeaderFinder:
         self._unpredictable: set[str] = set()
         self._exists: dict[str, bool] = {}
         self._barred: set[str] = set()
+        self._outward: set[str] | None = None
         self._overlays: dict[frozenset[str], Path] = {}
         self._made: dict[str, Path | None] = {}
         self._searches: dict[_Folders, _Search] = {}
@@ -288,15 +289,22 @@ class HeaderFinder:
         return self.scratch / folder
 
     def _overlay(self) -> Path | None:
-        """A file system for clang in which there is nothing beyond the boundary; links that lead there are empty files."""
-        barred = frozenset(self._barred)
-        if inside() and barred not in self._overlays:
-            seen = [{"type": "file", "name": path, "external-contents": os.devnull} for path in sorted(barred)]
+        """A file system for clang in which there is nothing beyond the boundary; links that lead there are empty files and folders."""
+        if not inside():
+            return None
+        if self._outward is None:  # includes that macros name are not looked for here
+            self._outward = _links_out(self.root)
+        barred = frozenset(self._barred | self._outward)
+        if barred not in self._overlays:
+            seen = []
+            for path in sorted(barred):
+                empty = {"type": "directory-remap", "external-contents": str(self.scratch / "nothing")}
+                seen.append({"name": path, **(empty if os.path.isdir(path) else {"type": "file", "external-contents": os.devnull})})
             for folder in dict.fromkeys([*inside(), str(self.scratch), str(SHIPPED)]):
                 seen.append({"type": "directory-remap", "name": folder, "external-contents": folder})
             text = json.dumps({"version": 0, "case-sensitive": "true", "redirecting-with": "redirect-only", "roots": seen})
             self._overlays[barred] = self._write("overlays", f"{hash_of([text])[:10]}.yaml", text)
-        return self._overlays.get(barred)
+        return self._overlays[barred]
 
     def _write(self, folder: str, name: str, text: str) -> Path:
         path = self.scratch / folder / name
@@ -335,6 +343,24 @@ def _assumed_message(package: str, name: str) -> str:
         f"typedef {name}_ {name};\ntypedef boost::shared_ptr<{name}_> {name}Ptr;\n"
         f"typedef boost::shared_ptr<{name}_ const> {name}ConstPtr;\n}}\n"
     )
+
+
+def _links_out(root: Path) -> set[str]:
+    """The links below a folder that lead beyond the boundary."""
+    found = set()
+    stack = [str(root)]
+    while stack:
+        try:
+            entries = list(os.scandir(stack.pop()))
+        except OSError:
+            continue
+        for entry in entries:
+            if entry.is_symlink():
+                if not is_inside(entry.path):
+                    found.add(entry.path)
+            elif entry.is_dir():
+                stack.append(entry.path)
+    return found
 
 
 def _headers_below(root: Path) -> dict[str, list[str]]:

@@ -63,6 +63,22 @@ def test_what_leads_out_is_not_read(trap: Path) -> None:
     assert "'secret'" not in repr(rows["node"])
 
 
+@pytest.mark.parametrize(
+    "include", ['#include "linked/secret.h"', '#define WHERE "linked/secret.h"\n#include WHERE', '#define WHERE "only.h"\n#include WHERE']
+)
+def test_links_that_only_clang_follows_lead_nowhere(tmp_path: Path, include: str) -> None:
+    """A header below a linked folder, and names that macros stand for."""
+    write(tmp_path / "secret", {"secret.h": '#define TOPIC "secret"\n'})
+    source = f"#include <ros/ros.h>\n{include}\nint main() {{ ros::NodeHandle nh; nh.advertise<int>(TOPIC, 1); }}\n"
+    package(tmp_path / "ws", "demo", "add_executable(node src/node.cpp)\n", {"src/node.cpp": source})
+    os.symlink(tmp_path / "secret", tmp_path / "ws/demo/src/linked")
+    os.symlink(tmp_path / "secret/secret.h", tmp_path / "ws/demo/src/only.h")
+    with extract(tmp_path / "ws") as extraction:
+        rows = {component.name: component.rows() for component in extraction.components}
+    assert "'secret'" not in repr(rows["node"])
+    assert rows["node"]["call"]
+
+
 def test_what_the_package_path_names_is_read(trap: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_PACKAGE_PATH", str(trap.parent / "secret"))
     with extract(trap) as extraction:
