@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -119,8 +118,10 @@ def _named(folders: Sequence[Path]) -> dict[str, Path]:
 
 
 def _write(folder: Path, reports: Mapping[str, Any]) -> None:
+    from rosarch.reports.json_models import dump
+
     for name, document in reports.items():
-        _write_text(folder / f"{name}.json", json.dumps(document, indent=2, ensure_ascii=False) + "\n")
+        _write_text(folder / f"{name}.json", dump(document))
 
 
 def _write_text(path: Path, text: str) -> None:

@@ -41,9 +41,9 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
     builder = _Builder(system, cone, inputs, bound, fair)
     for node, key in sorted(cone.variables):
         variable = system.nodes[node].variables[key]
-        initial = inputs.first_value(node, variable)
+        initial = inputs.first_values(node, variable)
         text = f"{node.lstrip('/')}.{variable.text}"
-        builder.variables.append(Variable((node, key), text, variable.values, initial or variable.initial, variable.at))
+        builder.variables.append(Variable((node, key), text, variable.values, initial))
     for end in cone.steps:
         _queue(builder, end)
     commands = [command for end, steps in cone.steps.items() for command in _reaction(builder, end)]
@@ -108,7 +108,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     obligation = _oblige(builder, f"{node} {trigger}" if queue is None else queue) if loop or queue is not None else None
     assumed = () if topic or loop or trigger in component.queues else (f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} runs then",)
     keys = {key for other, key in builder.cone.variables if other == node}
-    shared = {subject: value for subject, value in _known(builder, topic, builder.cone.steps[end])}
+    shared = dict(_known(builder, topic, builder.cone.steps[end]))
     found = effects(builder.cone.steps[end], keys, lambda subject: shared.get(subject, subject.values))
     idle = topic is not None and any(event.kind in ("received", "ignored") for event in _events_at(builder, end, topic))
     for effect, cases in _grouped(found, component, keys):

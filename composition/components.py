@@ -4,24 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
-from rosarch.models.machine.cells import Document, Domains
-from rosarch.models.machine.conditions import constant, number
-from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
-from rosarch.models.machine.reactions import PERIODIC, Step, component_steps
+from rosarch.models.machine.cells import Document, Domains, value_in
+from rosarch.models.machine.logic import Subject
+from rosarch.models.machine.reactions import PERIODIC, Step, component_steps, loop_trigger
 
 
 @dataclass(frozen=True)
 class StateVariable:
-    """A variable that reactions test or assign; `initial` are the values it may begin with. `fixed` ones are never assigned."""
+    """A variable that reactions test or assign; `initial` are the values it may begin with."""
 
     key: str
     text: str
     values: tuple[str, ...]
     initial: tuple[str, ...]
-    at: str
-    fixed: bool = False
 
 
 @dataclass(frozen=True)
@@ -43,7 +41,7 @@ class Component:
     left_out: tuple[str, ...]
     serving: str | None = None
 
-    @property
+    @cached_property
     def filtered(self) -> Mapping[str, str]:
         """The ports of subscribers whose messages come by way of something that may hold them back, and what that is."""
         ports = (port for port in self.document.get("ports") or () if port.get("kind") == "subscriber")
@@ -58,10 +56,10 @@ class Component:
         own = next((place for place in serving if place in rates), None)
         if own is None:
             return replace(self, rates=found)
-        trigger = next((trigger for trigger in found if trigger.partition(" ")[2] in ("", own)), f"{PERIODIC} {own}")
+        trigger = next((trigger for trigger in found if trigger.partition(" ")[2] in ("", own)), loop_trigger(own))
         return replace(self, rates={trigger: rates[own], **found}, serving=trigger)
 
-    @property
+    @cached_property
     def kept(self) -> Mapping[str, tuple[str, ...]]:
         """For each port that a loop sends through, those whose messages it makes this of."""
         found: dict[str, tuple[str, ...]] = {}
@@ -76,7 +74,7 @@ class Component:
         rate = self.rates.get(trigger)
         return f"{rate:g} Hz loop" if rate else "timed loop"
 
-    @property
+    @cached_property
     def members(self) -> frozenset[str]:
         """The last names of all variables that the document knows."""
         return frozenset(row["name"].rsplit("::", 1)[-1] for row in _variables(self.document))
@@ -91,7 +89,7 @@ def component(document: Document) -> Component:
     read = {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
     for key, cell in domains.cells.items():
         initial = cell.subject.values if cell.variable in read else cell.initial
-        variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial, cell.at)
+        variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial)
     variables |= _settings(document, (subject for own in steps.values() for step in own for subject in step.tested()))
     return Component(
         document,
@@ -133,20 +131,8 @@ def _settings(document: Document, tested: Iterable[Subject]) -> dict[str, StateV
         if row is not None and not subject.cell:
             value = None if row.get("from_param") else value_in(row.get("initial"), subject.values)
             initial = subject.values if value is None else (value,)
-            found[subject.key] = StateVariable(subject.key, subject.text, subject.values, initial, str(row.get("at") or ""), True)
+            found[subject.key] = StateVariable(subject.key, subject.text, subject.values, initial)
     return found
-
-
-def value_in(text: object, values: Sequence[str]) -> str | None:
-    """A constant as one of `values`; None when it is none, or not told apart."""
-    found = None if text is None else constant(str(text))
-    if found is None:
-        return None
-    if tuple(values) == BOOLEAN and (size := number(found)) is not None:
-        found = "false" if size == 0 else "true"
-    if found in values:
-        return found
-    return OTHER if OTHER in values else None
 
 
 def _rate(trigger: str, document: Document) -> float | None:

@@ -8,8 +8,6 @@ from dataclasses import dataclass, field, replace
 from rosarch.composition.system import End, System
 from rosarch.models.machine.reactions import Step
 
-EVENTS = ("sent", "received", "dropped", "ignored")
-
 
 @dataclass(frozen=True, order=True)
 class Event:
@@ -33,11 +31,10 @@ class Watched:
 
 @dataclass(frozen=True)
 class Cone:
-    """The part of a system that what is watched depends on: variables, ports sent through, and the steps of triggers that matter."""
+    """The part of a system that what is watched depends on: variables, and the steps of triggers that matter."""
 
     watched: Watched
     variables: frozenset[tuple[str, str]]
-    outlets: frozenset[End]
     steps: dict[End, tuple[Step, ...]]
 
 
@@ -85,7 +82,7 @@ def cone_of_influence(system: System, watched: Watched) -> Cone:
                     search.need("trigger", [(node, trigger)])
                     search.need("variable", _tested(system, node, step))
     kept = {end: _own_steps(search, end, end in whole) for end in sorted(search.triggers)}
-    return Cone(watched, frozenset(search.variables), frozenset(search.outlets), kept)
+    return Cone(watched, frozenset(search.variables), kept)
 
 
 def _matters(step: Step, kind: str, name: str) -> bool:

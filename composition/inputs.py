@@ -6,7 +6,8 @@ import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
-from rosarch.composition.components import StateVariable, value_in
+from rosarch.composition.components import StateVariable
+from rosarch.models.machine.cells import value_in
 from rosarch.models.machine.logic import Subject
 
 
@@ -48,10 +49,10 @@ class Inputs:
         """The messages that come once, in their order."""
         return sorted((entry for entry in self.entries if entry.every is None), key=lambda entry: entry.start)
 
-    def first_value(self, node: str, variable: StateVariable) -> tuple[str, ...] | None:
-        """The value that a variable is said to begin with."""
+    def first_values(self, node: str, variable: StateVariable) -> tuple[str, ...]:
+        """The values that a variable may begin with: the one that it is said to, else those that the source tells."""
         value = value_in(self.values.get((node, variable.text)), variable.values)
-        return None if value is None else (value,)
+        return variable.initial if value is None else (value,)
 
     def content(self, topic: str, subject: Subject) -> str | None:
         """The value of a field that all messages on a topic have, where conditions ask for it."""

@@ -16,7 +16,6 @@ class Variable:
     text: str
     values: tuple[str, ...]
     initial: tuple[str, ...]
-    at: str
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from rosarch.composition.components import StateVariable, value_in
+from rosarch.composition.components import StateVariable
 from rosarch.composition.cone import Event
 from rosarch.composition.system import System
 from rosarch.extractor.hints import hint
-from rosarch.models.machine.logic import BOOLEAN, OTHER
+from rosarch.models.machine.cells import nonzero, value_in
+from rosarch.models.machine.logic import OTHER
 
 
 class UnknownNameError(Exception):
@@ -63,10 +64,10 @@ class Names:
         """A test of a variable: its node, its key and the values asked for; without a value, what is true or not zero."""
         node, variable = self.variable(text)
         if value is None:
-            zeros = {"false", "0", "null"} & set(variable.values)
-            if variable.values != BOOLEAN and not zeros:
+            true = nonzero(variable.values)
+            if true is None:
                 raise UnknownNameError(f"`{text}` is no truth value; compare it with one of {', '.join(variable.values)}")
-            return node, variable.key, frozenset(variable.values) - zeros
+            return node, variable.key, true
         return node, variable.key, frozenset({self.value(text, variable, value)})
 
     @staticmethod

@@ -11,6 +11,7 @@ import yaml
 from rosarch.composition.inputs import Entry, Inputs
 from rosarch.composition.names import Names, UnknownNameError
 from rosarch.composition.system import System
+from rosarch.models.machine.conditions import spaced
 from rosarch.models.plain_yaml import YamlError, YamlReader, compose
 
 
@@ -140,7 +141,7 @@ class _Reader(YamlReader):
                 if number is not None and number > 1:
                     self.problem(chance, f"a condition cannot hold more often than always, 1, but {number:g}")
                 if number is not None:
-                    found[name, " ".join(condition.value.split())] = number
+                    found[name, spaced(condition.value)] = number
         return found
 
     def rates(self, node: yaml.Node) -> dict[str, float]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from rosarch.composition.components import Component, component
 from rosarch.models.machine.cells import Document
@@ -40,11 +41,27 @@ class System:
 
     def inlet(self, end: End) -> Topic | None:
         """What a node receives through a port."""
-        return next((topic for topic in self.topics.values() if end in topic.receivers), None)
+        return self._inlets.get(end)
 
     def outlet(self, end: End) -> tuple[Topic, ...]:
         """What a node sends to through a port."""
-        return tuple(topic for topic in self.topics.values() if end in topic.senders)
+        return self._outlets.get(end, ())
+
+    @cached_property
+    def _inlets(self) -> Mapping[End, Topic]:
+        found: dict[End, Topic] = {}
+        for topic in self.topics.values():
+            for end in topic.receivers:
+                found.setdefault(end, topic)
+        return found
+
+    @cached_property
+    def _outlets(self) -> Mapping[End, tuple[Topic, ...]]:
+        found: dict[End, tuple[Topic, ...]] = {}
+        for topic in self.topics.values():
+            for end in topic.senders:
+                found[end] = (*found.get(end, ()), topic)
+        return found
 
 
 ENVIRONMENT = "environment"

@@ -6,6 +6,7 @@ Values may be nested a million deep, a linked list is; nothing here recurses.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -44,6 +45,17 @@ def show_value(value: Any) -> str:
         else:
             parts.append(show_float(item) if isinstance(item, float) else str(item))
     return "".join(parts)
+
+
+def symbols(value: Any) -> Iterator[str]:
+    """All texts in a value or row, in order."""
+    work = [value]
+    while work:
+        item = work.pop()
+        if isinstance(item, str):
+            yield item
+        elif isinstance(item, tuple):
+            work.extend(reversed(item))
 
 
 def show_float(value: float, bits: int = 32) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 from rosarch.datalog import DatalogError, Program, Result, RowStore, query, why_not
 from rosarch.datalog.queries import check_query, table_cells
+from rosarch.datalog.values import symbols
 from rosarch.expectations.comments import Marked
 from rosarch.expectations.elements import Element, elements, finding_element
 from rosarch.expectations.judgement import PlacedRow
@@ -113,10 +114,7 @@ class Found:
         found = []
         for program, store in self._stores(marked.path):
             table = query(program, store, text)
-            found += [
-                ", ".join(f"{name} = {cell}" for name, cell in zip(table.columns, cells, strict=True)) or "it holds"
-                for cells in table_cells(table, program)
-            ]
+            found += [_told(table.columns, cells) or "it holds" for cells in table_cells(table, program)]
         return found
 
     def placed_rows(self, marked: Marked, text: str) -> list[PlacedRow]:
@@ -127,9 +125,9 @@ class Found:
             lines = {node: line for node, file, line, _ in store.rows("location") if file in files}
             table = query(program, store, text)
             for row, cells in zip(table.rows, table_cells(table, program), strict=True):
-                line = next((lines[value] for value in _parts(row) if value in lines), None)
+                line = next((lines[value] for value in symbols(row) if value in lines), None)
                 if line is not None:
-                    found.append(PlacedRow(", ".join(f"{name} = {cell}" for name, cell in zip(table.columns, cells, strict=True)), line))
+                    found.append(PlacedRow(_told(table.columns, cells), line))
         return found
 
     def near_rows(self, marked: Marked, text: str) -> list[str]:
@@ -153,13 +151,9 @@ class Found:
         return [RowStore(self.systems.program.evaluate(rows, engine=self.engine, keep="all"), rows) for rows in self.systems.rows()]
 
 
-def _parts(value: Any) -> Iterator[Any]:
-    """What stands in a row, in records too."""
-    if isinstance(value, tuple):
-        for part in value:
-            yield from _parts(part)
-    else:
-        yield value
+def _told(columns: Sequence[str], cells: Sequence[str]) -> str:
+    """A row as text."""
+    return ", ".join(f"{name} = {cell}" for name, cell in zip(columns, cells, strict=True))
 
 
 def is_source(path: str) -> bool:

@@ -14,7 +14,7 @@ from typing import Any
 import rosarch.datalog
 import rosarch.models
 from rosarch.datalog import Program
-from rosarch.datalog.values import ValueWriter
+from rosarch.datalog.values import ValueWriter, symbols
 from rosarch.experiments.comparison import Document
 from rosarch.experiments.subjects import OpenSubject
 from rosarch.extractor.cache import Cache, hash_of, version_of
@@ -135,7 +135,7 @@ def _texts(
     """Rows as texts, each with the place of the first thing in it that has one."""
     show = ValueWriter(program.types).show
     files = {key: path for key, path in facts.get("source_file", ())}
-    nodes = {value for rows in found.values() for row in rows for value in _symbols(row)}
+    nodes = {value for rows in found.values() for row in rows for value in symbols(row)}
     places = {node: f"{files[file]}:{line}" for node, file, line, _ in facts.get("location", ()) if node in nodes and file in files}
     texts = {}
     for name, rows in found.items():
@@ -143,20 +143,11 @@ def _texts(
         texts[name] = [
             (
                 ", ".join(show(value, type_) for value, type_ in zip(row, types, strict=True)),
-                next((places[value] for value in _symbols(row) if value in places), ""),
+                next((places[value] for value in symbols(row) if value in places), ""),
             )
             for row in rows
         ]
     return texts
-
-
-def _symbols(value: Any) -> Iterator[str]:
-    """All texts in a value, in order."""
-    if isinstance(value, str):
-        yield value
-    elif isinstance(value, tuple):
-        for part in value:
-            yield from _symbols(part)
 
 
 @lru_cache(maxsize=1)

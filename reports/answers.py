@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import Any
 
 from rosarch.models.system.chains import ChainAnswer, PortShown, Step
 from rosarch.models.system.rates import TopicRate
+from rosarch.reports.json_models import dump
 
 _SIDES = {
     "publisher": "publishes", "subscriber": "reads", "tf_broadcaster": "sends transforms on", "tf_listener": "looks transforms up on",
@@ -86,7 +86,7 @@ def _seconds(value: float | None) -> str:
 
 def chain_json(answers: Sequence[ChainAnswer]) -> str:
     """Answers as JSON."""
-    return json.dumps([_document(answer) for answer in answers], indent=2, ensure_ascii=False) + "\n"
+    return dump([_document(answer) for answer in answers])
 
 
 def _document(answer: ChainAnswer) -> dict[str, Any]:
@@ -136,4 +136,4 @@ def rates_json(found: Sequence[tuple[str, Sequence[TopicRate]]]) -> str:
         {"system": system, "rates": [{**vars(rate), "senders": list(rate.senders), "reasons": list(rate.reasons)} for rate in rates]}
         for system, rates in found
     ]
-    return json.dumps(documents, indent=2, ensure_ascii=False) + "\n"
+    return dump(documents)

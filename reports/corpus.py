@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from rosarch.corpus.task import Done, Failed
+from rosarch.models.findings import SEVERITIES
+from rosarch.reports.json_models import dump
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 from rosarch.reports.tables import Table, table_markdown, table_text
-
-_SEVERITIES = ("error", "warning", "note")
 
 
 def summary(name: str, folder: str, outcome: Done | Failed) -> dict[str, Any]:
@@ -23,28 +22,24 @@ def summary(name: str, folder: str, outcome: Done | Failed) -> dict[str, Any]:
     found["ports"] = sum(len(model["ports"]) for model in outcome.reports["models"])
     if "findings" in outcome.reports:
         findings = outcome.reports["findings"]["findings"]
-        found.update({severity: sum(finding["severity"] == severity for finding in findings) for severity in _SEVERITIES})
+        found.update({severity: sum(finding["severity"] == severity for finding in findings) for severity in SEVERITIES})
     return found
-
-
-def _json(summaries: Sequence[Mapping[str, Any]]) -> str:
-    return json.dumps(summaries, indent=2, ensure_ascii=False) + "\n"
 
 
 def _text(summaries: Sequence[Mapping[str, Any]], table: Callable[[Table], str]) -> str:
     """A row for each workspace, then those that failed."""
-    keys = ("components", "ports", *_SEVERITIES, "seconds")
+    keys = ("components", "ports", *SEVERITIES, "seconds")
     good = [each for each in summaries if "failed" not in each]
     failed = [printable(f"{each['workspace']}: {each['failed']}") for each in summaries if "failed" in each]
     rows = tuple((printable(each["workspace"]), *(each.get(key) for key in keys)) for each in good)
-    shown = table(Table("Workspaces", ("workspace", "components", "ports", *(f"{s}s" for s in _SEVERITIES), "seconds"), rows))
+    shown = table(Table("Workspaces", ("workspace", "components", "ports", *(f"{s}s" for s in SEVERITIES), "seconds"), rows))
     return "\n".join([shown, *failed, *([""] if failed else []), f"{counted(len(summaries), 'workspace')}, {len(failed)} failed"]) + "\n"
 
 
 Outcomes = Mapping[str, tuple[str, Done | Failed]]
 """Folder and outcome of workspaces by name."""
 WRITERS: Mapping[str, Callable[[Outcomes], str]] = {
-    "json": lambda outcomes: _json(_summaries(outcomes)),
+    "json": lambda outcomes: dump(_summaries(outcomes)),
     "table": lambda outcomes: _text(_summaries(outcomes), table_text),
     "markdown": lambda outcomes: _text(_summaries(outcomes), table_markdown),
 }

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+
+from rosarch.composition.system import Topic
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,12 @@ class Repeated:
     """What happens again and again."""
 
     items: tuple[Arrow | Remark, ...]
+
+
+def arrows(sender: str, topic: Topic, text: str) -> Iterator[Arrow]:
+    """A message on a topic to each node that receives it; back to the sender, where nobody does."""
+    receivers = sorted({node for node, _ in topic.receivers})
+    return (Arrow(sender, node, text) for node in receivers or [sender])
 
 
 def sequence_text(items: Sequence[Arrow | Remark | Repeated], title: str = "") -> str:
@@ -57,5 +65,8 @@ def _line(item: Arrow | Remark, names: dict[str, str]) -> str:
     return f"  Note over {names[item.participant]}: {_escaped(item.text)}"
 
 
+_ESCAPES = str.maketrans({"#": "#35;", ";": "#59;", '"': "#quot;", "\n": " "})
+
+
 def _escaped(text: str) -> str:
-    return text.replace("#", "#35;").replace(";", "#59;").replace('"', "#quot;").replace("\n", " ").replace("#35#59;", "#35;")
+    return text.translate(_ESCAPES)

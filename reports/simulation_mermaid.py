@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from rosarch.composition.system import System
-from rosarch.reports.sequence_mermaid import Arrow, Remark, sequence_text
+from rosarch.reports.sequence_mermaid import Arrow, Remark, arrows, sequence_text
 from rosarch.simulation.records import Record
 
 MOST_ITEMS = 60
@@ -21,8 +21,7 @@ def _items(record: Record, system: System) -> Iterator[Arrow | Remark]:
     for event in record.events:
         at = f"{event.time:.3f} s"
         if event.kind == "sent":
-            receivers = sorted({node for node, _ in system.topics[event.subject].receivers})
-            yield from (Arrow(event.actor, node, f"{event.subject} at {at}") for node in receivers or [event.actor])
+            yield from arrows(event.actor, system.topics[event.subject], f"{event.subject} at {at}")
         elif event.kind == "changed":
             yield Remark(event.actor, f"{event.subject} {event.detail} at {at}")
         elif event.kind == "dropped":

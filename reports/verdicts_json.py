@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import asdict
 
+from rosarch.reports.json_models import dump
 from rosarch.verification.check import Verdict
 
 
@@ -24,4 +24,4 @@ def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str
         }
         for found in verdicts
     ]
-    return json.dumps({"system": system, "checker": checker, "properties": rows}, indent=2, ensure_ascii=False) + "\n"
+    return dump({"system": system, "checker": checker, "properties": rows})

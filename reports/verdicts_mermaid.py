@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rosarch.composition.system import System
-from rosarch.reports.sequence_mermaid import Arrow, Remark, Repeated, sequence_text
+from rosarch.composition.system import ENVIRONMENT, System
+from rosarch.reports.sequence_mermaid import Arrow, Remark, Repeated, arrows, sequence_text
 from rosarch.verification.check import Verdict
 from rosarch.verification.trace import Step
 
@@ -26,12 +26,11 @@ def _items(system: System, steps: Iterable[Step]) -> Iterator[Arrow | Remark]:
     for step in (step for step in steps if step.actor):
         told = [*step.inputs, *step.assumes, *(f"{text}: {old} to {new}" for text, old, new in step.changes)]
         if step.cause.startswith(("receives ", "serves ")) and step.takes is None:
-            yield Arrow("environment", step.actor, step.cause.partition(" ")[2])
+            yield Arrow(ENVIRONMENT, step.actor, step.cause.partition(" ")[2])
         elif not step.sends or told:
             told.insert(0, step.cause)
         if told:
             yield Remark(step.actor, ", ".join(told))
         for topic in step.sends:
-            receivers = sorted({node for node, _ in system.topics[topic].receivers})
-            yield from (Arrow(step.actor, node, topic) for node in receivers or [step.actor])
+            yield from arrows(step.actor, system.topics[topic], topic)
         yield from (Remark(node, f"loses an older {topic}") for node, topic in step.dropped)

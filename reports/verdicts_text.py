@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from rosarch.reports.printable import printable
 from rosarch.verification.check import HOLDS, Verdict
@@ -29,26 +29,26 @@ def _trace(trace: Trace) -> Iterator[str]:
     if trace.first:
         yield "  begins with " + ", ".join(f"{text} {value}" for text, value in trace.first)
     rows = list(enumerate(trace.stem, 1))
-    yield from (f"  {number}. {step_text(step)}" for number, step in rows)
+    yield from (f"  {number}. {_step_text(step)}" for number, step in rows)
     if trace.loop:
         yield "  then again and again:"
-        yield from (f"  {number}. {step_text(step)}" for number, step in enumerate(trace.loop, len(rows) + 1))
+        yield from (f"  {number}. {_step_text(step)}" for number, step in enumerate(trace.loop, len(rows) + 1))
     elif not trace.stem:
         yield "  nothing happens"
     if trace.assumes:
         yield "  if this can be so: " + "; ".join(trace.assumes)
 
 
-def step_text(step: Step) -> str:
+def _step_text(step: Step) -> str:
     """A step on one line."""
     cause = step.cause if not step.inputs else f"{step.cause} with {' and '.join(step.inputs)}"
     effects = [f"{text} {old} -> {new}" for text, old, new in step.changes]
     effects += [f"sends {topic}" for topic in step.sends if not step.cause.startswith("sends ")]
     effects += [f"{node} loses an older {topic}" for node, topic in step.dropped]
-    places = f"  [{', '.join(places_of([step]))}]" if step.places else ""
+    places = f"  [{', '.join(_places(step))}]" if step.places else ""
     return f"{step.actor} {cause}{': ' if effects else ''}{', '.join(effects)}{places}".lstrip()
 
 
-def places_of(steps: Iterable[Step]) -> list[str]:
-    """The source lines of steps."""
-    return list(dict.fromkeys(place for step in steps for places in step.places for place in places.split(" ")))
+def _places(step: Step) -> list[str]:
+    """The source lines of a step."""
+    return list(dict.fromkeys(place for places in step.places for place in places.split(" ")))

@@ -9,15 +9,18 @@ import random
 from collections import Counter, deque
 from collections.abc import Generator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import count
 
 import simpy
 
-from rosarch.composition.components import Component, value_in
+from rosarch.composition.components import Component
 from rosarch.composition.inputs import Entry, content_path
 from rosarch.composition.reactions import Effect, react
 from rosarch.composition.scenario import Scenario, Span
 from rosarch.composition.system import ENVIRONMENT, End, System
+from rosarch.models.machine.cells import value_in
+from rosarch.models.machine.conditions import spaced
 from rosarch.models.machine.logic import BOOLEAN, Subject
 from rosarch.simulation.records import Event, Record
 
@@ -87,7 +90,7 @@ class _Run:
         component = self.system.nodes[name]
         values = {}
         for key, variable in component.variables.items():
-            choices = self.scenario.inputs.first_value(name, variable) or variable.initial
+            choices = self.scenario.inputs.first_values(name, variable)
             values[key] = choices[0] if len(choices) == 1 else self.random.choice(choices)
             if len(choices) > 1:
                 self.record.notes.append(f"{name} begins with {variable.text} {values[key]}, of {', '.join(choices)}: drawn by lot")
@@ -160,7 +163,7 @@ class _Run:
                 yield node.wake
             trigger = node.turns.popleft()
             message = self._taken(node, trigger)
-            effect = react(node.component.steps.get(trigger, ()), node.values, lambda s, m=message: self._chosen(node, m, s))  # type: ignore[misc]
+            effect = react(node.component.steps.get(trigger, ()), node.values, partial(self._chosen, node, message))
             start = self.environment.now
             seconds = self._duration(node.name, message.topic if message else "")
             if seconds:
@@ -186,7 +189,7 @@ class _Run:
         path = content_path(subject.text, node.component.members)
         if message and path and path in message.fields and (value := value_in(message.fields[path], subject.values)) is not None:
             return value
-        chance = self.scenario.chances.get((node.name, " ".join(subject.text.split())))
+        chance = self.scenario.chances.get((node.name, spaced(subject.text)))
         if chance is not None and subject.values == BOOLEAN:
             return BOOLEAN[self.random.random() >= chance]
         self.record.guessed[node.name, subject.text] += 1

@@ -61,13 +61,17 @@ def chosen_checker(wanted: str | None) -> str:
 
 def model_for(system: System, formula: Formula, inputs: Inputs, bound: int = BOUND) -> TransitionSystem:
     """The part of a system that a formula is about."""
+    cone = cone_of_influence(system, _watched(formula))
+    return transition_system(model_of(system, cone, inputs, bound=bound, fair=not ltl.is_safety(formula)))
+
+
+def _watched(formula: Formula) -> Watched:
+    """What a formula asks for."""
     atoms = ltl.atoms(formula)
-    watched = Watched(
+    return Watched(
         frozenset((atom.node, atom.key) for atom in atoms if isinstance(atom, ltl.InState)),
         frozenset(atom.event for atom in atoms if isinstance(atom, ltl.Happens)),
     )
-    cone = cone_of_influence(system, watched)
-    return transition_system(model_of(system, cone, inputs, bound=bound, fair=not ltl.is_safety(formula)))
 
 
 def verify(
@@ -103,8 +107,7 @@ def _shown(system: TransitionSystem, formula: Formula, found: Found, limits: Lim
         lasso = violation(system, formula, limits.states) or found.lasso
     except TooManyStates:
         lasso = found.lasso
-    asked = {(atom.node, atom.key) for atom in ltl.atoms(formula) if isinstance(atom, ltl.InState)}
-    return trace(Explorer(system), lasso, asked) if lasso else None
+    return trace(Explorer(system), lasso, _watched(formula).variables) if lasso else None
 
 
 def _largest(system: TransitionSystem) -> str:

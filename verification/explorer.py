@@ -11,13 +11,15 @@ from typing import Any
 from rosarch.verification import ltl
 from rosarch.verification.automaton import Automaton, automaton
 from rosarch.verification.ltl import Formula
-from rosarch.verification.transitions import Expression, Operation, TransitionSystem, atom_expression, required
+from rosarch.verification.transitions import Expression, TransitionSystem, atom_expression, required, written
 
 State = tuple[int, ...]
 Product = tuple[State, int]
 MOST_STATES = 200_000
 MOST_ENTRIES = 50  # states from which a loop is looked for, to take the shortest run
-_SIGNS = {"==": "==", "<": "<", "&": " and ", "|": " or ", "+": "+", "-": "-"}
+_SIGNS = {
+    "==": "==", "<": "<", "&": " and ", "|": " or ", "+": "+", "-": "-", "?": "({1} if {0} else {2})", "true": "True", "false": "False",
+}  # fmt: skip
 
 
 class TooManyStates(Exception):
@@ -30,17 +32,6 @@ class Lasso:
 
     stem: tuple[int, ...]
     loop: tuple[int, ...]
-
-
-def _python(part: Expression, places: Mapping[str, int]) -> str:
-    if isinstance(part, str):
-        return f"s[{places[part]}]"
-    if not isinstance(part, Operation):
-        return str(part)
-    texts = [_python(inner, places) for inner in part.parts]
-    if part.sign == "?":
-        return f"({texts[1]} if {texts[0]} else {texts[2]})"
-    return f"({_SIGNS[part.sign].join(texts)})" if texts else str(part.sign == "&")
 
 
 def _compiled(text: str) -> Any:
@@ -57,13 +48,16 @@ class Explorer:
         self.initial: State = tuple(number.initial for number in system.numbers)
         self._steps: list[tuple[Callable[[State], bool], Callable[[State], State]]] = []
         for transition in system.transitions:
-            given = {self._places[name]: _python(value, self._places) for name, value in transition.updates}
+            given = {self._places[name]: self._python(value) for name, value in transition.updates}
             following = ", ".join(given.get(place, f"s[{place}]") for place in range(len(system.numbers)))
             self._steps.append((self.function(transition.guard), _compiled(f"({following},)")))
 
+    def _python(self, part: Expression) -> str:
+        return written(part, _SIGNS, lambda name: f"s[{self._places[name]}]")
+
     def function(self, part: Expression) -> Callable[[State], bool]:
         """An expression as a function of the state."""
-        found: Callable[[State], bool] = _compiled(_python(part, self._places))
+        found: Callable[[State], bool] = _compiled(self._python(part))
         return found
 
     def begun(self) -> dict[State, tuple[int, ...]]:

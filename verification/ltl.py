@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -138,26 +138,3 @@ def parts(formula: Formula) -> Iterator[Formula]:
     elif isinstance(formula, Binary):
         yield from parts(formula.left)
         yield from parts(formula.right)
-
-
-def written(formula: Formula, signs: dict[str, str], atom: Callable[[Atom], str]) -> str:
-    """The formula as a checker reads it; `signs` are its operators."""
-
-    def text(part: Formula) -> str:
-        if isinstance(part, Constant):
-            return signs["true" if part.value else "false"]
-        if isinstance(part, Not):
-            return f"{signs['!']}({text(part.inner)})"
-        if isinstance(part, Next):
-            return f"{signs['X']} ({text(part.inner)})"
-        if not isinstance(part, Binary):
-            return atom(part)
-        if part == always(part.right):
-            return f"{signs['G']} ({text(part.right)})"
-        if part == eventually(part.right):
-            return f"{signs['F']} ({text(part.right)})"
-        if part.operator == "R" and "R" not in signs:
-            return text(Not(until(Not(part.left), Not(part.right))))
-        return f"({text(part.left)}) {signs[part.operator]} ({text(part.right)})"
-
-    return text(formula)

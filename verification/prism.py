@@ -2,38 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from rosarch.models.machine.conditions import spaced
 from rosarch.verification import ltl
-from rosarch.verification.ltl import Formula
-from rosarch.verification.transitions import Expression, Operation, TransitionSystem, atom_expression, from_start, required
+from rosarch.verification.ltl import Atom, Binary, Constant, Formula, Next, Not
+from rosarch.verification.transitions import TransitionSystem, atom_expression, from_start, required, written
 
-_SIGNS = {"==": "=", "<": "<", "&": " & ", "|": " | ", "+": "+", "-": "-"}
-_TEMPORAL = {"true": "true", "false": "false", "!": "!", "X": "X", "&": "&", "|": "|", "U": "U", "G": "G", "F": "F"}
-
-
-def expression(part: Expression) -> str:
-    """An expression."""
-    if not isinstance(part, Operation):
-        return str(part)
-    if not part.parts:
-        return "true" if part.sign == "&" else "false"
-    texts = [expression(inner) for inner in part.parts]
-    return f"({texts[0]} ? {texts[1]} : {texts[2]})" if part.sign == "?" else f"({_SIGNS[part.sign].join(texts)})"
+_SIGNS = {
+    "==": "=", "<": "<", "&": " & ", "|": " | ", "+": "+", "-": "-", "?": "({} ? {} : {})", "true": "true", "false": "false",
+}  # fmt: skip
 
 
 def prism(system: TransitionSystem, formula: Formula | None = None) -> str:
     """The system as a Markov decision process without probabilities, with a label for each atom of the property."""
-    lines = [f"// {_comment(system.model.name)}", "mdp", "", "module composition"]
+    lines = [f"// {spaced(system.model.name)}", "mdp", "", "module composition"]
     for number in system.numbers:
         names = ", ".join(f"{value}: {name}" for value, name in enumerate(number.names))
-        lines.append(f"  // {_comment(number.text)}{_comment(f' ({names})') if names else ''}")
+        lines.append(f"  // {spaced(number.text)}{spaced(f' ({names})') if names else ''}")
         lines.append(f"  {number.name} : [0..{max(number.high, 1)}] init {number.initial};")
     for transition in system.transitions:
-        updates = " & ".join(f"({variable}'={expression(value)})" for variable, value in transition.updates) or "true"
-        lines.append(f"  // {_comment(transition.text)}")
-        lines.append(f"  [] {expression(transition.guard)} -> {updates};")
+        updates = " & ".join(f"({variable}'={written(value, _SIGNS)})" for variable, value in transition.updates) or "true"
+        lines.append(f"  // {spaced(transition.text)}")
+        lines.append(f"  [] {written(transition.guard, _SIGNS)} -> {updates};")
     lines += ["endmodule", ""]
     atoms = ltl.atoms(required(system, formula)) if formula else []
-    lines += [f'label "p{index}" = {expression(atom_expression(system, atom))};' for index, atom in enumerate(atoms)]
+    lines += [f'label "p{index}" = {written(atom_expression(system, atom), _SIGNS)};' for index, atom in enumerate(atoms)]
     return "\n".join([*lines, ""])
 
 
@@ -41,9 +35,24 @@ def query(system: TransitionSystem, formula: Formula) -> str:
     """The least probability, over all ways to resolve what is not determined, that the property holds; 1 when every run satisfies it."""
     whole = required(system, formula)
     atoms = ltl.atoms(whole)
-    text = ltl.written(from_start(system, whole), _TEMPORAL, lambda atom: f'"p{atoms.index(atom)}"')
+    text = _path(from_start(system, whole), lambda atom: f'"p{atoms.index(atom)}"')
     return f"Pmin=? [ {text} ]"
 
 
-def _comment(text: str) -> str:
-    return " ".join(text.split())
+def _path(part: Formula, atom: Callable[[Atom], str]) -> str:
+    """A formula, for PRISM, which has no `R`."""
+    if isinstance(part, Constant):
+        return "true" if part.value else "false"
+    if isinstance(part, Not):
+        return f"!({_path(part.inner, atom)})"
+    if isinstance(part, Next):
+        return f"X ({_path(part.inner, atom)})"
+    if not isinstance(part, Binary):
+        return atom(part)
+    if part == ltl.always(part.right):
+        return f"G ({_path(part.right, atom)})"
+    if part == ltl.eventually(part.right):
+        return f"F ({_path(part.right, atom)})"
+    if part.operator == "R":
+        return _path(Not(ltl.until(Not(part.left), Not(part.right))), atom)
+    return f"({_path(part.left, atom)}) {part.operator} ({_path(part.right, atom)})"

@@ -7,21 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from rosarch.verification import ltl
 from rosarch.verification.automaton import Automaton, automaton
 from rosarch.verification.ltl import Formula
-from rosarch.verification.transitions import Expression, Number, Operation, TransitionSystem, atom_expression, required
+from rosarch.verification.transitions import Number, TransitionSystem, atom_expression, required, written
 
-_SIGNS = {"==": " == ", "<": " < ", "&": " && ", "|": " || ", "+": " + ", "-": " - "}
+_SIGNS = {
+    "==": " == ", "<": " < ", "&": " && ", "|": " || ", "+": " + ", "-": " - ", "?": "({} -> {} : {})", "true": "true", "false": "false",
+}  # fmt: skip
 STEP = "step "
 """Begins the line that SPIN prints for a transition when it runs a trail."""
-
-
-def expression(part: Expression) -> str:
-    """An expression."""
-    if not isinstance(part, Operation):
-        return str(part)
-    if not part.parts:
-        return "true" if part.sign == "&" else "false"
-    texts = [expression(inner) for inner in part.parts]
-    return f"({texts[0]} -> {texts[1]} : {texts[2]})" if part.sign == "?" else f"({_SIGNS[part.sign].join(texts)})"
 
 
 def promela(system: TransitionSystem, claims: Mapping[str, Formula]) -> str:
@@ -30,9 +22,9 @@ def promela(system: TransitionSystem, claims: Mapping[str, Formula]) -> str:
     lines += [_declaration(number) for number in system.numbers]
     lines += ["active proctype composition() {", "  do"]
     for index, transition in enumerate(system.transitions):
-        updates = "; ".join(f"{variable} = {expression(value)}" for variable, value in transition.updates)
+        updates = "; ".join(f"{variable} = {written(value, _SIGNS)}" for variable, value in transition.updates)
         told = f'printf("{STEP}{index}\\n")'
-        body = "; ".join(part for part in (expression(transition.guard), updates, told) if part)
+        body = "; ".join(part for part in (written(transition.guard, _SIGNS), updates, told) if part)
         lines.append(f"  /* {_comment(transition.text)} */\n  :: d_step {{ {body} }}")
     lines += ["  od", "}"]
     for index, (name, formula) in enumerate(claims.items()):
@@ -56,8 +48,8 @@ def _claim(system: TransitionSystem, runs: Automaton) -> Iterator[str]:
 def _goto(system: TransitionSystem, runs: Automaton, nodes: Sequence[int], copy: int) -> Iterator[str]:
     yield "  if"
     for node in nodes:
-        literals = [expression(atom_expression(system, atom)) for atom in sorted(runs.true[node], key=repr)]
-        literals += [f"!({expression(atom_expression(system, atom))})" for atom in sorted(runs.false[node], key=repr)]
+        literals = [written(atom_expression(system, atom), _SIGNS) for atom in sorted(runs.true[node], key=repr)]
+        literals += [f"!({written(atom_expression(system, atom), _SIGNS)})" for atom in sorted(runs.false[node], key=repr)]
         accepts = copy == 0 and (not runs.accepting or node in runs.accepting[0])
         yield f"  :: ({' && '.join(literals) or 'true'}) -> goto {'accept_' if accepts else ''}S{node}_{copy}"
     if not nodes:

@@ -179,10 +179,11 @@ class _Reader:
             self.problem(tree, f"there is no `{name}(...)`{hint(name, [*TEMPLATES, *_EVENTS])}")
             return ltl.TRUE
         least, most = _EVENTS[name]
-        if not least <= len(arguments) <= most or not all(isinstance(argument, Token) for argument in arguments):
+        tokens = [argument for argument in arguments if isinstance(argument, Token)]
+        if not least <= len(arguments) <= most or len(tokens) < len(arguments):
             self.problem(tree, f"`{name}` takes {'a topic, or a node and a topic' if least == 1 else 'a node and a topic'}")
             return ltl.TRUE
-        return self._event(name, [Token("PATH", str(a)) if not isinstance(a, Token) else a for a in arguments])
+        return self._event(name, tokens)
 
     def _event(self, name: str, arguments: list[Token]) -> Formula:
         try:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -22,6 +22,16 @@ class Operation:
 
 Expression: TypeAlias = int | str | Operation
 """A number, a variable, or an operation."""
+
+
+def written(part: Expression, signs: Mapping[str, str], name: Callable[[str], str] = str) -> str:
+    """An expression in a language with these `signs`, `true` and `false` among them; `?` is a pattern. `name` writes a variable."""
+    if not isinstance(part, Operation):
+        return name(part) if isinstance(part, str) else str(part)
+    if not part.parts:
+        return signs["true" if part.sign == "&" else "false"]
+    texts = [written(inner, signs, name) for inner in part.parts]
+    return signs["?"].format(*texts) if part.sign == "?" else f"({signs[part.sign].join(texts)})"
 
 
 @dataclass(frozen=True)
@@ -51,16 +61,17 @@ class Transition:
 
 @dataclass(frozen=True)
 class TransitionSystem:
-    """Numbers and transitions. A run is fair when `fair` (the variable and its value) comes again and again.
-
-    Every run begins with so many `choices` of first values.
-    """
+    """Numbers and transitions. A run is fair when `fair` (the variable and its value) comes again and again."""
 
     model: Model
     numbers: tuple[Number, ...]
     transitions: tuple[Transition, ...]
     fair: tuple[str, int] | None
-    choices: int
+
+    @property
+    def choices(self) -> int:
+        """How many first values every run begins with choosing."""
+        return len(self.model.choices)
 
 
 def equal(left: Expression, right: Expression) -> Expression:
@@ -118,7 +129,6 @@ class _Encoder:
 
     def encoded(self) -> TransitionSystem:
         model = self.model
-        numbers = [Number(*row) for row in self._variables()]
         transitions = [
             Transition(
                 equal(self.begun, step),
@@ -134,29 +144,24 @@ class _Encoder:
         transitions.append(Transition(quiet, self._told((), (), None), None, "nothing happens"))
         transitions += [self._transition(index, command) for index, command in enumerate(model.commands)]
         fair = (self.turn, len(model.obligations)) if model.obligations else None
-        return TransitionSystem(model, tuple(numbers), tuple(transitions), fair, self.choices)
+        return TransitionSystem(model, tuple(self._numbers()), tuple(transitions), fair)
 
-    def _variables(self) -> Iterable[tuple[str, int, int, str, tuple[str, ...]]]:
+    def _numbers(self) -> Iterable[Number]:
         model = self.model
         for name, variable in zip(self.variables, model.variables, strict=True):
             first = variable.values.index(variable.initial[0])
-            yield name, len(variable.values) - 1, first, variable.text, variable.values
+            yield Number(name, len(variable.values) - 1, first, variable.text, variable.values)
         for name, queue in zip(self.queues, model.queues, strict=True):
-            yield (
-                name,
-                queue.size,
-                0,
-                f"messages on {queue.topic} that wait for {queue.node}{' (the last: or more)' if queue.open else ''}",
-                (),
-            )
+            more = " (the last: or more)" if queue.open else ""
+            yield Number(name, queue.size, 0, f"messages on {queue.topic} that wait for {queue.node}{more}")
         for event, name in self.events.items():
-            yield name, 1, 0, str(event), ()
+            yield Number(name, 1, 0, str(event))
         if self.choices:
-            yield self.begun, self.choices, 0, "first values that are chosen", ()
+            yield Number(self.begun, self.choices, 0, "first values that are chosen")
         if model.stages:
-            yield self.stage, model.stages, 0, "messages of the scenario that were sent", ()
+            yield Number(self.stage, model.stages, 0, "messages of the scenario that were sent")
         if model.obligations:
-            yield self.turn, len(model.obligations), 0, "what has to get its turn next, for a run to be fair", ()
+            yield Number(self.turn, len(model.obligations), 0, "what has to get its turn next, for a run to be fair")
 
     def _ready(self) -> list[Expression]:
         return [equal(self.begun, self.choices)] if self.choices else []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -48,19 +48,34 @@ class Cell:
 
     def value_of(self, text: str) -> str | None:
         """The value that a constant in the source is here, `None` when the text is no constant."""
-        value = constant(text)
-        if value is None:
-            return None
-        if self.subject.values == BOOLEAN:
-            zero = number(value)
-            value = value if zero is None else ("false" if zero == 0 else "true")
-        return self.nearest(value)
+        return value_in(text, self.subject.values)
 
     def nearest(self, value: str) -> str | None:
         """A value as one of this cell's: itself, or `OTHER`, or `None` when this cell has nothing like it."""
-        if value in self.subject.values:
-            return value
-        return OTHER if OTHER in self.subject.values else None
+        return _nearest(value, self.subject.values)
+
+
+def value_in(text: object, values: Sequence[str]) -> str | None:
+    """A constant as one of `values`; None when it is none, or not told apart."""
+    found = None if text is None else constant(str(text))
+    if found is None:
+        return None
+    if tuple(values) == BOOLEAN and (size := number(found)) is not None:
+        found = "false" if size == 0 else "true"
+    return _nearest(found, values)
+
+
+def _nearest(value: str, values: Sequence[str]) -> str | None:
+    if value in values:
+        return value
+    return OTHER if OTHER in values else None
+
+
+def nonzero(values: Iterable[str]) -> frozenset[str] | None:
+    """The values that count as true; None where no value counts as false."""
+    known = frozenset(values)
+    zeros = known & {NULL, "0", "false"}
+    return known - zeros if zeros else None
 
 
 @dataclass

@@ -7,10 +7,9 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rosarch.models.machine.cells import EMPTY, Cell, Domains, part_text
+from rosarch.models.machine.cells import EMPTY, Cell, Domains, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
-    NULL,
     Comparison,
     Condition,
     Conjunction,
@@ -100,8 +99,8 @@ class Meaning:
             if cell and operand.replace(" ", "").endswith((".size()", ".length()")):
                 return Is(subject, frozenset({"false"}))
             return Is(subject, frozenset({"true"}))
-        zeros = {NULL, "0", "false"} & set(subject.values)
-        return Is(subject, frozenset(subject.values) - zeros) if zeros else self._opaque(operand)
+        true = nonzero(subject.values)
+        return self._opaque(operand) if true is None else Is(subject, true)
 
     def _equality(self, condition: Comparison, owner: str) -> Formula:
         cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
