@@ -6,7 +6,7 @@ component are the union of those of its units.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -26,7 +26,17 @@ from rosarch.extractor.messages import MessageClass, MessageStore, header_text, 
 from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.sharing import CommonUnits
 from rosarch.extractor.units import Progress, UnitFile, UnitReader, read_units, unit_rows
-from rosarch.extractor.workspace import Component, Diagnostic, Workspace, components, discover, include_path, programs, without_library
+from rosarch.extractor.workspace import (
+    PYTHON_NODE,
+    Component,
+    Diagnostic,
+    Workspace,
+    components,
+    discover,
+    include_path,
+    programs,
+    without_library,
+)
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
 from rosarch.extractor.workspace.graph import BROUGHT
 
@@ -129,7 +139,7 @@ def extract(
         extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
         observation.ignore(scratch)
-        found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
+        found = [component for component in _readable(components(workspace, extraction.diagnostics)) if only is None or only(component)]
         commands = read_compile_commands(workspace.root)
         extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
         units_of = {component: compile_units(workspace, component, commands) for component in found}
@@ -148,6 +158,11 @@ def extract(
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction
+
+
+def _readable(found: Iterable[Component]) -> Iterator[Component]:
+    """The components whose language is read."""
+    return (component for component in found if component.kind != PYTHON_NODE)
 
 
 def compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:

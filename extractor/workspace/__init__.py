@@ -9,15 +9,19 @@ from .components import components, programs, without_library
 from .discovery import discover
 from .graph import closure, include_path
 from .loose import loose_workspace
-from .model import Component, Configured, Exports, Package, PluginClass, Target, Workspace
+from .model import PYTHON_NODE, Component, Configured, EntryPoint, Exports, Package, PluginClass, Program, PythonEntry, Target, Workspace
 
 __all__ = [
+    "PYTHON_NODE",
     "Component",
     "Configured",
     "Diagnostic",
+    "EntryPoint",
     "Exports",
     "Package",
     "PluginClass",
+    "Program",
+    "PythonEntry",
     "Target",
     "Workspace",
     "closure",

@@ -1,4 +1,4 @@
-"""What a workspace can run: node executables, nodelets, rclcpp components, other plug-in classes."""
+"""What a workspace can run: node executables, nodelets, rclcpp components, other plug-in classes, Python nodes."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from rosarch.extractor.files import file_name
 from .graph import closure, definitions, find_library, include_path
 from .model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
 from .plugins import Registration, registrations
+from .python_nodes import python_nodes
 
 NODELET_BASE = "nodelet::Nodelet"
 COMPONENT_BASE = "rclcpp_components"
@@ -51,8 +52,10 @@ def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -
         if package.name in workspace.selected:
             result.extend(_nodes(workspace, package))
             result.extend(_plugins(workspace, package))
+    problems = [] if problems is None else problems
+    result.extend(python_nodes(workspace, problems))
     result.sort(key=lambda c: (c.package, c.kind, c.name, c.plugin_name or ""))
-    return tuple(_distinct(workspace, result, [] if problems is None else problems))
+    return tuple(_distinct(workspace, result, problems))
 
 
 def _distinct(workspace: Workspace, found: list[Component], problems: list[Diagnostic]) -> Iterable[Component]:
@@ -80,7 +83,7 @@ def _nodes(workspace: Workspace, package: Package) -> Iterable[Component]:
             yield _component(workspace, package, target.output_name, "node", target)
 
 
-def _component(workspace: Workspace, package: Package, name: str, kind: str, target: Target | None, **more: str | None) -> Component:
+def _component(workspace: Workspace, package: Package, name: str, kind: str, target: Target | None) -> Component:
     libraries = closure(workspace, target) if target else ()
     own = set(target.sources) if target else set()
     return Component(
@@ -93,7 +96,6 @@ def _component(workspace: Workspace, package: Package, name: str, kind: str, tar
         library_sources=_sources(libraries, own),
         definitions=definitions(workspace, target) if target else (),
         include_dirs=include_path(workspace, target) if target else (),
-        **more,
     )
 
 
@@ -124,7 +126,8 @@ def _plugin(workspace: Workspace, package: Package, cxx: str, base: str, name: s
     plain_base = base.removeprefix("::")
     kind = {NODELET_BASE: "nodelet", "Nodelet": "nodelet", COMPONENT_BASE: "component"}.get(plain_base, "plugin")
     short = cxx.rpartition("::")[2]
-    return _component(workspace, package, short, kind, target, entry_class=cxx, base_class=plain_base or None, plugin_name=name)
+    component = _component(workspace, package, short, kind, target)
+    return replace(component, entry_class=cxx, base_class=plain_base or None, plugin_name=name)
 
 
 def _registrations(package: Package) -> dict[str, tuple[Target, Registration]]:

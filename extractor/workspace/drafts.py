@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic
@@ -12,8 +12,9 @@ from .cmake_expand import generator_expression, split_list
 from .cmake_state import TargetDraft
 from .evaluator import Evaluator
 from .manifests import Manifest
-from .model import EXECUTABLE, IMPORTED, TEST, Configured, Exports, Package, PluginClass, Target
+from .model import EXECUTABLE, IMPORTED, TEST, Configured, Exports, Package, PluginClass, Program, Target
 from .plugins import read_plugins
+from .python_setup import read_setup
 
 SOURCE_EXTENSIONS = frozenset({".c", ".C", ".c++", ".cc", ".cpp", ".cxx", ".cu", ".CPP", ".CC"})
 HEADER_EXTENSIONS = frozenset({".h", ".hh", ".h++", ".hpp", ".hxx", ".H", ".cuh", ".inl", ".ipp", ".tcc", ".txx", ".tpp", ".in"})
@@ -32,6 +33,8 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         PluginClass(cxx.strip(), cxx.strip(), "rclcpp_components", library, Path(run.file), line)
         for library, cxx, _executable, line in draft.component_nodes
     ]
+    setup, setup_problems = read_setup(manifest.path.parent)
+    problems.extend(setup_problems)
     package = Package(
         name=manifest.name,
         path=manifest.path.parent,
@@ -51,8 +54,18 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         plugin_exports=exports,
         plugins=(*plugins, *components),
         configured=tuple(Configured(Path(template), Path(output)) for template, output in draft.configured),
+        programs=(*_programs(draft.programs), *setup.programs),
+        entry_points=setup.entry_points,
+        python_roots=tuple(dict.fromkeys((*_files(draft.python_folders), *setup.roots))),
     )
     return package, problems
+
+
+def _programs(installed: Iterable[tuple[str, str, str, int]]) -> Iterator[Program]:
+    """The files that CMake installs as programs, of those that exist."""
+    for name, path, cmake_file, line in dict.fromkeys(installed):
+        if os.path.isfile(path):
+            yield Program(name, Path(os.path.normpath(path)), Path(cmake_file), line)
 
 
 def _files(names: Iterable[str]) -> tuple[Path, ...]:

@@ -15,6 +15,7 @@ OBJECT = "object"
 INTERFACE = "interface"
 IMPORTED = "imported"
 TEST = "test"
+PYTHON_NODE = "python_node"
 LIBRARY_KINDS = frozenset({SHARED, STATIC, MODULE, OBJECT, INTERFACE})
 
 
@@ -69,6 +70,27 @@ class Configured:
 
 
 @dataclass(frozen=True)
+class Program:
+    """A file that is installed as it is, to be run under `name`."""
+
+    name: str
+    path: Path
+    cmake_file: Path
+    line: int
+
+
+@dataclass(frozen=True)
+class EntryPoint:
+    """A command `name` that a Python package installs: it calls `function` of `module`. `path` and `line` declare it."""
+
+    name: str
+    module: str
+    function: str
+    path: Path
+    line: int
+
+
+@dataclass(frozen=True)
 class Package:
     """One package with all that its manifest and CMake files say."""
 
@@ -90,6 +112,9 @@ class Package:
     plugin_exports: tuple[tuple[str, Path], ...] = ()
     plugins: tuple[PluginClass, ...] = ()
     configured: tuple[Configured, ...] = ()
+    programs: tuple[Program, ...] = ()
+    entry_points: tuple[EntryPoint, ...] = ()
+    python_roots: tuple[Path, ...] = ()
 
     def target(self, name: str) -> Target | None:
         """The target called `name`, aliases followed."""
@@ -116,11 +141,27 @@ class Workspace:
 
 
 @dataclass(frozen=True)
+class PythonEntry:
+    """How a Python component begins: `file` is run, or, with a `function`, imported and this function called.
+
+    `module` is the name that the file has then. Modules are looked for below `roots`, the first that has one counts. `modules` are name and
+    file of all modules of the workspace that are imported on the way, that of the file itself first.
+    """
+
+    file: Path
+    module: str
+    function: str | None
+    roots: tuple[Path, ...]
+    modules: tuple[tuple[str, Path], ...] = ()
+
+
+@dataclass(frozen=True)
 class Component:
     """A unit of the running system: a node executable, a nodelet class, another plug-in class.
 
-    `kind` is `node`, `nodelet`, `component` (rclcpp_components) or `plugin`. `sources` are the component's own sources,
-    `library_sources` those of the workspace libraries it is linked with.
+    `kind` is `node`, `nodelet`, `component` (rclcpp_components), `plugin` or `python_node`. `sources` are the component's own sources,
+    `library_sources` those of the workspace libraries it is linked with, or of the modules of other packages that it imports.
+    `executables` are the names that a Python node is started by, where `python` tells how it begins.
     """
 
     name: str
@@ -135,3 +176,5 @@ class Component:
     plugin_name: str | None = None
     definitions: tuple[str, ...] = ()
     include_dirs: tuple[Path, ...] = ()
+    executables: tuple[str, ...] = ()
+    python: PythonEntry | None = None

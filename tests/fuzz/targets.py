@@ -246,6 +246,18 @@ def cmake(data: bytes, folder: Path) -> None:
     _extracted(folder)
 
 
+@target(
+    "setup( entry_points= scripts= package_dir= {'console_scripts': ['a = here.b:main']} [options.entry_points] console_scripts = #!/usr/bin/python"
+    " import rospy from . import * from .. import if __name__ == '__main__': f'{ } % + ( ) [ ] : = \\t"
+)
+def python_packaging(data: bytes, folder: Path) -> None:
+    """A `setup.py`, a `setup.cfg` and a script with the same text: the nodes that they tell of."""
+    for name in ("setup.py", "setup.cfg", "script.py"):
+        (folder / "here" / name).write_bytes(data)
+    (folder / "here" / "here.py").write_bytes(b"import rospy\n" + data)
+    _extracted(folder)
+
+
 @target("int32 string[] float64[9] uint8 Header header A=1 --- geometry_msgs/Pose[<=3] string<=5 # wstring byte[ ] \\t")
 def interface(data: bytes, folder: Path) -> None:
     """A message, service or action, and the C++ headers for it."""

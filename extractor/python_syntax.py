@@ -1,0 +1,22 @@
+"""Python sources as syntax trees. They are parsed, never run."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+
+
+def parse_python(text: str | bytes) -> ast.Module:
+    """The tree of a source, without Python's warnings about it.
+
+    Raises:
+        SyntaxError: it is not Python 3, or nested too deeply for the parser.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            return ast.parse(text)
+        except (RecursionError, MemoryError):
+            raise SyntaxError("nested too deeply", ("", 1, 1, "")) from None
+        except ValueError as error:  # a null byte
+            raise SyntaxError(str(error), ("", 1, 1, "")) from None

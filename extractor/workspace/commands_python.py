@@ -1,0 +1,37 @@
+"""CMake commands that install programs and Python packages.
+
+Sources: cmake-commands(7) on `install`, catkin's `catkin_install_python`, ament_cmake_python's user documentation.
+"""
+
+from __future__ import annotations
+
+import os
+
+from .cmake_state import Call
+from .commands_values import parse_keywords
+from .evaluator import Evaluator, command
+
+_KINDS = ["TARGETS", "IMPORTED_RUNTIME_ARTIFACTS", "FILES", "PROGRAMS", "DIRECTORY", "SCRIPT", "CODE", "EXPORT", "RUNTIME_DEPENDENCY_SET"]
+_SINGLES = ["DESTINATION", "RENAME", "COMPONENT", "TYPE"]
+_LISTS = ["PERMISSIONS", "CONFIGURATIONS"]
+
+
+@command("catkin_install_python", "install")
+def _install(run: Evaluator, call: Call) -> None:
+    """Programs are files that are copied; in a test-only branch they are no part of the system."""
+    words, _rest = parse_keywords(call.args, ["OPTIONAL", "EXCLUDE_FROM_ALL"], _SINGLES, [*_KINDS, *_LISTS])
+    renamed = (words.get("RENAME") or [""])[0]
+    if not run.testing:
+        for name in words.get("PROGRAMS", []):
+            run.draft.programs.append((renamed or os.path.basename(name), run.source_path(name), run.file, call.command.line))
+
+
+@command("ament_python_install_package")
+def _ament_python_install_package(run: Evaluator, call: Call) -> None:
+    """The folder that holds the package's is one that modules are imported from."""
+    words, _rest = parse_keywords(
+        call.args[1:], ["SKIP_COMPILE"], ["PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION"], []
+    )
+    if call.args:
+        folder = run.source_path((words.get("PACKAGE_DIR") or [call.args[0]])[0])
+        run.draft.python_folders.append(os.path.dirname(os.path.normpath(folder)))

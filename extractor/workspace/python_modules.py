@@ -1,0 +1,134 @@
+"""Which modules of a workspace a Python file imports, found as Python's import system finds them, with nothing imported."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosarch.extractor.files import read_file
+from rosarch.extractor.python_syntax import parse_python
+
+MAX_MODULES = 2000
+_IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+\(?([\w, \t*]+)|import[ \t]+([\w., \t]+))", re.MULTILINE)
+_MAIN = re.compile(r"^(?:if\b.*__name__|\w[\w.]*\()", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Import:
+    """`import name`, or `from name import members` at a `level` of leading dots."""
+
+    level: int
+    name: str
+    members: tuple[str, ...]
+
+
+class Modules:
+    """Reads modules, each once."""
+
+    def __init__(self) -> None:
+        self._imports: dict[Path, tuple[Import, ...]] = {}
+        self._files: dict[tuple[str, Path], Path | None] = {}
+
+    def find(self, name: str, roots: Sequence[Path]) -> Path | None:
+        """The file of a module."""
+        return next((found for root in roots if (found := self._below(name, root)) is not None), None)
+
+    def closure(self, file: Path, module: str, roots: Sequence[Path]) -> tuple[tuple[tuple[str, Path], ...], frozenset[str]]:
+        """The modules that running a file imports, itself first, and the names of the packages that are elsewhere."""
+        found: dict[str, Path] = {module: file}
+        elsewhere: set[str] = set()
+        waiting = [(module, file)]
+        while waiting and len(found) < MAX_MODULES:
+            here, path = waiting.pop(0)
+            for name in self._named(here, path):
+                target = self.find(name, roots)
+                if target is None:
+                    elsewhere.add(name.partition(".")[0])
+                elif name not in found:
+                    found[name] = target
+                    waiting.append((name, target))
+        first = found.pop(module)
+        kept = {name: path for name, path in found.items() if path != first and self._says_anything(path)}
+        return ((module, first), *kept.items()), frozenset(elsewhere - {name.partition(".")[0] for name in found})
+
+    def does_something(self, file: Path) -> bool:
+        """Whether a file does more than define when it is run."""
+        text = _text(file)
+        tree = _tree(text)
+        return _MAIN.search(text) is not None if tree is None else any(map(_acts, tree.body))
+
+    def _named(self, module: str, path: Path) -> Iterator[str]:
+        """All modules that the imports of a file may mean: `from a import b` is `a`, and `a.b` where that is a module."""
+        package = module if path.name == "__init__.py" else module.rpartition(".")[0]
+        for found in self.imports(path):
+            parts = package.split(".") if package else []
+            above = parts[: len(parts) - found.level + 1] if found.level else []
+            name = ".".join([*above, *([found.name] if found.name else [])])
+            words = name.split(".") if name else []
+            yield from (".".join(words[:count]) for count in range(1, len(words) + 1))
+            yield from (f"{name}.{member}" if name else member for member in found.members if member.isidentifier())
+
+    def imports(self, path: Path) -> tuple[Import, ...]:
+        """The imports of a file, wherever in it; of one with another syntax than Python 3's, those that begin a line."""
+        if path not in self._imports:
+            text = _text(path)
+            tree = _tree(text)
+            self._imports[path] = tuple(_imports_of_text(text) if tree is None else _imports_of_tree(tree))
+        return self._imports[path]
+
+    def _below(self, name: str, root: Path) -> Path | None:
+        key = (name, root)
+        if key not in self._files:
+            base = root.joinpath(*name.split("."))
+            candidates = (base / "__init__.py", base.with_name(f"{base.name}.py"))
+            self._files[key] = next((path for path in candidates if os.path.isfile(path)), None)
+        return self._files[key]
+
+    @staticmethod
+    def _says_anything(path: Path) -> bool:
+        tree = _tree(_text(path))
+        return tree is None or any(not _is_text(node) for node in tree.body)
+
+
+def _text(path: Path) -> str:
+    try:
+        return read_file(path).decode(errors="replace")
+    except OSError:
+        return ""  # reported where it is analysed
+
+
+def _tree(text: str) -> ast.Module | None:
+    try:
+        return parse_python(text)
+    except SyntaxError:
+        return None
+
+
+def _imports_of_tree(tree: ast.Module) -> Iterator[Import]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (Import(0, alias.name, ()) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield Import(node.level, node.module or "", tuple(alias.name for alias in node.names))
+
+
+def _imports_of_text(text: str) -> Iterator[Import]:
+    for dots, name, members, plain in _IMPORT.findall(text):
+        if plain:
+            yield from (Import(0, word.split()[0], ()) for word in plain.split(",") if word.strip())
+        else:
+            yield Import(len(dots), name, tuple(word.split()[0] for word in members.split(",") if word.strip()))
+
+
+def _acts(node: ast.stmt) -> bool:
+    if isinstance(node, ast.Expr):
+        return not isinstance(node.value, ast.Constant)
+    return isinstance(node, (ast.If, ast.For, ast.While, ast.With)) or (isinstance(node, ast.Try) and any(map(_acts, node.body)))
+
+
+def _is_text(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)

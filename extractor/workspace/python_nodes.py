@@ -1,0 +1,102 @@
+"""Python nodes of a workspace: what setuptools and CMake install, and the scripts that rosrun finds in a package's folder.
+
+A file is a node's when it, or a module of the workspace that it imports, imports a client library of ROS.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.extractor.files import file_name, read_file
+
+from .model import PYTHON_NODE, Component, Package, PythonEntry, Workspace
+from .python_modules import Modules
+
+CLIENT_LIBRARIES = frozenset({"rospy", "rclpy"})
+_SHEBANG = re.compile(rb"#![^\n]*\bpython")
+_NO_SCRIPTS = frozenset({"test", "tests", "launch", "cfg", "build", "devel", "install", "site-packages", "__pycache__"})
+
+
+def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[Component]:
+    """The Python nodes of the selected packages. `problems` tells of entry points without a module."""
+    modules = Modules()
+    shared = [root for package in workspace.packages for root in _roots(package)]
+    for package in workspace.packages:
+        if package.name in workspace.selected:
+            roots = tuple(dict.fromkeys((*_roots(package), *shared)))
+            yield from _of_entry_points(package, roots, modules, problems)
+            yield from _of_scripts(package, roots, modules)
+
+
+def _roots(package: Package) -> tuple[Path, ...]:
+    """The folders that modules of a package are imported from."""
+    if package.python_roots or not package.build_type.startswith("ament"):
+        return package.python_roots
+    return (package.path,)
+
+
+def _of_entry_points(package: Package, roots: tuple[Path, ...], modules: Modules, problems: list[Diagnostic]) -> Iterator[Component]:
+    for point in package.entry_points:
+        file = modules.find(point.module, roots)
+        if file is None:
+            message = f"entry point {point.name}: no module {point.module} in the package"
+            problems.append(Diagnostic("missing-source", point.path, point.line, 1, message))
+            continue
+        start = PythonEntry(file, point.module, point.function, roots)
+        yield from _component(package, point.name, [point.name], start, modules)
+
+
+def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules) -> Iterator[Component]:
+    """Installed scripts, and where nothing need be installed to be run, those that lie in the package."""
+    scripts = {program.path: program.name for program in package.programs if program.path.suffix == ".py" or _has_shebang(program.path)}
+    if package.build_type == "catkin":
+        scripts = {path: path.name for path in _scripts_below(package.path)} | scripts
+    names: dict[Path, list[str]] = {}
+    for path in sorted(scripts, key=lambda path: (path.is_symlink(), path)):
+        names.setdefault(path.resolve(), []).append(scripts[path])
+    for path, executables in names.items():
+        if modules.does_something(path):
+            start = PythonEntry(path, "__main__", None, (path.parent, *roots))
+            yield from _component(package, executables[0].removesuffix(".py"), executables, start, modules)
+
+
+def _scripts_below(folder: Path) -> Iterator[Path]:
+    """Files with Python's first line, folders of tests and the like left out."""
+    for here, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _NO_SCRIPTS)
+        for name in sorted(names):
+            path = Path(here, name)
+            if (name.endswith(".py") or "." not in name) and _has_shebang(path) and name != "setup.py":
+                yield path
+
+
+def _has_shebang(path: Path) -> bool:
+    try:
+        return _SHEBANG.match(read_file(path)) is not None
+    except OSError:
+        return False  # no script that could be read
+
+
+def _component(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Iterable[Component]:
+    """The node that a file is; none when neither it nor what it imports uses ROS."""
+    imported, packages = modules.closure(start.file, start.module, start.roots)
+    if not packages & CLIENT_LIBRARIES:
+        return
+    sources = tuple(dict.fromkeys(path for _, path in imported))
+    own = tuple(path for path in sources if path.is_relative_to(package.path))
+    yield Component(
+        name=file_name(name),
+        package=package.name,
+        kind=PYTHON_NODE,
+        target=None,
+        libraries=(),
+        sources=own,
+        library_sources=tuple(path for path in sources if path not in own),
+        executables=tuple(executables),
+        python=replace(start, modules=imported),
+    )

@@ -1,0 +1,148 @@
+"""Python nodes of a workspace: which there are, how they begin, which modules they import."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from workspace_builder import manifest, messages, package, write
+
+from rosarch.extractor.workspace import PYTHON_NODE, Component, components, discover
+
+NODE = "#!/usr/bin/env python3\nimport rospy\nrospy.init_node('x')\n"
+AMENT = "<build_type>ament_python</build_type>"
+
+
+def nodes(root: Path, problems: list[str] | None = None) -> dict[str, Component]:
+    """The Python nodes by name; `problems` gets what is said about them."""
+    diagnostics = []  # type: ignore[var-annotated]
+    workspace = discover(root)
+    found = {one.name: one for one in components(workspace, diagnostics) if one.kind == PYTHON_NODE}
+    if problems is not None:
+        problems.extend(str(one).replace(f"{root}/", "") for one in diagnostics)
+        problems.extend(messages(workspace, root))
+    return found
+
+
+def ament(root: Path, name: str, setup: str, files: dict[str, str]) -> None:
+    """A package built with setuptools."""
+    write(root / name, {"package.xml": manifest(name, export=AMENT), "setup.py": setup, **files})
+
+
+def test_entry_points_of_setup_py(tmp_path: Path) -> None:
+    setup = (
+        "from setuptools import setup\npackage_name = 'demo'\n"
+        "setup(name=package_name, packages=[package_name], entry_points={'console_scripts': [\n"
+        "  'talk = demo.topics.talker:main',\n  f'listen = {package_name}.listener:run',\n  'plain = ' + package_name + '.plain:main',\n"
+        "  'lost = demo.lost:main', unknown()]})\n"
+    )
+    files = {
+        "demo/__init__.py": "",
+        "demo/topics/__init__.py": "'''Topics.'''\n",
+        "demo/topics/talker.py": "from rclpy.node import Node\nfrom .. import common\ndef main(): pass\n",
+        "demo/common.py": "from demo import deeper\n",
+        "demo/deeper.py": "VALUE = 1\n",
+        "demo/listener.py": "import demo.common, rclpy\n",
+        "demo/plain.py": "import os\n",
+    }
+    ament(tmp_path, "demo", setup, files)
+    problems: list[str] = []
+    found = nodes(tmp_path, problems)
+    assert list(found) == ["listen", "talk"]
+    assert found["talk"].executables == ("talk",)
+    start = found["talk"].python
+    assert start is not None
+    assert (start.module, start.function, start.roots) == ("demo.topics.talker", "main", (tmp_path / "demo",))
+    assert dict(start.modules) == {
+        "demo.topics.talker": tmp_path / "demo/demo/topics/talker.py",
+        "demo.common": tmp_path / "demo/demo/common.py",
+        "demo.deeper": tmp_path / "demo/demo/deeper.py",
+    }
+    assert found["listen"].sources == tuple(tmp_path / f"demo/demo/{name}.py" for name in ("listener", "common", "deeper"))
+    assert problems == ["demo/setup.py:7:1: entry point lost: no module demo.lost in the package"]
+
+
+def test_entry_points_of_setup_cfg_and_text(tmp_path: Path) -> None:
+    cfg = "[develop]\nscript_dir=$base/lib/demo\n[options.entry_points]\nconsole_scripts =\n    talk = demo.talker:main\n"
+    ament(tmp_path, "demo", "import setuptools\nsetuptools.setup()\n", {"setup.cfg": cfg, "demo/talker.py": "import rclpy\n"})
+    text = "[console_scripts]\nhear = other.ear:Ear.main [x]\n[more]\nno = other.ear:main\n"
+    ament(tmp_path, "other", f"from setuptools import setup\nsetup(entry_points={text!r})\n", {"other/ear.py": "import demo.talker\n"})
+    problems: list[str] = []
+    found = nodes(tmp_path, problems)
+    assert list(found) == ["talk", "hear"]
+    assert problems == []
+    hear = found["hear"]
+    assert hear.python is not None and hear.python.function == "Ear.main"
+    assert hear.sources == (tmp_path / "other/other/ear.py",)
+    assert hear.library_sources == (tmp_path / "demo/demo/talker.py",)
+
+
+def test_scripts_that_cmake_installs(tmp_path: Path) -> None:
+    cmake = (
+        "catkin_install_python(PROGRAMS nodes/one.py nodes/defines.py DESTINATION x)\n"
+        "install(PROGRAMS two.py shell DESTINATION lib/demo RENAME second)\n"
+        "if(CATKIN_ENABLE_TESTING)\ncatkin_install_python(PROGRAMS test/three.py DESTINATION x)\nendif()\n"
+    )
+    files = {
+        "nodes/one.py": NODE,
+        "nodes/defines.py": "#!/usr/bin/env python\nimport rospy\ndef f(): pass\n",
+        "two.py": NODE,
+        "shell": "#!/bin/sh\n",
+    }
+    package(tmp_path, "demo", cmake, {**files, "test/three.py": NODE})
+    found = nodes(tmp_path)
+    assert {name: one.executables for name, one in found.items()} == {"one": ("one.py",), "second": ("second",)}
+    start = found["one"].python
+    assert start is not None and (start.file, start.module, start.function) == (tmp_path / "demo/nodes/one.py", "__main__", None)
+
+
+def test_scripts_that_rosrun_finds(tmp_path: Path) -> None:
+    package(
+        tmp_path,
+        "demo",
+        "catkin_python_setup()",
+        {
+            "setup.py": "d = generate_distutils_setup(packages=['lib'], package_dir={'': 'src'})\nsetup(**d)\n",
+            "scripts/run.py": "#!/usr/bin/python\nfrom lib.core import *\nimport beside\nif __name__ == '__main__':\n    main()\n",
+            "scripts/beside.py": "X = 1\n",
+            "scripts/bare": NODE,
+            "scripts/no_ros.py": "#!/usr/bin/env python\nprint(1)\n",
+            "scripts/no_first_line.py": "import rospy\nrospy.init_node('x')\n",
+            "src/lib/__init__.py": "",
+            "src/lib/core.py": "import rospy\n",
+            "test/tested.py": NODE,
+            "old.py": "#!/usr/bin/env python2\nimport rospy, os\nfrom beside import (X,\n Y)\nif __name__ == '__main__':\n    print 'x'\n",
+        },
+    )
+    (tmp_path / "demo/scripts/linked").symlink_to("bare")
+    found = nodes(tmp_path)
+    assert {name: one.executables for name, one in found.items()} == {"bare": ("bare", "linked"), "old": ("old.py",), "run": ("run.py",)}
+    assert [path.name for path in found["run"].sources] == ["run.py", "core.py", "beside.py"]
+
+
+def test_nothing_is_run_without_being_installed_in_ros_2(tmp_path: Path) -> None:
+    files = {"scripts/a.py": NODE.replace("rospy", "rclpy"), "scripts/b.py": NODE.replace("rospy", "rclpy")}
+    cmake = "project(demo)\nament_python_install_package(lib PACKAGE_DIR python/lib)\ninstall(PROGRAMS scripts/a.py DESTINATION lib/demo)\n"
+    write(
+        tmp_path / "demo",
+        {"package.xml": manifest("demo", export="<build_type>ament_cmake</build_type>"), "CMakeLists.txt": cmake, **files},
+    )
+    found = nodes(tmp_path)
+    assert list(found) == ["a"]
+    assert found["a"].python is not None
+    assert found["a"].python.roots == (tmp_path / "demo/scripts", tmp_path / "demo/python")
+
+
+def test_a_node_and_a_script_of_one_name(tmp_path: Path) -> None:
+    package(tmp_path, "demo", "add_executable(talk talk.cpp)", {"talk.cpp": "int main() {}\n", "scripts/talk.py": NODE})
+    problems: list[str] = []
+    found = nodes(tmp_path, problems)
+    assert {name: one.executables for name, one in found.items()} == {"talk_2": ("talk.py",)}
+    assert problems == ["demo/package.xml:1:1: demo has another component talk; that of python_node is called talk_2"]
+
+
+def test_broken_setup_files(tmp_path: Path) -> None:
+    ament(tmp_path, "a", "setup(entry_points=\n", {"setup.cfg": "no section\n"})
+    ament(tmp_path, "b", "setup(entry_points={'console_scripts': 3, **more}, package_dir=3, scripts=['none'])\n", {})
+    problems: list[str] = []
+    assert nodes(tmp_path, problems) == {}
+    assert problems == ["a/setup.cfg:1:1: not read: no section or key and value", "a/setup.py:1:6: not read: '(' was never closed"]
