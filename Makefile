@@ -5,7 +5,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-PACKAGES := cli composition corpus datalog expectations experiments extractor library models reports rules simulation verification
+PACKAGES := cli composition corpus datalog expectations experiments extractor library models observation reports rules simulation verification
 SOURCES := $(PACKAGES) tests benchmarks
 
 COMPILE := $(BIN)/python -m rosarch.models.compile_rules
