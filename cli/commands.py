@@ -16,6 +16,7 @@ COMMANDS = {
     "diff": "diff",
     "launch": "launch",
     "check": "check",
+    "report": "report",
     "corpus": "corpus",
     "library": "library:app",
     "score": "score",
@@ -43,6 +44,7 @@ SUMMARIES = {
     "launch": "Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything.",
     "check": "Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit"
     " together.",
+    "report": "Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings.",
     "corpus": "Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has"
     " findings.",
     "verify": "Say whether temporal properties hold in the system that launch files start, whatever comes from outside.",

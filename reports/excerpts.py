@@ -50,17 +50,23 @@ class Excerpts:
 
 def _excerpt(line: str, column: int) -> Excerpt:
     """The line with the token at `column` marked; all of it when no token is there."""
-    start = column - 1
-    indent = len(line) - len(line.lstrip())
-    token = _TOKEN.match(line, start) if indent <= start < len(line) else None
-    start, end = token.span() if token else (indent, len(line))
+    start, end = token_span(line, column)
     first = max(0, min(start - WIDEST // 3, len(line) - WIDEST)) if len(line) > WIDEST else 0
     last = first + WIDEST
     end = min(end, last)
-    head, mark, tail = (_shown(part) for part in (line[first:start], line[start:end], line[end:last]))
+    head, mark, tail = (shown(part) for part in (line[first:start], line[start:end], line[end:last]))
     left, right = "…" if first else "", "…" if last < len(line) else ""
     return Excerpt(f"{left}{head}{mark}{tail}{right}", cell_len(left + head), max(1, cell_len(mark)))
 
 
-def _shown(text: str) -> str:
+def token_span(line: str, column: int) -> tuple[int, int]:
+    """Where the token at `column` begins and ends; of the whole line when no token is there."""
+    start = column - 1
+    indent = len(line) - len(line.lstrip())
+    token = _TOKEN.match(line, start) if indent <= start < len(line) else None
+    return token.span() if token else (indent, len(line))
+
+
+def shown(text: str) -> str:
+    """A part of a source line as it is shown."""
     return printable(text.replace("\t", " " * _TAB))

@@ -1,0 +1,60 @@
+"""`rosarch report`: all that is known of a workspace, as one page for a browser."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import unwritable
+from rosarch.cli.options import path_argument
+from rosarch.cli.questions import SystemQuestion, asks
+from rosarch.cli.reported import load_subject
+from rosarch.cli.terminal import emit
+
+Page = Annotated[
+    Path, typer.Option("--output", "-o", parser=path_argument, metavar="FILE", help="The page to write.", show_default="report.html")
+]
+SourceUrl = Annotated[
+    str | None,
+    typer.Option(
+        "--source-url",
+        metavar="URL",
+        help="Where sources can be read: 'https://github.com/o/r/blob/REV/{path}#L{line}'. Without it, excerpts only.",
+        show_default=False,
+    ),
+]
+_LINK = re.compile(r"(?!(?:javascript|data|vbscript):)[a-z][a-z0-9+.-]*://\S+", re.IGNORECASE)
+
+
+@asks()
+def report(question: SystemQuestion, out: Page = Path("report.html"), source_url: SourceUrl = None) -> None:
+    """Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings."""
+    from rosarch.extractor.cache import write_whole
+    from rosarch.extractor.files import folder_reader
+    from rosarch.reports.html.document import report_document
+    from rosarch.reports.html.page import page_text
+    from rosarch.reports.labels import counted
+    from rosarch.reports.printable import printable
+
+    link = check_link(source_url)
+    if out.is_dir():
+        raise InputError(f"{out}: a folder, where a file is to be written")
+    subject = load_subject(question, link)
+    page = page_text(report_document(subject, folder_reader(question.folder)))
+    try:
+        write_whole(out, page.encode("utf-8", "backslashreplace"))
+    except OSError as error:
+        raise unwritable(out, error) from None
+    numbers = {"component": len(subject.models), "system": len(subject.systems), "finding": len(subject.reported.shown)}
+    emit(f"{printable(str(out))}: {', '.join(counted(number, noun) for noun, number in numbers.items())}\n")
+
+
+def check_link(pattern: str | None) -> str | None:
+    """A pattern of links to sources that browsers follow to a page."""
+    if pattern is not None and not (_LINK.fullmatch(pattern) and "{path}" in pattern):
+        raise InputError(f"--source-url {pattern}: not an address with {{path}} in it, such as https://example.org/{{path}}#L{{line}}")
+    return pattern

@@ -1,0 +1,69 @@
+"""What a report is about, gathered: components, systems, findings, rates."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from rosarch.cli.check_options import load_configuration, make_policy
+from rosarch.cli.derivations import datalog_errors
+from rosarch.cli.inputs import check_sources
+from rosarch.cli.questions import SystemQuestion
+from rosarch.cli.systems import load_surrounding, load_systems
+
+if TYPE_CHECKING:
+    from rosarch.models.configuration import Configuration
+    from rosarch.models.policy import Reported
+    from rosarch.models.rule_choice import RuleSet
+    from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.models.system.rates import TopicRate
+    from rosarch.reports.html.document import Subject
+
+
+def load_subject(question: SystemQuestion, link: str | None) -> Subject:
+    """Analyse and check what a report is about."""
+    from rosarch.models.rule_sets import system_rules
+    from rosarch.reports.html.document import Subject
+
+    folder = check_sources(question.folder)
+    rules = question.rules()
+    with datalog_errors():
+        checks = system_rules(rules).checks
+    configuration = load_configuration(folder, None, checks)
+    analysis = question.analysis(rules, folder, None)
+    composed = load_systems(question.inputs(rules), configuration)
+    return Subject(
+        title=folder.resolve().name,
+        folder=folder,
+        models=analysis.models,
+        systems=composed.systems,
+        reported=_judged(question, rules, configuration, composed),
+        diagnostics=tuple(dict.fromkeys((*analysis.diagnostics, *composed.diagnostics))),
+        rates=_rates(question, rules, configuration),
+        link=link,
+    )
+
+
+def _judged(question: SystemQuestion, rules: RuleSet, configuration: Configuration, composed: SystemAnalysis) -> Reported:
+    """The findings as the configuration wants them, those that comments suppress apart."""
+    from rosarch.extractor.files import folder_reader
+    from rosarch.extractor.suppressions import find_suppressions
+    from rosarch.models.policy import apply_policy
+    from rosarch.models.rule_sets import system_rules
+    from rosarch.models.system.checked import checked
+
+    checks = system_rules(rules).checks
+    comments = find_suppressions(checked(composed).files, folder_reader(question.folder))
+    policy = make_policy(configuration, checks)
+    return apply_policy(composed.findings, policy, comments, checks=checks, complete=not question.launches)
+
+
+def _rates(question: SystemQuestion, rules: RuleSet, configuration: Configuration) -> Mapping[str, Sequence[TopicRate]]:
+    """How often something is sent on each topic, by system."""
+    from rosarch.models.rule_sets import system_rules
+    from rosarch.models.system.asking import Rate
+    from rosarch.models.system.rates import EVERY, ask_rates
+
+    program = system_rules(rules)
+    shared, launches = load_surrounding(question.inputs(rules), configuration)
+    return {launch.name: ask_rates(program, shared.rows(launch), Rate(EVERY), question.engine.value) for launch in launches}

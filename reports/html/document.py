@@ -1,0 +1,64 @@
+"""The document that the page shows: everything the report tells, as JSON data."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.models.component import ComponentModel
+from rosarch.models.policy import Reported
+from rosarch.models.system.model import SystemModel
+from rosarch.models.system.rates import TopicRate
+from rosarch.reports.findings import tool_version
+from rosarch.reports.html.components import component_data
+from rosarch.reports.html.findings import findings_data
+from rosarch.reports.html.sources import excerpts, places_in
+from rosarch.reports.html.systems import system_data
+from rosarch.reports.printable import printable
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a report is about; `rates` are by the names of systems, `link` is the pattern of links to a forge."""
+
+    title: str
+    folder: Path
+    models: Sequence[ComponentModel]
+    systems: Sequence[SystemModel]
+    reported: Reported
+    diagnostics: Sequence[Diagnostic]
+    rates: Mapping[str, Sequence[TopicRate]] = field(default_factory=dict)
+    link: str | None = None
+
+
+def report_document(subject: Subject, read: Callable[[str], str | None]) -> dict[str, Any]:
+    """The document; `read` gives the text of a file of the workspace, or None."""
+    data = {
+        "rosarch": tool_version(),
+        "title": subject.title,
+        "link": subject.link,
+        "components": [component_data(model) for model in subject.models],
+        "systems": [system_data(system, subject.rates.get(system.name, ())) for system in subject.systems],
+        "findings": findings_data(subject.reported, read),
+        "diagnostics": [_diagnostic(diagnostic, subject.folder.absolute()) for diagnostic in subject.diagnostics],
+    }
+    data["sources"] = excerpts(places_in(data), read)
+    return _printable(data)  # type: ignore[no-any-return]
+
+
+def _diagnostic(diagnostic: Diagnostic, folder: Path) -> dict[str, Any]:
+    path = diagnostic.path
+    inside = path.relative_to(folder) if path.is_relative_to(folder) else path
+    return {"kind": diagnostic.kind, "message": diagnostic.message, "at": f"{inside.as_posix()}:{diagnostic.line}"}
+
+
+def _printable(value: Any) -> Any:
+    """A document in which no text moves the cursor or turns what is beside it around."""
+    if isinstance(value, str):
+        return printable(value)
+    if isinstance(value, Mapping):
+        return {printable(key): _printable(inner) for key, inner in value.items()}
+    return [_printable(inner) for inner in value] if isinstance(value, list) else value

@@ -1,0 +1,20 @@
+/** What all parts of the page share. */
+import { createContext } from "preact";
+import { useContext } from "preact/hooks";
+import type { Place } from "./data";
+import type { Report } from "./model";
+
+export interface Shared {
+  report: Report;
+  showSource: (place: Place) => void;
+}
+
+export const SharedContext = createContext<Shared | null>(null);
+
+export function useShared(): Shared {
+  const shared = useContext(SharedContext);
+  if (!shared) throw new Error("outside of the page");
+  return shared;
+}
+
+export const useReport = (): Report => useShared().report;

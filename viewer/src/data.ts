@@ -1,0 +1,267 @@
+/** The document of a report, as reports/html/document.py makes it. A place is `path:line`. */
+
+export type Place = string;
+export type Severity = "error" | "warning" | "note";
+export type ConnectorKind = "topic" | "service" | "action" | "tf";
+
+export interface Port {
+  id: string;
+  kind: string;
+  name: string;
+  from_param: string | null;
+  type: string | null;
+  queue: number | null;
+  latched: boolean;
+  callback: string | null;
+  via: string;
+  at: Place;
+  conditional: string | null;
+  implicit?: boolean;
+  unknown?: string;
+  in_namespace?: string;
+}
+
+export interface Parameter {
+  name: string;
+  op?: string;
+  type: string | null;
+  default: string | number | boolean | null;
+  at: Place;
+}
+
+export interface Periodic {
+  mechanism: string;
+  hz: number | null;
+  hz_from_param: string | null;
+  publishes: string[];
+  at: Place;
+  conditional: string | null;
+}
+
+export interface Reactive {
+  input: string;
+  output: string;
+  at: Place[];
+  must: boolean;
+  when: string | null;
+}
+
+export interface OneShot {
+  after: number | null;
+  after_from_param: string | null;
+  output: string;
+  sent_at: Place[];
+  must: boolean;
+  at: Place;
+  when: string | null;
+}
+
+export interface Deferred {
+  input: string;
+  output: string;
+  variable: string;
+}
+
+export interface Variable {
+  name: string;
+  type: string;
+  initial: string | null;
+  from_param?: string;
+  domain: string[] | null;
+  at: Place;
+}
+
+export interface Assignment {
+  variable: string;
+  field?: string;
+  trigger: string[];
+  guard: string | null;
+  value: string | null;
+  at: Place;
+}
+
+export interface MachineRow {
+  list: string;
+  index: number;
+  at: Place[];
+}
+
+export interface MachineOutput {
+  port: string;
+  name: string | null;
+  when: string | null;
+  sometimes: boolean;
+}
+
+export interface MachineTransition {
+  source: number;
+  target: number;
+  trigger: string;
+  guard: string | null;
+  outputs: MachineOutput[];
+  assigned: Record<string, string>;
+  rows: MachineRow[];
+}
+
+export interface MachineVariable {
+  id: string;
+  variable: string;
+  field: string | null;
+  type: string | null;
+  values: string[];
+  initial: string[];
+  at: Place | null;
+}
+
+export interface Region {
+  variables: MachineVariable[];
+  states: Record<string, string>[];
+  initial: number[];
+  unreachable_states: Record<string, string>[];
+  unreachable_values: Record<string, string[]>;
+  transitions: MachineTransition[];
+}
+
+export interface Machine {
+  triggers: { id: string; label: string }[];
+  regions: Region[];
+  always: { trigger: string; outputs: MachineOutput[]; rows: MachineRow[] }[];
+  without_finite_values: string[];
+  never_happens: MachineRow[];
+  messages: string[];
+}
+
+export interface Component {
+  name: string;
+  component: string;
+  package: string;
+  kind: string;
+  node_name: string | null;
+  sources: string[];
+  ports: Port[];
+  params: Parameter[];
+  reconfigurable: Parameter[];
+  periodic: Periodic[];
+  reactive: Reactive[];
+  one_shot: OneShot[];
+  reactive_deferred: Deferred[];
+  state_variables: Variable[];
+  configuration: Variable[];
+  transitions: Assignment[];
+  machine: Machine;
+}
+
+export interface SystemPort {
+  id: string;
+  kind: string;
+  name: string;
+  written: string;
+  type: string | null;
+  at?: Place;
+  implicit?: boolean;
+  conditional?: string;
+}
+
+export interface SystemNode {
+  name: string;
+  package: string;
+  type: string;
+  origin: "source" | "library" | "unknown";
+  component: string | null;
+  lines: Place[];
+  conditions: string[];
+  open: boolean;
+  ports: SystemPort[];
+  rates: [Place, number][];
+}
+
+/** Numbers of a node and of one of its ports. */
+export type End = [number, number];
+
+export interface Connector {
+  kind: ConnectorKind;
+  name: string;
+  types: string[];
+  sources: End[];
+  sinks: End[];
+  implicit: boolean;
+}
+
+export interface LaunchFile {
+  file: string | null;
+  text: string;
+  at: Place | null;
+  cut: boolean;
+  nodes: { name: string; package: string; type: string; conditions: string[]; at: Place }[];
+  includes: LaunchFile[];
+}
+
+export interface Rate {
+  topic: string;
+  low: number;
+  high: number | null;
+  senders: string[];
+  reasons: string[];
+}
+
+export interface System {
+  name: string;
+  nodes: SystemNode[];
+  connectors: Connector[];
+  files: LaunchFile[];
+  rates: Rate[];
+}
+
+export interface Evidence {
+  text: string;
+  at: Place;
+  /** Where in the line the token is that is meant. */
+  mark: [number, number] | null;
+}
+
+export interface Finding {
+  id: string;
+  check: string;
+  severity: Severity;
+  message: string;
+  systems: string[];
+  evidence: Evidence[];
+  reason?: string;
+}
+
+export interface Check {
+  title: string;
+  confidence: string;
+  impact: string;
+  description: string;
+  scenario: string;
+  recommendation: string;
+}
+
+export interface Diagnostic {
+  kind: string;
+  message: string;
+  at: Place;
+}
+
+/** A run of lines: the number of the first, and the texts. */
+export type Run = [number, string[]];
+
+export interface ReportDocument {
+  rosarch: string;
+  title: string;
+  link: string | null;
+  components: Component[];
+  systems: System[];
+  findings: { shown: Finding[]; suppressed: Finding[]; checks: Record<string, Check> };
+  diagnostics: Diagnostic[];
+  sources: Record<string, Run[]>;
+}
+
+/** The text of a block of the page that `packed` of reports/html/page.py made. */
+export async function unpack(id: string): Promise<string> {
+  const block = document.getElementById(id)?.textContent ?? "";
+  const bytes = Uint8Array.from(atob(block), (character) => character.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).text();
+}

@@ -1,0 +1,303 @@
+/** One component: ports, parameters, rates, behaviour, state machines, findings. */
+
+import { useReport } from "../context";
+import type { Component, Port } from "../data";
+import { amount, counted, frequency, type Instance, portNames } from "../model";
+import { Section, Table } from "../parts/controls";
+import { PortKind, portOrder } from "../parts/kinds";
+import { Source, Sources } from "../parts/source";
+import { Condition, Maybe, Name } from "../parts/text";
+import { href } from "../route";
+import { FindingCard } from "./findings";
+
+export function ComponentPage({ name }: { name: string }) {
+  const report = useReport();
+  const component = report.component.get(name);
+  if (!component) {
+    return (
+      <>
+        <h1>
+          <Name text={name} />
+        </h1>
+        <p class="muted">The report has no model of this component: it is not among the sources that were analysed.</p>
+      </>
+    );
+  }
+  const findings = report.findingsOf(component);
+  return (
+    <>
+      <p class="above">
+        <a href={href(["components"])}>Components</a> / {component.package}
+      </p>
+      <h1>
+        <Name text={component.component} />
+      </h1>
+      <p class="lead">
+        {component.kind === "node" ? "Node" : component.kind}
+        {component.node_name && (
+          <>
+            {" "}
+            that calls itself <code>{component.node_name}</code>
+          </>
+        )}{" "}
+        in {counted(component.sources.length, "source")}.
+      </p>
+      <Started instances={report.instances.get(name) ?? []} />
+      <Ports component={component} />
+      <Parameters component={component} />
+      <Behaviour component={component} />
+      <Variables component={component} />
+      {findings.length > 0 && (
+        <Section id="findings" title="Findings" count={findings.length}>
+          {findings.map((finding) => (
+            <FindingCard key={finding.id} finding={finding} />
+          ))}
+        </Section>
+      )}
+    </>
+  );
+}
+
+function Started({ instances }: { instances: readonly Instance[] }) {
+  if (!instances.length) return <p class="muted">No launch file that was composed starts it.</p>;
+  return (
+    <details class="started" open={instances.length <= 4}>
+      <summary>Started as {counted(instances.length, "node")}</summary>
+      <ul class="plain">
+        {instances.map(({ system, node }) => (
+          <li key={`${system.name} ${node.name} ${node.lines.join()}`}>
+            <a href={href(["graph"], { system: system.name, focus: node.name })}>
+              <Name text={node.name} />
+            </a>{" "}
+            <span class="muted">
+              by <Name text={system.name} />
+            </span>{" "}
+            <Source at={node.lines.at(-1)} />
+          </li>
+        ))}
+      </ul>
+    </details>
+  );
+}
+
+function Ports({ component }: { component: Component }) {
+  const own = component.ports.filter((port) => !port.implicit).sort((a, b) => portOrder(a.kind) - portOrder(b.kind));
+  const implicit = component.ports.filter((port) => port.implicit);
+  return (
+    <Section id="ports" title="Ports" count={own.length}>
+      {own.length > 0 ? <PortTable ports={own} label="Ports" /> : <p class="muted">It has none.</p>}
+      {implicit.length > 0 && (
+        <details>
+          <summary>{counted(implicit.length, "port")} that libraries make inside themselves</summary>
+          <PortTable ports={implicit} label="Implicit ports" />
+        </details>
+      )}
+    </Section>
+  );
+}
+
+function PortTable({ ports, label }: { ports: readonly Port[]; label: string }) {
+  return (
+    <Table label={label} head={["Kind", "Name", "Type", "Queue", "Callback", "If", "Source"]}>
+      {ports.map((port) => (
+        <tr key={port.id} id={`port-${port.id}`}>
+          <td>
+            <PortKind kind={port.kind} />
+          </td>
+          <td>
+            <PortName port={port} />
+          </td>
+          <td>{port.type ? <Name text={port.type} /> : <span class="none">not known</span>}</td>
+          <td class="number">
+            <Maybe text={port.queue} />
+            {port.latched && <span class="tag">latched</span>}
+          </td>
+          <td>
+            {port.callback ? <code>{port.callback}</code> : <span class="none">–</span>}
+            {!["plain", "lambda", ""].includes(port.via) && <span class="muted"> via {port.via}</span>}
+          </td>
+          <td>
+            <Condition text={port.conditional} />
+          </td>
+          <td>
+            <Source at={port.at} />
+          </td>
+        </tr>
+      ))}
+    </Table>
+  );
+}
+
+function PortName({ port }: { port: Port }) {
+  return (
+    <>
+      <Name text={port.name} strong />
+      {port.from_param && (
+        <div class="muted">
+          from parameter <code>{port.from_param}</code>
+        </div>
+      )}
+      {port.unknown && <div class="muted">not known: {port.unknown}</div>}
+    </>
+  );
+}
+
+function Parameters({ component }: { component: Component }) {
+  const all = [...component.params, ...component.reconfigurable];
+  if (!all.length) return null;
+  return (
+    <Section id="parameters" title="Parameters" count={new Set(all.map((each) => each.name)).size}>
+      <Table label="Parameters" head={["Name", "Access", "Type", "Default", "Source"]}>
+        {all.map((parameter, at) => (
+          <tr key={`${at}`}>
+            <td>
+              <Name text={parameter.name} strong />
+            </td>
+            <td>{parameter.op ?? "reconfigured"}</td>
+            <td>
+              <Maybe text={parameter.type} />
+            </td>
+            <td>
+              {parameter.default === null ? <span class="none">none</span> : <code>{String(parameter.default)}</code>}
+            </td>
+            <td>
+              <Source at={parameter.at} />
+            </td>
+          </tr>
+        ))}
+      </Table>
+    </Section>
+  );
+}
+
+function Behaviour({ component }: { component: Component }) {
+  const ports = portNames(component);
+  const names = (ids: readonly string[]) =>
+    ids.map((id, at) => (
+      <span key={id}>
+        {at > 0 && ", "}
+        <Name text={ports.get(id)?.name ?? id} />
+      </span>
+    ));
+  const { periodic, reactive, one_shot, reactive_deferred } = component;
+  if (!periodic.length && !reactive.length && !one_shot.length && !reactive_deferred.length) return null;
+  return (
+    <Section id="behaviour" title="Behaviour">
+      {periodic.length > 0 && (
+        <>
+          <h3>Timed loops and timers</h3>
+          <Table label="Timed loops and timers" head={["Rate", "By", "Sends", "If", "Source"]}>
+            {periodic.map((loop, at) => (
+              <tr key={`${at}`}>
+                <td>
+                  {frequency(loop.hz)}
+                  {loop.hz_from_param && (
+                    <div class="muted">
+                      from <code>{loop.hz_from_param}</code>
+                    </div>
+                  )}
+                </td>
+                <td>{loop.mechanism}</td>
+                <td>{loop.publishes.length ? names(loop.publishes) : <span class="none">nothing</span>}</td>
+                <td>
+                  <Condition text={loop.conditional} />
+                </td>
+                <td>
+                  <Source at={loop.at} />
+                </td>
+              </tr>
+            ))}
+          </Table>
+        </>
+      )}
+      {reactive.length + one_shot.length > 0 && (
+        <>
+          <h3>Reactions</h3>
+          <Table label="Reactions" head={["On", "Sends", "", "If", "Source"]}>
+            {reactive.map((reaction, at) => (
+              <tr key={`r${at}`}>
+                <td>{names([reaction.input])}</td>
+                <td>{names([reaction.output])}</td>
+                <td>{reaction.must ? "always" : "may"}</td>
+                <td>
+                  <Condition text={reaction.when} />
+                </td>
+                <td>
+                  <Sources at={reaction.at} />
+                </td>
+              </tr>
+            ))}
+            {one_shot.map((shot, at) => (
+              <tr key={`o${at}`}>
+                <td>timer, once{shot.after === null ? "" : ` after ${amount(shot.after)} s`}</td>
+                <td>{names([shot.output])}</td>
+                <td>{shot.must ? "always" : "may"}</td>
+                <td>
+                  <Condition text={shot.when} />
+                </td>
+                <td>
+                  <Sources at={shot.sent_at} />
+                </td>
+              </tr>
+            ))}
+          </Table>
+        </>
+      )}
+      {reactive_deferred.length > 0 && (
+        <>
+          <h3>Kept and sent later</h3>
+          <Table label="Kept and sent later" head={["What arrives at", "is kept in", "and sent on"]}>
+            {reactive_deferred.map((deferred, at) => (
+              <tr key={`${at}`}>
+                <td>{names([deferred.input])}</td>
+                <td>
+                  <code>{deferred.variable}</code>
+                </td>
+                <td>{names([deferred.output])}</td>
+              </tr>
+            ))}
+          </Table>
+        </>
+      )}
+    </Section>
+  );
+}
+
+function Variables({ component }: { component: Component }) {
+  const rows = [
+    ...component.state_variables.map((variable) => ({ variable, role: "state" })),
+    ...component.configuration.map((variable) => ({ variable, role: "configuration" })),
+  ];
+  if (!rows.length) return null;
+  return (
+    <Section id="variables" title="Variables that decide" count={rows.length}>
+      <Table label="Variables that decide" head={["Variable", "Role", "Type", "Begins as", "Values", "Source"]}>
+        {rows.map(({ variable, role }) => (
+          <tr key={`${role} ${variable.name} ${variable.at}`}>
+            <td>
+              <Name text={variable.name} strong />
+            </td>
+            <td>{role}</td>
+            <td>
+              <Name text={variable.type} />
+            </td>
+            <td>
+              {variable.initial === null ? <span class="none">not known</span> : <code>{variable.initial}</code>}
+              {variable.from_param && (
+                <div class="muted">
+                  from <code>{variable.from_param}</code>
+                </div>
+              )}
+            </td>
+            <td>
+              {variable.domain ? <code>{variable.domain.join(", ")}</code> : <span class="none">not listed</span>}
+            </td>
+            <td>
+              <Source at={variable.at} />
+            </td>
+          </tr>
+        ))}
+      </Table>
+    </Section>
+  );
+}
