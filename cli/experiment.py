@@ -14,6 +14,7 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_engine, check_output, extraction_cache, read_input, unwritable
 from rosarch.cli.options import Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
 from rosarch.cli.terminal import emit, progress, show_diagnostics
+from rosarch.extractor.limits import SOURCE_SECONDS
 
 if TYPE_CHECKING:
     from rosarch.experiments.subjects import Subject
@@ -47,7 +48,7 @@ def experiment(
     ] = 20,
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
-    timeout: Timeout = 60.0,
+    timeout: Timeout = SOURCE_SECONDS,
     cached: Annotated[bool, typer.Option("--cache/--no-cache", help="Keep facts and results, and go on where a run stopped.")] = True,
     verbose: Verbose = False,
 ) -> None:

@@ -11,6 +11,7 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_diagnostics, check_folder, check_output, extraction_cache, unwritable
 from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines, path_argument
 from rosarch.cli.terminal import emit, progress, show_diagnostics
+from rosarch.extractor.limits import SOURCE_SECONDS
 
 Out = Annotated[
     Path,
@@ -28,7 +29,7 @@ def extract(
     packages: Packages = None,
     jobs: Jobs = None,
     defines: Defines = None,
-    timeout: Timeout = 60.0,
+    timeout: Timeout = SOURCE_SECONDS,
     cached: Cached = True,
     verbose: Verbose = False,
 ) -> None:

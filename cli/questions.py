@@ -30,6 +30,7 @@ from rosarch.cli.options import (
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, Systems, load_surrounding
 from rosarch.cli.terminal import show_diagnostics
+from rosarch.extractor.limits import SOURCE_SECONDS
 
 if TYPE_CHECKING:
     from rosarch.models.analysis import Analysis
@@ -47,7 +48,7 @@ class Reading:
     engine: EngineChoice = Engine.embedded
     jobs: Jobs = None
     defines: Defines = None
-    timeout: Timeout = 60.0
+    timeout: Timeout = SOURCE_SECONDS
     cached: Cached = True
     verbose: Verbose = False
 

@@ -15,6 +15,7 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, check_sources, extraction_cache
 from rosarch.cli.options import Engine, parse_environment
 from rosarch.cli.terminal import progress
+from rosarch.extractor.limits import SOURCE_SECONDS
 
 if TYPE_CHECKING:
     from rosarch.extractor.memo import Memo
@@ -71,7 +72,7 @@ class SystemInputs:
     library: Sequence[Path] | None = None
     engine: Engine = Engine.embedded
     jobs: int | None = None
-    timeout: float = 60.0
+    timeout: float = SOURCE_SECONDS
     defines: Mapping[str, str] = field(default_factory=dict)
     cached: bool = True
     rules: RuleSet | None = None

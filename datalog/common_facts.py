@@ -17,11 +17,6 @@ class CommonFacts:
         self.rows: dict[str, set[Row]] = {name: set(found) for name, found in rows.items()}
         self._indexes: dict[tuple[str, Index], Any] = {}
 
-    def without(self, name: str, rows: Collection[Row]) -> Collection[Row]:
-        """Those of some rows that are not among these."""
-        known = self.rows.get(name)
-        return set(rows) - known if known else rows
-
     def index(self, name: str, own: Collection[Row], index: Index) -> Any:
         """The index over these rows and an evaluation's own; what is made over these is kept for the next evaluation."""
         key = name, index

@@ -17,6 +17,7 @@ from rosarch.expectations.found import Found, Systems, is_source, require_query
 from rosarch.expectations.grammar import Expectation, ExpectationError
 from rosarch.expectations.judgement import Unmet, unmet
 from rosarch.extractor.hints import hint
+from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.pipeline import extract
 from rosarch.extractor.workspace import Diagnostic, loose_workspace
 from rosarch.models.rule_sets import RuleSet, component_program, system_rules
@@ -51,7 +52,7 @@ class Running:
     systems: Callable[[Path], Systems]
     engine: str = "embedded"
     jobs: int | None = None
-    timeout: float = 60.0
+    timeout: float = SOURCE_SECONDS
     cache: Cache | None = None
     progress: Progress | None = None
 

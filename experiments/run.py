@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import json
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -113,7 +112,6 @@ class Runner:
 
 def _evaluate(cell: Cell, engine: str) -> bytes:
     """Evaluate a cell, as it is kept."""
-    gc.disable()  # rows hold no cycles, and a component's memory goes with its evaluation
     facts = cell.facts.rows()
     start = sum(os.times()[:4])  # of this process and those it starts: the time on the clock depends on what else runs
     result = cell.configuration.program.evaluate(facts, engine=engine, keep=cell.configuration.kept)

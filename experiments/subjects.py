@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosarch.experiments.truth import Truth, TruthError
-from rosarch.extractor.cache import Cache, hash_of
+from rosarch.extractor.cache import Cache, hash_of, rows_digest
 from rosarch.extractor.hints import hint
-from rosarch.extractor.stored import Facts, has_facts, read_stored, rows_digest
+from rosarch.extractor.limits import SOURCE_SECONDS
+from rosarch.extractor.stored import Facts, has_facts, read_stored
 
 if TYPE_CHECKING:
     from rosarch.extractor.units import Progress
@@ -56,7 +57,7 @@ class Extracting:
     """How sources are read."""
 
     jobs: int | None = None
-    timeout: float = 60.0
+    timeout: float = SOURCE_SECONDS
     cache: Cache | None = None
     progress: Progress | None = None
 

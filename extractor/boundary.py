@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -50,6 +50,6 @@ def _holds(real: str) -> bool:
     return any(real == folder or real.startswith(folder.rstrip("/") + "/") for folder in (*_folders, _OWN))
 
 
-def ros_package_path() -> list[Path]:
+def ros_package_path(variables: Mapping[str, str] = os.environ) -> list[Path]:
     """The folders of `ROS_PACKAGE_PATH`."""
-    return [Path(folder) for folder in os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if os.path.isdir(folder)]
+    return [Path(folder) for folder in variables.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if os.path.isdir(folder)]

@@ -7,13 +7,15 @@ time and nothing else. A cache that cannot be written is none.
 from __future__ import annotations
 
 import hashlib
+import marshal
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 LIMIT = 1 << 30
 """Bytes beyond which the entries that were not used for longest are removed."""
@@ -113,3 +115,8 @@ def hash_of(parts: Iterable[str | bytes]) -> str:
         data = part if isinstance(part, bytes) else part.encode("utf-8", "surrogateescape")
         found.update(len(data).to_bytes(8, "little") + data)
     return found.hexdigest()
+
+
+def rows_digest(rows: Mapping[str, Iterable[tuple[Any, ...]]]) -> str:
+    """A hash of the rows of relations."""
+    return hash_of([marshal.dumps([(name, sorted(found)) for name, found in sorted(rows.items())], 2)])

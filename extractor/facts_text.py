@@ -16,12 +16,13 @@ from typing import Any, Protocol
 from rosarch.datalog import RelationDecl
 from rosarch.datalog.cells import read_number, show_cell
 from rosarch.datalog.domain import domain
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.extractor.cache import rows_digest
+from rosarch.extractor.diagnostics import Diagnostic, why
 from rosarch.extractor.facts import schema, validate
 from rosarch.extractor.files import file_name, path_text
 from rosarch.extractor.hints import hint
-from rosarch.extractor.manifest import ManifestError, content_hash
-from rosarch.extractor.stored import FIRST, Facts, StoredFacts, rows_digest
+from rosarch.extractor.manifest import ManifestError, content_hash, require_unchanged
+from rosarch.extractor.stored import FIRST, Facts, StoredFacts
 
 Row = tuple[Any, ...]
 
@@ -83,12 +84,10 @@ def read_facts_text(path: Path) -> StoredFacts:
     try:
         content = path.read_bytes().decode("utf-8", "surrogateescape")
     except OSError as error:
-        raise ManifestError(f"{path}: cannot be read ({(error.strerror or str(error)).lower()})") from None
+        raise ManifestError(f"{path}: cannot be read ({why(error)})") from None
     reader = _Reader(path)
     reader.read(content.split("\n"))
-    for source, digest in reader.hashes.items():
-        if (reader.root / source).is_file() and content_hash(reader.root / source) != digest:
-            raise ManifestError(f"{reader.root / source}: changed since the facts were extracted; extract them again")
+    require_unchanged(reader.root, reader.hashes)
     components = tuple(
         Facts(name, package, kind, tuple(sources), rows_digest(rows), partial(dict, rows))
         for (package, name, kind, *sources), rows in reader.components

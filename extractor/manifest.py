@@ -164,8 +164,16 @@ def read_manifest(folder: Path) -> Manifest:
     for entry in entries:
         if folder_digest(folder / entry.folder) != entry.digest:
             raise ManifestError(f"{folder / entry.folder}: the facts are incomplete or were changed; extract them again")
-    root = Path(manifest.root)
-    for source, digest in manifest.hashes.items():
+    require_unchanged(Path(manifest.root), manifest.hashes)
+    return manifest
+
+
+def require_unchanged(root: Path, hashes: Mapping[str, str]) -> None:
+    """Refuse facts of sources that are still there and have other contents now; `hashes` are those they had, by path from `root`.
+
+    Raises:
+        ManifestError: a source has changed.
+    """
+    for source, digest in hashes.items():
         if os.path.isfile(root / source) and content_hash(root / source) != digest:
             raise ManifestError(f"{root / source}: changed since the facts were extracted; extract them again")
-    return manifest

@@ -13,9 +13,13 @@ _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 
 def quick_name(path: str) -> str | None:
     """The package name without parsing: enough to know which manifests are needed."""
+    match = _NAME.search(quick_text(path) or "")
+    return html.unescape(match.group(1)) if match else None
+
+
+def quick_text(path: str) -> str | None:
+    """The text of a manifest without its comments; None when it cannot be read."""
     try:
-        text = read_file(path).decode(errors="replace")
+        return _COMMENT.sub("", read_file(path).decode(errors="replace"))
     except OSError:
         return None
-    match = _NAME.search(_COMMENT.sub("", text))
-    return html.unescape(match.group(1)) if match else None

@@ -21,6 +21,7 @@ from rosarch.extractor.cxx.unit import file_key, merge
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.facts_text import facts_text
 from rosarch.extractor.files import path_text
+from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs
@@ -119,7 +120,7 @@ def extract(
     packages: Collection[str] | None = None,
     *,
     jobs: int | None = None,
-    timeout: float = 60.0,
+    timeout: float = SOURCE_SECONDS,
     defines: Mapping[str, str] | None = None,
     cache: Cache | None = None,
     progress: Progress | None = None,

@@ -8,7 +8,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.cache import hash_of
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
 
@@ -74,8 +73,3 @@ def _folder(path: Path) -> StoredFacts:
         for e in entries_below(manifest, top, path)
     )
     return StoredFacts(Path(manifest.root), tuple(found), manifest.diagnostics)
-
-
-def rows_digest(rows: Mapping[str, Iterable[tuple[Any, ...]]]) -> str:
-    """A hash of facts."""
-    return hash_of(f"{relation} {row!r}" for relation in sorted(rows) for row in sorted(rows[relation], key=repr))

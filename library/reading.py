@@ -7,14 +7,12 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from rosarch.extractor.diagnostics import Diagnostic, why
 from rosarch.extractor.files import read_file
 from rosarch.extractor.hints import hint
 from rosarch.library.model import BY_HAND, GENERATED
-
-if TYPE_CHECKING:
-    from rosarch.extractor.diagnostics import Diagnostic
 
 COMPONENT_KINDS = ("node", "nodelet", "plugin", "gazebo_plugin")
 PORT_KINDS = (
@@ -57,7 +55,7 @@ def read_library_file(path: Path) -> LibraryFile | Diagnostic:
     try:
         data = json.loads(read_file(path).decode("utf-8"), parse_constant=_no_number)
     except OSError as error:
-        return _problem(path, f"cannot be read: {(error.strerror or str(error)).lower()}")
+        return _problem(path, f"cannot be read: {why(error)}")
     except json.JSONDecodeError as error:
         return _problem(path, f"broken JSON: {error.msg.lower()}", error.lineno, error.colno)
     except UnicodeDecodeError:
@@ -77,8 +75,6 @@ def _no_number(text: str) -> None:
 
 
 def _problem(path: Path, message: str, line: int = 1, column: int = 1) -> Diagnostic:
-    from rosarch.extractor.workspace import Diagnostic  # takes a while, and is seldom needed
-
     return Diagnostic("library", path, line, column, message)
 
 

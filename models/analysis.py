@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rosarch.datalog import CommonFacts
 from rosarch.extractor.cache import Cache
-from rosarch.extractor.limits import LIMITS
+from rosarch.extractor.limits import LIMITS, SOURCE_SECONDS
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.extractor.sharing import CommonUnits, in_groups, read_common
 from rosarch.extractor.stored import Facts, read_stored
@@ -49,7 +49,7 @@ def analyze(
     rules: RuleSet = SHIPPED,
     engine: str = "embedded",
     jobs: int | None = None,
-    timeout: float = 60.0,
+    timeout: float = SOURCE_SECONDS,
     defines: Mapping[str, str] | None = None,
     cache: Cache | None = None,
     progress: Progress | None = None,

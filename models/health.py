@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.extractor.diagnostics import Diagnostic
-from rosarch.extractor.limits import LIMITS
+from rosarch.extractor.limits import LIMITS, SOURCE_SECONDS
 from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.units import Progress
@@ -70,7 +70,7 @@ def examine(
     *,
     rules: RuleSet = SHIPPED,
     jobs: int | None = None,
-    timeout: float = 60.0,
+    timeout: float = SOURCE_SECONDS,
     defines: Mapping[str, str] | None = None,
     progress: Progress | None = None,
 ) -> Health:

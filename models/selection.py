@@ -13,6 +13,7 @@ from rosarch.extractor.cache import Cache
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.facts import schema
 from rosarch.extractor.hints import hint, hint_or_all
+from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.stored import has_facts, read_stored
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def select(
     component: str | None = None,
     *,
     jobs: int | None = None,
-    timeout: float = 60.0,
+    timeout: float = SOURCE_SECONDS,
     defines: Mapping[str, str] | None = None,
     cache: Cache | None = None,
     progress: Progress | None = None,

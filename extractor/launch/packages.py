@@ -14,10 +14,9 @@ from functools import cached_property
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
-from rosarch.extractor.package_names import quick_name
+from rosarch.extractor.package_names import quick_name, quick_text
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
-_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _WORD = re.compile(r"[\w.+-]+")
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _LINE_COMMENT = re.compile(r"#.*")
@@ -118,8 +117,4 @@ def _is_file(entry: os.DirEntry[str]) -> bool:
 
 
 def _is_metapackage(manifest: str) -> bool:
-    try:
-        text = read_file(manifest).decode(errors="replace")
-    except OSError:
-        return False
-    return _METAPACKAGE.search(_COMMENT.sub("", text)) is not None
+    return _METAPACKAGE.search(quick_text(manifest) or "") is not None

@@ -11,6 +11,7 @@ from rosarch.extractor.boundary import confined, ros_package_path
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import file_name, read_file
 from rosarch.extractor.hints import hint
+from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.package_names import quick_name
 
 from . import (
@@ -52,7 +53,7 @@ def discover(
     defines: Mapping[str, str] | None = None,
     ros_distro: str | None = None,
     environment: Mapping[str, str] | None = None,
-    timeout: float = 60.0,
+    timeout: float = SOURCE_SECONDS,
 ) -> Workspace:
     """The packages below `root`; with `packages`, only those and what they need, so that one package costs little.
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from rosarch.extractor.limits import SOURCE_SECONDS
+
 DEFAULT_DISTRO = "kinetic"
 DEFAULT_AMENT_DISTRO = "humble"
 
@@ -33,7 +35,7 @@ class Options:
     ros_distro: str | None = None
     defines: Mapping[str, str] = field(default_factory=dict)
     environment: Mapping[str, str] = field(default_factory=dict)
-    timeout: float = 60.0
+    timeout: float = SOURCE_SECONDS
 
 
 def versions(distro: str) -> dict[str, str]:

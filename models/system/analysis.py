@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rosarch.extractor.cache import Cache, hash_of
+from rosarch.extractor.cache import Cache, hash_of, rows_digest
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.memo import Memo, stage_version
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
@@ -17,7 +17,7 @@ from rosarch.models.findings import Finding
 from rosarch.models.places import Place
 from rosarch.models.system.model import SystemModel
 from rosarch.models.system.reading import Reading, rules_hash
-from rosarch.models.system.rows import Rows, rows_digest
+from rosarch.models.system.rows import Rows
 from rosarch.models.system.surrounding import Launch, Surrounding, surrounding
 
 if TYPE_CHECKING:

@@ -81,14 +81,14 @@ def parse_question(text: str) -> Causes | Rate:
     """
     words = _Words(text)
     asked: Causes | Rate
-    if words.take("can", "must", "rate") == "rate":
+    word = words.take("can", "must", "rate")
+    if word == "rate":
         words.take("of")
         asked = Rate(words.take())
     else:
-        always = text.split()[0] == "must"
         source = _port(words)
         words.take("cause")
-        asked = Causes(source, _port(words), always)
+        asked = Causes(source, _port(words), word == "must")
     words.end()
     return asked
 
@@ -112,7 +112,7 @@ def find_ports(name: PortName, result: Result) -> list[Port]:
     if name.node is not None:
         own = {port for port, node in nodes.items() if _same(name.node, node)}
         if not own:
-            known = {node for node in nodes.values()}
+            known = set(nodes.values())
             raise QuestionError(f"no node `{name.node}` with ports{hint(_absolute(name.node), known)}")
         names = {port: found for port, found in names.items() if port in own}
     found = [port for port, known in names.items() if any(_same(name.name, each) for each in known)]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import defaultdict, deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from rosarch.datalog import Result
 from rosarch.models import formula
@@ -13,6 +12,7 @@ from rosarch.models.component import ComponentModel
 from rosarch.models.places import Place
 from rosarch.models.rule_sets import SystemRules
 from rosarch.models.system.asking import Causes, Port, find_ports
+from rosarch.models.system.findings import grouped
 from rosarch.models.system.rows import Rows
 
 PORTS = ("port_node", "port_name", "port_written", "node_port")
@@ -157,7 +157,8 @@ class _Shower:
         self._written = {(node, model, parameter): name for node, model, parameter, name in result.rows("port_written")}
         self._models = {f"{model.package}/{model.component}": model for model in models}
         self._certain = set(result.rows("certain_step"))
-        self._told = {name: _grouped(result.rows(name)) for name in ("step_waits", "step_filter", "step_variable")}
+        told = ("step_waits", "step_filter", "step_variable")
+        self._told = {name: grouped((row[:2], *row[2:]) for row in result.rows(name)) for name in told}
         self.node_names: dict[str, str] = {row[0]: row[1] for row in rows.get("started_name", ())}
 
     def port(self, port: Port) -> PortShown:
@@ -190,10 +191,3 @@ class _Shower:
         loops = [loop for loop in model.behavior.periodic if output in loop.publishes] if kind == "deferred" else []
         conditions = {formula.text(loop.guard) for loop in loops}
         return tuple(sorted({loop.at for loop in loops})), conditions.pop() if len(conditions) == 1 else None
-
-
-def _grouped(rows: Any) -> dict[tuple[Port, Port], list[tuple[Any, ...]]]:
-    found: dict[tuple[Port, Port], list[tuple[Any, ...]]] = defaultdict(list)
-    for source, sink, *rest in rows:
-        found[source, sink].append(tuple(rest))
-    return found

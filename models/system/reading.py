@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosarch.extractor.cache import hash_of
+from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.models.rule_choice import SHIPPED, RuleSet
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ class Reading:
     library: Sequence[Path] = ()
     engine: str = "embedded"
     jobs: int | None = None
-    timeout: float = 60.0
+    timeout: float = SOURCE_SECONDS
     defines: Mapping[str, str] = field(default_factory=dict)
     cache: Cache | None = None
     progress: Progress | None = None

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import marshal
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any
-
-from rosarch.extractor.cache import hash_of
 
 Rows = Mapping[str, Collection[tuple[Any, ...]]]
 
@@ -19,8 +16,3 @@ def merged(parts: Iterable[Rows]) -> dict[str, set[tuple[Any, ...]]]:
         for relation, found in part.items():
             rows[relation].update(found)
     return rows
-
-
-def rows_digest(rows: Rows) -> str:
-    """A hash of rows."""
-    return hash_of([marshal.dumps([(name, sorted(found)) for name, found in sorted(rows.items())], 2)])

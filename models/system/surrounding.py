@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rosarch.extractor.cache import rows_digest
 from rosarch.extractor.launch.facts import launch_rows, library_name, started
 from rosarch.extractor.launch.model import Composition
 from rosarch.extractor.launch.packages import PackagePath
@@ -15,7 +16,7 @@ from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
 from rosarch.models.system.reading import Reading
-from rosarch.models.system.rows import Rows, merged, rows_digest
+from rosarch.models.system.rows import Rows, merged
 from rosarch.models.system.workspace import (
     Dependencies,
     dependencies,

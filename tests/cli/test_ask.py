@@ -103,6 +103,10 @@ def test_what_need_not_follow_is_told(rosarch: Callable, workspace: Path) -> Non
     ]
 
 
+def test_a_mark_before_a_question_does_not_change_it(rosarch: Callable, workspace: Path) -> None:
+    assert rosarch("ask", str(workspace), "? must raw cause current") == rosarch("ask", str(workspace), "must raw cause current")
+
+
 def test_rates_are_told(rosarch: Callable, workspace: Path) -> None:
     assert rosarch("ask", str(workspace), "rate of *").out == (
         "rates in demo/demo.launch\n  /current  0 to 10 Hz  /motor\n  /raw      4 to 20 Hz\n  /smooth   4 to 20 Hz  /filter\n"

@@ -80,6 +80,11 @@ def test_a_text_of_other_sources_is_refused(rosarch: Callable, tmp_path: Path) -
     )
 
 
+def test_a_source_of_a_name_too_long_is_no_change(tmp_path: Path) -> None:
+    (tmp_path / "f.txt").write_text(HEAD + f"source\t0123456789abcdef\t{'a' * 300}.cpp\n")
+    assert len(read_stored(tmp_path / "f.txt").components) == 1
+
+
 def test_relations_before_any_component_are_refused(tmp_path: Path) -> None:
     (tmp_path / "f.txt").write_text("rosarch facts\ncall(call, name)\n")
     with pytest.raises(ManifestError, match=r"f\.txt:2:1: facts of no component$"):
