@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rosarch.cli.check_options import load_configuration, make_policy
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.inputs import check_sources
 from rosarch.cli.questions import SystemQuestion
-from rosarch.cli.systems import load_surrounding, load_systems
+from rosarch.cli.systems import load_systems, tell_systems
 
 if TYPE_CHECKING:
     from rosarch.models.configuration import Configuration
     from rosarch.models.policy import Reported
     from rosarch.models.rule_choice import RuleSet
     from rosarch.models.system.analysis import SystemAnalysis
-    from rosarch.models.system.rates import TopicRate
     from rosarch.reports.html.document import Subject
 
 
-def load_subject(question: SystemQuestion, link: str | None) -> Subject:
-    """Analyse and check what a report is about."""
+def load_subject(question: SystemQuestion, link: str | None, *, chains: bool) -> Subject:
+    """Analyse and check what a report is about; `chains` of cause and effect take longer than the rest."""
     from rosarch.models.rule_sets import system_rules
     from rosarch.reports.html.document import Subject
 
@@ -39,7 +38,7 @@ def load_subject(question: SystemQuestion, link: str | None) -> Subject:
         systems=composed.systems,
         reported=_judged(question, rules, configuration, composed),
         diagnostics=tuple(dict.fromkeys((*analysis.diagnostics, *composed.diagnostics))),
-        rates=_rates(question, rules, configuration),
+        told=tell_systems(question.inputs(replace(rules, flows=True) if chains else rules), configuration),
         link=link,
     )
 
@@ -56,14 +55,3 @@ def _judged(question: SystemQuestion, rules: RuleSet, configuration: Configurati
     comments = find_suppressions(checked(composed).files, folder_reader(question.folder))
     policy = make_policy(configuration, checks)
     return apply_policy(composed.findings, policy, comments, checks=checks, complete=not question.launches)
-
-
-def _rates(question: SystemQuestion, rules: RuleSet, configuration: Configuration) -> Mapping[str, Sequence[TopicRate]]:
-    """How often something is sent on each topic, by system."""
-    from rosarch.models.rule_sets import system_rules
-    from rosarch.models.system.asking import Rate
-    from rosarch.models.system.rates import EVERY, ask_rates
-
-    program = system_rules(rules)
-    shared, launches = load_surrounding(question.inputs(rules), configuration)
-    return {launch.name: ask_rates(program, shared.rows(launch), Rate(EVERY), question.engine.value) for launch in launches}

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from rosarch.models.system.reading import Reading
     from rosarch.models.system.requests import Request, Surroundings
     from rosarch.models.system.surrounding import Launch, Surrounding
+    from rosarch.models.system.told import Told
 
 Launches = Annotated[
     list[str] | None,
@@ -120,6 +121,17 @@ def load_surrounding(inputs: SystemInputs, configuration: Configuration | None =
         launches = _launches(inputs, configuration, where)
         with _confined(inputs, where):
             return surrounding(inputs.folder, launches, _reading(inputs, configuration, report), _memo(inputs, where)), launches
+
+
+def tell_systems(inputs: SystemInputs, configuration: Configuration | None = None) -> Mapping[str, Told]:
+    """How often topics of these systems are sent on, and by rules of data flow what influences what."""
+    from rosarch.models.rule_sets import system_rules
+    from rosarch.models.system.told import tell
+
+    shared, launches = load_surrounding(inputs, configuration)
+    with progress() as report:
+        reading = _reading(inputs, configuration, report)
+        return tell(system_rules(reading.rules), shared, launches, reading)
 
 
 def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:

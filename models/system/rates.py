@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass
 
+from rosarch.datalog import Result
 from rosarch.models.rule_sets import SystemRules
 from rosarch.models.system.asking import Port, Rate, find_topic
 from rosarch.models.system.rows import Rows
 
 EVERY = "*"
 """All topics."""
-_KEPT = ("joins_connector", "port_node", "topic_high", "topic_low", "topic_unbounded")
+RATE_RELATIONS = ("joins_connector", "port_node", "topic_high", "topic_low", "topic_unbounded")
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,15 @@ def ask_rates(rules: SystemRules, rows: Rows, asked: Rate, engine: str) -> list[
     Raises:
         QuestionError: there is no such topic.
     """
-    result = rules.program.evaluate(rows, engine=engine, keep=_KEPT)
+    found = list(all_rates(rules.program.evaluate(rows, engine=engine, keep=RATE_RELATIONS)))
+    if asked.topic == EVERY:
+        return found
+    topic = find_topic(asked.topic, [rate.topic for rate in found])
+    return [rate for rate in found if rate.topic == topic]
+
+
+def all_rates(result: Result) -> Iterator[TopicRate]:
+    """The rate of every topic, by name, from the rows of `RATE_RELATIONS`."""
     nodes: dict[Port, str] = dict(result.rows("port_node"))
     senders: dict[str, set[str]] = defaultdict(set)
     topics: set[str] = set()
@@ -45,5 +55,5 @@ def ask_rates(rules: SystemRules, rows: Rows, asked: Rate, engine: str) -> list[
     reasons: dict[str, set[str]] = defaultdict(set)
     for topic, reason in result.rows("topic_unbounded"):
         reasons[topic].add(reason)
-    wanted = sorted(topics) if asked.topic == EVERY else [find_topic(asked.topic, sorted(topics))]
-    return [TopicRate(t, low.get(t, 0.0), high.get(t), tuple(sorted(senders[t])), tuple(sorted(reasons[t]))) for t in wanted]
+    for topic in sorted(topics):
+        yield TopicRate(topic, low.get(topic, 0.0), high.get(topic), tuple(sorted(senders[topic])), tuple(sorted(reasons[topic])))

@@ -11,7 +11,7 @@ from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.models.component import ComponentModel
 from rosarch.models.policy import Reported
 from rosarch.models.system.model import SystemModel
-from rosarch.models.system.rates import TopicRate
+from rosarch.models.system.told import Told
 from rosarch.reports.findings import tool_version
 from rosarch.reports.html.components import component_data
 from rosarch.reports.html.findings import findings_data
@@ -22,7 +22,7 @@ from rosarch.reports.printable import printable
 
 @dataclass(frozen=True)
 class Subject:
-    """What a report is about; `rates` are by the names of systems, `link` is the pattern of links to a forge."""
+    """What a report is about; `told` is by the names of systems, `link` is the pattern of links to a forge."""
 
     title: str
     folder: Path
@@ -30,7 +30,7 @@ class Subject:
     systems: Sequence[SystemModel]
     reported: Reported
     diagnostics: Sequence[Diagnostic]
-    rates: Mapping[str, Sequence[TopicRate]] = field(default_factory=dict)
+    told: Mapping[str, Told] = field(default_factory=dict)
     link: str | None = None
 
 
@@ -41,7 +41,7 @@ def report_document(subject: Subject, read: Callable[[str], str | None]) -> dict
         "title": subject.title,
         "link": subject.link,
         "components": [component_data(model) for model in subject.models],
-        "systems": [system_data(system, subject.rates.get(system.name, ())) for system in subject.systems],
+        "systems": [system_data(system, subject.told.get(system.name)) for system in subject.systems],
         "findings": findings_data(subject.reported, read),
         "diagnostics": [_diagnostic(diagnostic, subject.folder.absolute()) for diagnostic in subject.diagnostics],
     }

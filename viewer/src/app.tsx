@@ -5,6 +5,7 @@ import type { Report } from "./model";
 import { ComponentPage } from "./pages/component";
 import { ComponentsPage } from "./pages/components";
 import { FindingsPage } from "./pages/findings";
+import { GraphPage } from "./pages/graph";
 import { LaunchPage } from "./pages/launch";
 import { OverviewPage } from "./pages/overview";
 import { TimingPage } from "./pages/timing";
@@ -15,6 +16,7 @@ import { useTheme } from "./theme";
 
 const PAGES = [
   ["", "Overview"],
+  ["graph", "Graph"],
   ["components", "Components"],
   ["findings", "Findings"],
   ["launch", "Launch files"],
@@ -49,6 +51,8 @@ function Page({ route }: { route: Route }) {
   switch (route.path[0] ?? "") {
     case "":
       return <OverviewPage />;
+    case "graph":
+      return <GraphPage route={route} />;
     case "components":
       return <ComponentsPage route={route} />;
     case "component":

@@ -210,7 +210,12 @@ export interface System {
   connectors: Connector[];
   files: LaunchFile[];
   rates: Rate[];
+  /** Null when data flow was not followed. */
+  steps: InfluenceStep[] | null;
 }
+
+/** From one port to the next in a chain: `how` is data or control, `kind` connection, answer, reactive, deferred or kept; then whether it is certain. */
+export type InfluenceStep = [from: End, to: End, how: string, kind: string, certain: boolean];
 
 export interface Evidence {
   text: string;

@@ -1,0 +1,108 @@
+/** The drawing of a graph in a frame that can be moved, with what the pointer and keys do on it. */
+import { useEffect, useRef } from "preact/hooks";
+import type { ShownGraph } from "./build";
+import { type Camera, useCamera } from "./camera";
+import { GraphDrawing } from "./drawing";
+import type { Drawing } from "./layout";
+
+interface Props {
+  graph: ShownGraph;
+  drawing: Drawing;
+  filtered: boolean;
+  selected: string;
+  /** What a chain leads through, lit while nothing else is. */
+  chain: ReadonlySet<string>;
+  label: string;
+  onSelect: (id: string) => void;
+  onOpen: (id: string) => void;
+  onGroup: (group: string) => void;
+  onHover: (id: string | null, at: { x: number; y: number }) => void;
+  onCamera: (camera: Camera) => void;
+}
+
+export function GraphCanvas(props: Props) {
+  const { graph, drawing, filtered, selected, chain, label, onSelect, onOpen, onGroup, onHover, onCamera } = props;
+  const svg = useRef<SVGSVGElement>(null);
+  const scene = useRef<SVGGElement>(null);
+  const whole = useRef({ x: 0, y: 0, width: drawing.width, height: drawing.height });
+  if (whole.current.width !== drawing.width || whole.current.height !== drawing.height) {
+    whole.current = { x: 0, y: 0, width: drawing.width, height: drawing.height };
+  }
+  const camera = useCamera(svg, scene, whole.current);
+  useEffect(() => onCamera(camera));
+  const rest = () => (selected ? light(scene.current, selected) : lightAll(scene.current, chain));
+  useEffect(rest, [selected, chain, drawing]);
+
+  const act = (target: EventTarget | null, open: boolean) => {
+    const element = target instanceof Element ? target.closest<SVGGElement>("[data-id], [data-group]") : null;
+    if (element?.dataset.group !== undefined) onGroup(element.dataset.group);
+    else if (element?.dataset.id && open) onOpen(element.dataset.id);
+    else onSelect(element?.dataset.id ?? "");
+  };
+  const hover = (event: PointerEvent | FocusEvent) => {
+    const element = event.target instanceof Element ? event.target.closest<SVGGElement>("[data-id]") : null;
+    const id = element?.dataset.id ?? null;
+    if (id) light(scene.current, id);
+    else rest();
+    const box = svg.current?.getBoundingClientRect();
+    if (!element || !box) return onHover(null, { x: 0, y: 0 });
+    const place = element.getBoundingClientRect();
+    return onHover(id, { x: place.left - box.left, y: place.bottom - box.top + 6 });
+  };
+  return (
+    <svg
+      ref={svg}
+      class="graph"
+      role="application"
+      aria-label={label}
+      tabIndex={0}
+      onClick={(event) => act(event.target, false)}
+      onDblClick={(event) => act(event.target, true)}
+      onKeyDown={(event) => {
+        if (event.key === "Enter" || event.key === " ") {
+          event.preventDefault();
+          act(event.target, event.key === "Enter");
+        } else if (event.key === "Escape") onSelect("");
+        else if (event.key === "+" || event.key === "=") camera.zoom(1.25);
+        else if (event.key === "-") camera.zoom(0.8);
+        else if (event.key === "0") camera.fit();
+      }}
+      onPointerOver={hover}
+      onFocusIn={hover}
+      onPointerLeave={() => {
+        rest();
+        onHover(null, { x: 0, y: 0 });
+      }}
+    >
+      <g ref={scene}>
+        <GraphDrawing graph={graph} drawing={drawing} filtered={filtered} selected={selected} />
+      </g>
+    </svg>
+  );
+}
+
+/** Light what is connected with a box or connector, and make the rest pale. */
+function light(scene: SVGGElement | null, id: string) {
+  const lit = new Set([id]);
+  const links = [...(scene?.querySelectorAll<SVGPathElement>(".link") ?? [])];
+  const isBox = id.startsWith("node:") || id.startsWith("group:");
+  for (const { dataset } of links) if (isBox && dataset.box === id) lit.add(dataset.connector ?? "");
+  for (const { dataset } of links) if (lit.has(dataset.connector ?? "")) lit.add(dataset.box ?? "");
+  lightAll(scene, lit, (link) => lit.has(link.dataset.connector ?? ""));
+}
+
+/** Light these, and links as they say; all of the drawing is as ever without any. */
+function lightAll(
+  scene: SVGGElement | null,
+  lit: ReadonlySet<string>,
+  wanted: (link: SVGPathElement) => boolean = ({ dataset }) =>
+    lit.has(dataset.connector ?? "") && lit.has(dataset.box ?? ""),
+) {
+  if (!scene) return;
+  for (const element of scene.querySelectorAll<SVGGElement>("[data-id]")) {
+    element.classList.toggle("lit", lit.has(element.dataset.id ?? ""));
+  }
+  for (const link of scene.querySelectorAll<SVGPathElement>(".link"))
+    link.classList.toggle("lit", lit.size > 0 && wanted(link));
+  scene.classList.toggle("some-lit", scene.querySelector("[data-id].lit") !== null);
+}
