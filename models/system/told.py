@@ -6,14 +6,14 @@ import pickle
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from rosarch.extractor.cache import hash_of
+from rosarch.extractor.cache import hash_of, rows_digest
 from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.memo import stage_version
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.models.rule_sets import SystemRules
 from rosarch.models.system.rates import RATE_RELATIONS, TopicRate, all_rates
 from rosarch.models.system.reading import Reading, rules_hash
-from rosarch.models.system.rows import Rows, rows_digest
+from rosarch.models.system.rows import Rows
 from rosarch.models.system.surrounding import Launch, Surrounding
 
 _STEPS = ("chain_step", "certain_step")
