@@ -194,15 +194,35 @@ def target_text(region: Region, arc: Arc) -> str:
 
 
 @dataclass(frozen=True)
+class Effect:
+    """What `triggers` lead to under one guard, all as texts; `at` are the places in the source."""
+
+    triggers: str
+    guard: str
+    sent: str
+    at: tuple[str, ...]
+
+    @property
+    def label(self) -> str:
+        """`trigger [guard] sends outputs`."""
+        return _label(self.triggers, self.guard, self.sent)
+
+
+@dataclass(frozen=True)
 class Edge:
-    """All transitions between two states, or those that stay in one, as lines of `trigger [guard] sends outputs`.
+    """All transitions between two states, or those that stay in one.
 
     A `source` of `ANY` stands for all states of the region.
     """
 
     source: int
     target: int
-    labels: tuple[str, ...]
+    effects: tuple[Effect, ...]
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """The lines of a diagram."""
+        return tuple(effect.label for effect in self.effects)
 
 
 ANY = -1
@@ -214,17 +234,26 @@ def edges(machine: StateMachine, region: Region) -> list[Edge]:
     sources: dict[object, set[int]] = {}
     for t in region.transitions:
         sources.setdefault(_effect(t), set()).add(t.source)
-    found: dict[tuple[int, int], dict[tuple[str, str], list[str]]] = {}
+    found: dict[tuple[int, int], dict[tuple[str, str], list[Transition]]] = {}
     for t in region.transitions:
         everywhere = len(sources[_effect(t)]) == len(region.states) >= _MANY
         if t.visible or everywhere:
             effect = formula_text(t.guard), "; ".join(outputs_texts(machine, t.outputs))
-            labels = found.setdefault((ANY if everywhere else t.source, t.target), {}).setdefault(effect, [])
-            labels += [] if (label := machine.trigger(t.trigger).label) in labels else [label]
+            found.setdefault((ANY if everywhere else t.source, t.target), {}).setdefault(effect, []).append(t)
     return [
-        Edge(source, target, tuple(_label(", ".join(triggers), guard, sent) for (guard, sent), triggers in labels.items()))
-        for (source, target), labels in sorted(found.items())
+        Edge(source, target, tuple(_folded(machine, guard, sent, same) for (guard, sent), same in effects.items()))
+        for (source, target), effects in sorted(found.items())
     ]
+
+
+def _folded(machine: StateMachine, guard: str, sent: str, same: Sequence[Transition]) -> Effect:
+    triggers = dict.fromkeys(machine.trigger(t.trigger).label for t in same)
+    return Effect(", ".join(triggers), guard, sent, places_of(row for t in same for row in t.rows))
+
+
+def places_of(rows: Iterable[Row]) -> tuple[str, ...]:
+    """The places of rows, each once."""
+    return tuple(dict.fromkeys(place for row in rows for place in row.at.split()))
 
 
 def _effect(transition: Transition) -> object:

@@ -47,7 +47,7 @@ def test_components_have_ports_and_machines(document: Any) -> None:
     courier = next(c for c in document["components"] if c["name"] == "delivery_robot/courier")
     assert {port["name"] for port in courier["ports"]} >= {"obstacles_ahead", "battery"}
     assert not {key for port in courier["ports"] for key in port if key.endswith("_tree")}
-    assert courier["machine"].keys() >= {"regions", "triggers", "always"}
+    assert courier["machine"].keys() >= {"regions", "always", "dead"}
 
 
 def test_systems_have_connectors_with_ends(document: Any) -> None:

@@ -80,54 +80,31 @@ export interface Assignment {
   at: Place;
 }
 
-export interface MachineRow {
-  list: string;
-  index: number;
+/** What triggers lead to under one guard. */
+export interface Effect {
+  on: string;
+  if: string;
+  sends: string;
   at: Place[];
 }
 
-export interface MachineOutput {
-  port: string;
-  name: string | null;
-  when: string | null;
-  sometimes: boolean;
-}
-
-export interface MachineTransition {
-  source: number;
-  target: number;
-  trigger: string;
-  guard: string | null;
-  outputs: MachineOutput[];
-  assigned: Record<string, string>;
-  rows: MachineRow[];
-}
-
-export interface MachineVariable {
-  id: string;
-  variable: string;
-  field: string | null;
-  type: string | null;
-  values: string[];
-  initial: string[];
-  at: Place | null;
-}
-
 export interface Region {
-  variables: MachineVariable[];
-  states: Record<string, string>[];
+  title: string;
+  states: string[];
   initial: number[];
-  unreachable_states: Record<string, string>[];
-  unreachable_values: Record<string, string[]>;
-  transitions: MachineTransition[];
+  unreachable: string[];
+  never: string[];
+  /** For a diagram: numbers of states, -1 for any; those that stay in a state lead back to it. */
+  edges: { source: number; target: number; effects: Effect[] }[];
+  /** The same for a table. */
+  arcs: (Effect & { from: string; to: string })[];
 }
 
 export interface Machine {
-  triggers: { id: string; label: string }[];
   regions: Region[];
-  always: { trigger: string; outputs: MachineOutput[]; rows: MachineRow[] }[];
-  without_finite_values: string[];
-  never_happens: MachineRow[];
+  always: string[];
+  left_out: string[];
+  dead: { list: string; at: Place[] }[];
   messages: string[];
 }
 

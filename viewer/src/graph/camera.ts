@@ -1,7 +1,7 @@
 /** Panning and zooming of a drawing: by pointer, wheel, two fingers and keys. */
 import type { RefObject } from "preact";
 import { useCallback, useEffect, useRef } from "preact/hooks";
-import type { Rectangle } from "./layout";
+import type { Rectangle } from "../elk";
 
 interface View {
   x: number;

@@ -1,9 +1,11 @@
 /** The graph as SVG. What is lit or pale is told by classes, so that hovering draws nothing anew. */
 import { memo } from "preact/compat";
 import type { ConnectorKind } from "../data";
+import type { Point, Rectangle } from "../elk";
 import { SIGN_PATHS } from "../parts/kinds";
+import { rounded } from "../parts/lines";
 import type { Box, BoxPort, Frame, ShownConnector, ShownGraph } from "./build";
-import type { Drawing, Point, Rectangle } from "./layout";
+import type { Drawing } from "./layout";
 import { boxLines, connectorLines } from "./measure";
 
 interface Props {
@@ -192,25 +194,4 @@ function outline(kind: ConnectorKind, { x, y, width, height }: Rectangle): strin
     case "tf":
       return `M${x + 10} ${y}H${right}L${right - 10} ${bottom}H${x}Z`;
   }
-}
-
-/** A line of horizontal and vertical pieces with round corners. */
-function rounded(points: readonly Point[], radius = 6): string {
-  const [first] = points;
-  if (!first) return "";
-  let path = `M${first.x} ${first.y}`;
-  for (let at = 1; at < points.length - 1; at++) {
-    const [before, corner, after] = [points[at - 1] as Point, points[at] as Point, points[at + 1] as Point];
-    const start = toward(corner, before, radius);
-    const end = toward(corner, after, radius);
-    path += `L${start.x} ${start.y}Q${corner.x} ${corner.y} ${end.x} ${end.y}`;
-  }
-  const last = points[points.length - 1] as Point;
-  return `${path}L${last.x} ${last.y}`;
-}
-
-function toward(from: Point, to: Point, most: number): Point {
-  const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
-  const part = Math.min(most, length / 2) / length;
-  return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
 }

@@ -1,18 +1,9 @@
-/** Where everything is drawn: by elkjs, in a worker, or where there can be none on this thread. */
-import ELK, { type ElkExtendedEdge, type ElkNode, type LayoutOptions } from "elkjs/lib/elk-api";
-import { unpack } from "../data";
+/** Where everything of a graph is drawn. */
+import type { ElkExtendedEdge, ElkNode, LayoutOptions } from "elkjs/lib/elk-api";
+import { arrange, type Point, type Rectangle } from "../elk";
+import { textWidth } from "../parts/measure";
 import type { Box, Frame, ShownConnector, ShownGraph } from "./build";
-import { boxLines, CONNECTOR_HEIGHT, connectorLines, textWidth } from "./measure";
-
-export interface Point {
-  x: number;
-  y: number;
-}
-
-export interface Rectangle extends Point {
-  width: number;
-  height: number;
-}
+import { boxLines, CONNECTOR_HEIGHT, connectorLines } from "./measure";
 
 export interface Drawing {
   width: number;
@@ -47,11 +38,10 @@ const ROOT: LayoutOptions = {
 };
 
 export async function layOut(graph: ShownGraph): Promise<Drawing> {
-  const elk = await started();
   const { children, edges } = elkGraph(graph);
   const large = graph.links.length > LARGE;
   const layoutOptions = { ...ROOT, "elk.layered.thoroughness": large ? "1" : "7" };
-  return read(await elk.layout({ id: "root", children, edges }, { layoutOptions }));
+  return read(await arrange({ id: "root", children, edges }, layoutOptions));
 }
 
 function elkGraph(graph: ShownGraph): { children: ElkNode[]; edges: ElkExtendedEdge[] } {
@@ -147,31 +137,4 @@ function read(root: ElkNode): Drawing {
     );
   }
   return drawing;
-}
-
-interface ElkGlobal {
-  ElkWorker?: new (url?: string) => Worker;
-}
-
-let running: Promise<InstanceType<typeof ELK>> | null = null;
-
-function started(): Promise<InstanceType<typeof ELK>> {
-  running ??= start();
-  return running;
-}
-
-async function start() {
-  const program = await unpack("layout");
-  const address = URL.createObjectURL(new Blob([program], { type: "text/javascript" }));
-  try {
-    const worker = new Worker(address);
-    return new ELK({ workerFactory: () => worker });
-  } catch {
-    const script = document.createElement("script");
-    script.textContent = program; // its hash is among those that the policy of the page allows
-    document.head.append(script);
-    const InPage = (globalThis as ElkGlobal).ElkWorker;
-    if (!InPage) throw new Error("the layout program does not run here");
-    return new ELK({ workerFactory: (url) => new InPage(url) });
-  }
 }

@@ -2,6 +2,7 @@
 
 import { useReport } from "../context";
 import type { Component, Port } from "../data";
+import { Machines } from "../machine/machines";
 import { amount, counted, frequency, type Instance, portNames } from "../model";
 import { Section, Table } from "../parts/controls";
 import { PortKind, portOrder } from "../parts/kinds";
@@ -46,6 +47,7 @@ export function ComponentPage({ name }: { name: string }) {
       <Ports component={component} />
       <Parameters component={component} />
       <Behaviour component={component} />
+      <Machines machine={component.machine} />
       <Variables component={component} />
       {findings.length > 0 && (
         <Section id="findings" title="Findings" count={findings.length}>
