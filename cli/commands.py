@@ -23,6 +23,8 @@ COMMANDS = {
     "experiment": "experiment",
     "verify": "verify",
     "simulate": "simulate",
+    "observe": "observe",
+    "compare": "compare",
     "doctor": "doctor",
     "ask": "ask",
     "query": "query",
@@ -49,6 +51,9 @@ SUMMARIES = {
     " findings.",
     "verify": "Say whether temporal properties hold in the system that launch files start, whatever comes from outside.",
     "simulate": "Run the system that launch files start, in simulated time: rates, queues, lost messages, latencies.",
+    "observe": "Tell what a recording or a live graph shows of the system that launch files start, and what of that the sources do not"
+    " say.",
+    "compare": "Count, for each kind of element, what is predicted of a system and what a recording or a live graph shows of it.",
     "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
     "ask": "Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what; how often.",
     "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",

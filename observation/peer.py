@@ -33,8 +33,7 @@ class MessageType:
 @dataclass
 class _Sending:
     type: MessageType
-    latched: bytes | None = None
-    connections: list[socket.socket] = field(default_factory=list)
+    readers: dict[socket.socket, str] = field(default_factory=dict)
 
 
 class Peer:
@@ -52,7 +51,7 @@ class Peer:
         self._listener = socket.create_server((LOOPBACK, 0), backlog=64)
         self._server = Server({
             "publisherUpdate": self._publishers_changed, "requestTopic": self._request_topic, "getPid": lambda _caller: os.getpid(),
-            "getBusInfo": lambda _caller: [], "getBusStats": lambda _caller: [[], [], []], "getMasterUri": lambda _caller: master,
+            "getBusInfo": self._connections, "getBusStats": lambda _caller: [[], [], []], "getMasterUri": lambda _caller: master,
             "getSubscriptions": lambda _caller: [[topic, type_] for topic, (type_, _) in self._heard.items()],
             "getPublications": lambda _caller: [[topic, sending.type.name] for topic, sending in self._sending.items()],
             "paramUpdate": lambda _caller, _key, _value: 0, "shutdown": lambda _caller, _reason: 0,
@@ -121,22 +120,27 @@ class Peer:
 
     def readers(self, topic: str) -> int:
         """How many read what is sent on `topic`."""
-        return len(self._sending[topic].connections)
+        return len(self._sending[topic].readers)
 
     def publish(self, topic: str, message: bytes) -> float:
         """Send a message to all who read `topic`; the time of `time.monotonic` just before."""
         sent = time.monotonic()
-        for connection in list(self._sending[topic].connections):
+        readers = self._sending[topic].readers
+        for connection in list(readers):
             try:
                 send_block(connection, message)
             except OSError:
-                self._sending[topic].connections.remove(connection)
+                readers.pop(connection, None)
         return sent
 
     def _request_topic(self, _caller: str, topic: str, _protocols: Any) -> list[Any]:
         if topic not in self._sending:
             raise LookupError(f"nothing is sent on {topic}")
         return ["TCPROS", LOOPBACK, self._listener.getsockname()[1]]
+
+    def _connections(self, _caller: str) -> list[list[Any]]:
+        found = [(reader, topic) for topic, sending in self._sending.items() for reader in list(sending.readers.values())]
+        return [[number, reader, "o", "TCPROS", topic, True] for number, (reader, topic) in enumerate(found)]
 
     def _accept(self) -> None:
         while True:
@@ -151,13 +155,14 @@ class Peer:
         with suppress(WireError, OSError):
             connection.settimeout(self._seconds)
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            sending = self._sending.get(receive_fields(connection).get("topic", ""))
+            fields = receive_fields(connection)
+            sending = self._sending.get(fields.get("topic", ""))
             if sending is None:
                 connection.close()
                 return
             told = {"callerid": self.name, "type": sending.type.name, "md5sum": sending.type.checksum, "latching": "0"}
             send_block(connection, packed_fields({**told, "message_definition": sending.type.definition}))
-            sending.connections.append(connection)
+            sending.readers[connection] = fields.get("callerid", "?")
 
     # services
 

@@ -423,3 +423,15 @@ def documents(data: bytes, folder: Path) -> None:
         read_baseline(_text(data), "baseline.json")
     except BaselineError as error:
         str(error)
+
+
+@target("#ROSBAG op= conn= time= topic= type= callerid= message_definition= compression=bz2 compression=lz4 size= \\x02 \\x05 \\x07")
+def recording(data: bytes, folder: Path) -> None:
+    """A bag of ROS 1: what can be read of it is summarised."""
+    from rosarch.observation.recording import RecordingError, open_recording
+    from rosarch.observation.summary import summarise
+
+    path = folder / "run.bag"
+    path.write_bytes(data)
+    with suppress(RecordingError):
+        summarise(open_recording(path), [("/a", "/b")])

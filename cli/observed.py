@@ -1,0 +1,104 @@
+"""What of a running system sub-commands look at, and the one system that it is compared with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rosarch.cli.check_options import load_configuration
+from rosarch.cli.errors import InputError
+from rosarch.cli.inputs import check_folder
+from rosarch.cli.options import path_argument
+from rosarch.cli.questions import SystemQuestion
+from rosarch.cli.systems import load_surrounding
+from rosarch.cli.terminal import show_diagnostics
+
+if TYPE_CHECKING:
+    from rosarch.models.rule_sets import SystemRules
+    from rosarch.models.system.rows import Rows
+    from rosarch.observation.compare import Comparison
+    from rosarch.observation.observed import Recorded, Watched
+
+Bag = Annotated[
+    Path | None,
+    typer.Option("--bag", parser=path_argument, metavar="FILE", help="A recording of ROS 1, or of ROS 2 (its folder).", show_default=False),
+]
+MasterUri = Annotated[
+    str | None,
+    typer.Option("--master", metavar="URI", help="The master of a live graph, such as http://localhost:11311.", show_default=False),
+]
+Seconds = Annotated[float, typer.Option("--seconds", metavar="N", min=0, help="How long to look at the live graph.")]
+Every = Annotated[float, typer.Option("--every", metavar="S", min=0.1, help="Look at it every so many seconds.")]
+
+
+@dataclass(frozen=True)
+class Source:
+    """A recording, or a live graph and how long it is looked at."""
+
+    bag: Path | None
+    master: str | None
+    seconds: float
+    every: float
+
+
+@dataclass(frozen=True)
+class _System:
+    name: str
+    rows: Rows
+    rules: SystemRules
+
+
+def observe_and_compare(question: SystemQuestion, source: Source) -> tuple[Recorded | Watched, Comparison]:
+    """Look at the running system, and compare it with the only one that the options or the configuration name."""
+    from rosarch.observation.compare import compare
+    from rosarch.observation.observed import Recorded, recorded_rows, watched_rows
+
+    if (source.bag is None) == (source.master is None):
+        raise InputError("give either --bag or --master")
+    system = _load(question)
+    engine = question.engine.value
+    seen = _recorded(source.bag, system, engine) if source.bag is not None else _watched(source)
+    rows = recorded_rows(seen) if isinstance(seen, Recorded) else watched_rows(seen)
+    return seen, compare(system.rules, system.name, system.rows, rows, engine)
+
+
+def _load(question: SystemQuestion) -> _System:
+    from rosarch.models.checks import shipped_checks
+    from rosarch.models.rule_sets import system_rules
+
+    folder = check_folder(question.folder)
+    rules = question.rules()
+    shared, launches = load_surrounding(question.inputs(rules), load_configuration(folder, None, shipped_checks()))
+    show_diagnostics(shared.diagnostics, question.verbose)
+    if len(launches) != 1:
+        known = ", ".join(launch.name for launch in launches) or "none"
+        raise InputError(f"{folder}: {len(launches)} systems; choose the one that ran with --launch: {known}")
+    return _System(launches[0].name, shared.rows(launches[0]), system_rules(rules))
+
+
+def _recorded(bag: Path, system: _System, engine: str) -> Recorded:
+    from rosarch.observation.compare import expected_pairs
+    from rosarch.observation.observed import Recorded
+    from rosarch.observation.recording import RecordingError, open_recording
+    from rosarch.observation.summary import summarise
+
+    try:
+        recording = open_recording(bag)
+        return Recorded(str(bag), summarise(recording, expected_pairs(system.rules, system.rows, engine)))
+    except RecordingError as error:
+        raise InputError(str(error)) from None
+
+
+def _watched(source: Source) -> Watched:
+    from rosarch.observation.graph import Graph, watch
+    from rosarch.observation.observed import Watched
+    from rosarch.observation.rpc import CallError
+
+    uri = source.master or ""
+    try:
+        return Watched(uri, tuple(watch(Graph(uri), source.seconds, source.every)))
+    except CallError as error:
+        raise InputError(str(error)) from None
