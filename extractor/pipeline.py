@@ -151,7 +151,11 @@ def extract(
         finder = HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name), searched=workspace.searched)
         reader = UnitReader(workspace.root, finder, scratch, cache)
         reading = read_units(units, reader, jobs or default_jobs(), timeout, progress)
-    extraction.seconds = reading.seconds
+        reading.diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in odd_source(source)]
+        scripts = sorted({PythonUnit(component.python) for component in found if component.python}, key=repr)
+        read = read_units(scripts, PythonReader(workspace.root, scratch, cache), jobs or default_jobs(), timeout, progress)
+        reading.diagnostics += read.diagnostics
+    extraction.seconds = {**reading.seconds, **read.seconds}
     extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str) if units else extraction.diagnostics
     defined = _defined(store)
     extraction.components = tuple(

@@ -9,9 +9,10 @@ import re
 import shutil
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Generic, Protocol, TypeVar
 
 from rosarch.extractor.boundary import OUTSIDE, is_inside
 from rosarch.extractor.cache import Cache, extractor_version, hash_of, write_whole
@@ -44,11 +45,46 @@ class UnitFile:
     problems: list[Problem]
 
 
+class AnyUnit(Hashable, Protocol):
+    """What is read together, and begins with a source."""
+
+    @property
+    def source(self) -> Path:
+        """The file that it begins with."""
+
+
+Unit = TypeVar("Unit", bound=AnyUnit)
+
+
+class Reader(Protocol[Unit]):
+    """Extracts units of a kind into files below `scratch`, or takes them from the cache."""
+
+    @property
+    def scratch(self) -> Path:
+        """A folder for files of this run."""
+
+    @property
+    def cache(self) -> Cache | None:
+        """What earlier runs left."""
+
+    def anything_known(self) -> bool:
+        """Whether it is worth a look into the cache."""
+
+    def prepare(self) -> None:
+        """Make what all units share."""
+
+    def known(self, unit: Unit) -> UnitFile | None:
+        """The unit as it is in the cache."""
+
+    def read(self, unit: Unit) -> UnitFile:
+        """Extract one unit."""
+
+
 @dataclass
-class Reading:
+class Reading(Generic[Unit]):
     """What became of all units: their files or why there is none, what was not understood, and the time that each source took."""
 
-    files: dict[CompileUnit, UnitFile | Failure] = field(default_factory=dict)
+    files: dict[Unit, UnitFile | Failure] = field(default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     seconds: dict[Path, float] = field(default_factory=dict)
 
@@ -121,7 +157,7 @@ class UnitReader:
 
     def store(self, key: str, names: Names, rows: Rows) -> None:
         """Keep the facts of a header."""
-        data = marshal.dumps((marshal.dumps(tuple(names)), _dump(rows)))
+        data = marshal.dumps((marshal.dumps(tuple(names)), dump_rows(rows)))
         write_whole(self._header_path(key), data)
         if self.cache:
             self.cache.store(key, data)
@@ -151,7 +187,7 @@ class UnitReader:
         prelude = self.precompiled_for(unit, includes)
         rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
         head = problems, sorted(headers.keys.values())
-        data = marshal.dumps((head, _dump(rows)))
+        data = marshal.dumps((head, dump_rows(rows)))
         if self.cache and includes.predictable:
             self.cache.store(key, data)
         return self._file(key, data, head, key if includes.predictable else None, start)
@@ -163,7 +199,8 @@ class UnitReader:
         return UnitFile(path, tuple(map(self._header_path, headers)), key, time.perf_counter() - start, problems)
 
 
-def _dump(rows: Rows) -> bytes:
+def dump_rows(rows: Rows) -> bytes:
+    """The rows as the file of a unit has them."""
     return marshal.dumps({name: list(found) for name, found in rows.items()})  # sets would be sorted first
 
 
@@ -173,9 +210,9 @@ def unit_rows(path: Path) -> Mapping[str, list[tuple[str | int, ...]]]:
     return rows
 
 
-def read_units(units: Sequence[CompileUnit], reader: UnitReader, jobs: int, timeout: float, progress: Progress | None) -> Reading:
+def read_units(units: Sequence[Unit], reader: Reader[Unit], jobs: int, timeout: float, progress: Progress | None) -> Reading[Unit]:
     """Extract every unit into a file, unless it is in the cache."""
-    reading = Reading(diagnostics=[problem for source in sorted({unit.source for unit in units}) for problem in _odd_source(source)])
+    reading = Reading[Unit]()
     extractor_version()  # once here, and not in each worker
     outside = {source for source in {unit.source for unit in units} if not is_inside(source)}
     reading.files.update((unit, Failure("outside", OUTSIDE)) for unit in units if unit.source in outside)
@@ -185,7 +222,7 @@ def read_units(units: Sequence[CompileUnit], reader: UnitReader, jobs: int, time
     )  # long ones first: even ends
     lost: set[Diagnostic] = set()  # a header's are found by every source that includes it
 
-    def run(work: Callable[[CompileUnit], UnitFile | None], waiting: Sequence[CompileUnit]) -> list[CompileUnit]:
+    def run(work: Callable[[Unit], UnitFile | None], waiting: Sequence[Unit]) -> list[Unit]:
         """Do `work` for all that are `waiting`; the units that it has nothing for."""
         left = []
         for index, outcome in run_tasks(work, waiting, jobs=jobs, timeout=timeout):
@@ -208,7 +245,7 @@ def read_units(units: Sequence[CompileUnit], reader: UnitReader, jobs: int, time
     return reading
 
 
-def _settle(reading: Reading, unit: CompileUnit, outcome: UnitFile | Failure, lost: set[Diagnostic]) -> None:
+def _settle(reading: Reading[Unit], unit: Unit, outcome: UnitFile | Failure, lost: set[Diagnostic]) -> None:
     """Take down what became of a unit."""
     reading.files[unit] = outcome
     if isinstance(outcome, Failure):
@@ -219,7 +256,7 @@ def _settle(reading: Reading, unit: CompileUnit, outcome: UnitFile | Failure, lo
         lost.update(Diagnostic("source", Path(path), line, column, message) for path, line, column, message in outcome.problems)
 
 
-def _prepare(reader: UnitReader, timeout: float) -> None:
+def _prepare(reader: Reader[Unit], timeout: float) -> None:
     """Precompile the declarations, in a worker: without room on the disk, clang ends its process."""
     for _, outcome in run_tasks(lambda _task: reader.prepare(), [None], jobs=1, timeout=max(timeout, PRELUDE_SECONDS)):
         if isinstance(outcome, Failure):
@@ -237,7 +274,7 @@ def _refuse_full_disk(failure: Failure) -> None:
 _SELF_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
 
 
-def _odd_source(path: Path) -> list[Diagnostic]:
+def odd_source(path: Path) -> list[Diagnostic]:
     """What a reader would want to know of a source before wondering why little was found in it: one diagnostic."""
     try:
         data = read_file(path)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rosarch.extractor.cxx import kinds, libclang
-from rosarch.extractor.cxx.flow import Flow
 from rosarch.extractor.cxx.libclang import Tree
 from rosarch.extractor.cxx.unit import Span, UnitFacts
+from rosarch.extractor.flow import Flow
 
 
 @dataclass

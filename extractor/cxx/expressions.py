@@ -135,31 +135,11 @@ def _lower_binary(body: Body, tree: Tree) -> str:
 def _lower_logical(body: Body, tree: Tree, name: str, operands: list[Tree]) -> str:
     """The right operand of `&&` and `||` is a branch of its own when it evaluates anything."""
     left = lower_expression(body, operands[0], text=True)
-    right = _maybe(body, left, operands[1], taken=name == "&&")
+    right = body.flow.maybe(left, lambda: lower_expression(body, operands[1]), taken=name == "&&")
     expr, _ = body.node(tree, "op")
     body.unit.add("operator", expr, name)
     body.unit.add("operand", expr, 0, left)
     body.unit.add("operand", expr, 1, right)
-    return expr
-
-
-def _maybe(body: Body, condition: str, tree: Tree, *, taken: bool) -> str:
-    """Read an expression that is evaluated only when `condition` is `taken`."""
-    flow = body.flow
-    before, inner = flow.current, flow.block()
-    flow.start(inner)
-    expr = lower_expression(body, tree)
-    if flow.current is inner and not inner.acts:
-        before.exprs += inner.exprs  # nothing happens there: no branch
-        inner.exprs.clear()
-        flow.start(before)
-        return expr
-    after = flow.block()
-    before.condition = condition
-    before.edges.append((inner, "true" if taken else "false"))
-    before.edges.append((after, "false" if taken else "true"))
-    flow.to(after)
-    flow.start(after)
     return expr
 
 
@@ -168,37 +148,13 @@ def _lower_conditional(body: Body, tree: Tree) -> str:
     if len(operands) != 3:
         return _lower_unknown(body, tree)
     condition = lower_expression(body, operands[0], text=True)
-    values = [condition, *_either(body, condition, operands[1], operands[2])]
+    either = body.flow.either(condition, lambda: lower_expression(body, operands[1]), lambda: lower_expression(body, operands[2]))
+    values = [condition, *either]
     expr, _ = body.node(tree, "op")
     body.unit.add("operator", expr, "?:")
     for index, value in enumerate(values):
         body.unit.add("operand", expr, index, value)
     return expr
-
-
-def _either(body: Body, condition: str, yes: Tree, no: Tree) -> tuple[str, str]:
-    """Read two expressions of which `condition` chooses one; they are branches when either does anything."""
-    flow = body.flow
-    before, first, second = flow.current, flow.block(), flow.block()
-    flow.start(first)
-    left = lower_expression(body, yes)
-    first_end = flow.current
-    flow.start(second)
-    right = lower_expression(body, no)
-    second_end = flow.current
-    if first_end is first and second_end is second and not first.acts and not second.acts:
-        before.exprs += first.exprs + second.exprs
-        first.exprs.clear()
-        second.exprs.clear()
-        flow.start(before)
-        return left, right
-    after = flow.block()
-    before.condition = condition
-    before.edges += [(first, "true"), (second, "false")]
-    first_end.edges.append((after, "next"))
-    second_end.edges.append((after, "next"))
-    flow.start(after)
-    return left, right
 
 
 def _lower_cast(body: Body, tree: Tree) -> str:

@@ -9,8 +9,8 @@ from rosarch.extractor.cxx.body import Body, expressions, strip
 from rosarch.extractor.cxx.calls import lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_parameter, declare_variable
 from rosarch.extractor.cxx.expressions import lower_expression
-from rosarch.extractor.cxx.flow import Flow
 from rosarch.extractor.cxx.libclang import Tree
+from rosarch.extractor.flow import Flow
 
 
 def lower_statement(body: Body, tree: Tree) -> None:
@@ -51,7 +51,7 @@ def lower_body(body: Body, tree: Tree) -> None:
     """Record a function's body and its control-flow graph."""
     body.unit.add("function_defined", body.function)
     lower_statement(body, tree)
-    body.flow.write(body.unit, body.function)
+    body.unit.marks[body.function] = body.flow.write(body.unit, body.function)
 
 
 def lower_variable(body: Body, tree: Tree) -> None:

@@ -13,10 +13,10 @@ from rosarch.extractor.cxx.declarations import (
     qualified_name,
 )
 from rosarch.extractor.cxx.expressions import lower_expression
-from rosarch.extractor.cxx.flow import Flow
 from rosarch.extractor.cxx.libclang import Cursor, Tree
 from rosarch.extractor.cxx.statements import lower_body, lower_variable
 from rosarch.extractor.cxx.unit import FunctionSpan, UnitFacts
+from rosarch.extractor.flow import Flow
 
 _TRANSPARENT = frozenset({kinds.NAMESPACE, kinds.LINKAGE_SPEC, kinds.UNEXPOSED_DECLARATION})
 

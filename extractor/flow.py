@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import Protocol
 
-from rosarch.extractor.cxx.unit import UnitFacts
+Mark = tuple[int, str, int]
+
+
+class Rows(Protocol):
+    """Takes rows."""
+
+    def add(self, relation: str, *row: str | int) -> None:
+        """Add one row to `relation`."""
 
 
 @dataclass(eq=False)
@@ -96,6 +104,47 @@ class Flow:
         self.to(no, "false")
         return yes, no
 
+    def maybe(self, condition: str, lower: Callable[[], str], *, taken: bool) -> str:
+        """Read, by `lower`, an expression that is evaluated only when `condition` is `taken`: a branch of its own when it does anything."""
+        before, inner = self.current, self.block()
+        self.start(inner)
+        expr = lower()
+        if self.current is inner and not inner.acts:
+            before.exprs += inner.exprs
+            inner.exprs.clear()
+            self.start(before)
+            return expr
+        after = self.block()
+        before.condition = condition
+        before.edges.append((inner, "true" if taken else "false"))
+        before.edges.append((after, "false" if taken else "true"))
+        self.to(after)
+        self.start(after)
+        return expr
+
+    def either(self, condition: str, yes: Callable[[], str], no: Callable[[], str]) -> tuple[str, str]:
+        """Read two expressions of which `condition` chooses one; they are branches when either does anything."""
+        before, first, second = self.current, self.block(), self.block()
+        self.start(first)
+        left = yes()
+        first_end = self.current
+        self.start(second)
+        right = no()
+        second_end = self.current
+        if first_end is first and second_end is second and not first.acts and not second.acts:
+            before.exprs += first.exprs + second.exprs
+            first.exprs.clear()
+            second.exprs.clear()
+            self.start(before)
+            return left, right
+        after = self.block()
+        before.condition = condition
+        before.edges += [(first, "true"), (second, "false")]
+        first_end.edges.append((after, "next"))
+        second_end.edges.append((after, "next"))
+        self.start(after)
+        return left, right
+
     def leave(self) -> None:
         """Return from the function; what follows is reached only by other ways."""
         self.to(self.exit)
@@ -167,8 +216,8 @@ class Flow:
         """The innermost switch."""
         return self._switches[-1] if self._switches else None
 
-    def write(self, unit: UnitFacts, function: str) -> None:
-        """Add the graph's rows; blocks that nothing enters and that evaluate nothing are left out."""
+    def write(self, unit: Rows, function: str) -> list[Mark]:
+        """Add the graph's rows; blocks that nothing enters and that evaluate nothing are left out. The marks, with the names of their blocks."""
         self.to(self.exit)
         entered = {id(target) for block in self._blocks for target, _ in block.edges + block.cases}
         kept = [b for b in self._blocks if b is self.entry or id(b) in entered or b.exprs or b.condition]
@@ -179,7 +228,8 @@ class Flow:
         for block in kept:
             name = names[id(block)]
             unit.add("block", name, function)
-            unit.rows["block_expr"].update((name, index, expr) for index, expr in enumerate(block.exprs))
+            for index, expr in enumerate(block.exprs):
+                unit.add("block_expr", name, index, expr)
             for target, label in block.edges:
                 unit.add("block_edge", name, names[id(target)], label)
             for target, value in block.cases:
@@ -189,9 +239,9 @@ class Flow:
                 unit.add("block_condition", name, block.condition)
             if block.loop is not None:
                 unit.add("loop_head", name, block.loop)
-        unit.marks[function] = sorted((offset, names[id(block)], index) for offset, block, index in self._marks if id(block) in names)
         for loop in self._loops:
             for part, blocks in (("test", loop.test), ("body", loop.body)):
                 for block in blocks:
                     if id(block) in names and id(loop.head) in names:
                         unit.add("loop_block", names[id(loop.head)], names[id(block)], part)
+        return sorted((offset, names[id(block)], index) for offset, block, index in self._marks if id(block) in names)

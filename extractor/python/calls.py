@@ -1,0 +1,146 @@
+"""Calls and constructions."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Sequence
+
+from . import strings
+from .body import Body
+from .inference import arguments_of, by_name, super_of
+from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
+from .program import external_name, names_class
+
+
+def lower_call(body: Body, node: ast.Call) -> str:
+    """Record a call or a construction; arguments of known functions stand at the index of their parameter."""
+    formatted = strings.format_call(body, node)
+    if formatted is not None:
+        return formatted
+    values = by_name(body.inference.callee_values(node, body.scope))
+    receiver, skipped = _receiver(body, node, values)
+    functions, classes = _callees(body, node, values)
+    through = _callee_value(body, node, functions, classes)
+    arguments = _arguments(body, node, functions, skipped)
+    call = body.node(node, "call")
+    facts = body.facts
+    facts.add("call", call, _name(node.func))
+    for function in functions:
+        facts.add("call_function", call, facts.function(function))
+    for cls in classes:
+        facts.add("call_constructs", call, facts.cls(cls))
+    types = facts.inference.values(node, body.scope)
+    if any(isinstance(value, InstanceValue) for value in types):
+        facts.add("expr_type", call, facts.type(types))
+    if receiver is not None:
+        facts.add("call_receiver", call, receiver)
+    if through is not None:
+        facts.add("call_through", call, through)
+    elif not functions and not classes:
+        facts.add("call_unresolved", call, "dynamic")
+    for index, argument in arguments:
+        facts.add("call_argument", call, index, argument)
+    body.flow.evaluate(call)
+    return call
+
+
+def _name(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else "()"
+
+
+def _receiver(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[str | None, int]:
+    """The object that a method is called on, and how many arguments stand for it: one in `Class.method(object)`."""
+    from .expressions import lower
+
+    if super_of(node.func, body.scope) is not None and body.scope.owner is not None:
+        expr = body.node(node.func, "this")
+        body.facts.add("this_use", expr, body.facts.cls(body.scope.owner))
+        return expr, 0
+    if not isinstance(node.func, ast.Attribute):
+        return None, 0
+    owners = body.inference.values(node.func.value, body.scope)
+    methods = [value.function for value in values if isinstance(value, FunctionValue) and not value.bound and value.function.owner is not None]
+    methods = [method for method in methods if method.kind != "static_method" and not method.of_class]
+    if any(isinstance(owner, ClassValue) for owner in owners) and methods and node.args:
+        return lower(body, node.args[0]), 1
+    if not owners or any(isinstance(owner, InstanceValue) for owner in owners):
+        return lower(body, node.func.value), 0
+    return None, 0
+
+
+def _callees(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[list[Function], list[Class]]:
+    """The functions that may be entered, and the classes that objects are made of."""
+    functions: list[Function] = []
+    classes: list[Class] = []
+    program = body.facts.program
+    for value in values:
+        match value:
+            case FunctionValue(function, _):
+                functions.append(function)
+            case ClassValue(cls):
+                classes.append(cls)
+            case ExternalValue(path) if names_class(path):
+                classes.append(program.external_class(path))
+            case ExternalValue(path):
+                functions.append(program.external_function(external_name(path)))
+            case InstanceValue(cls):
+                functions += _methods(body, [cls], "__call__")
+    functions += _methods(body, classes, "__init__")
+    if not functions and not classes and isinstance(node.func, ast.Attribute) and not _names_field(body, node.func):
+        above = super_of(node.func, body.scope)
+        owners = [above] if above else [v.cls for v in by_name(body.inference.values(node.func.value, body.scope)) if isinstance(v, InstanceValue)]
+        functions += _methods(body, owners, node.func.attr, beyond=above)
+    return list(dict.fromkeys(functions)), classes
+
+
+def _names_field(body: Body, node: ast.Attribute) -> bool:
+    return bool(body.inference.fields(node, body.scope))
+
+
+def _methods(body: Body, classes: Iterable[Class], name: str, beyond: Class | None = None) -> list[Function]:
+    """The methods `name` of `classes`; of those that may inherit it from a class that is not declared, that class' one."""
+    found = []
+    for cls in classes:
+        symbol = cls.find(name, beyond=beyond)
+        if isinstance(symbol, Function):
+            found.append(symbol)
+        elif symbol is None:
+            elsewhere = next((ancestor for ancestor in cls.ancestors() if not ancestor.own and ancestor.name != "object"), None)
+            if elsewhere is not None:
+                found.append(body.facts.program.external_function(f"{elsewhere.name}::{name}", elsewhere))
+    return found
+
+
+def _callee_value(body: Body, node: ast.Call, functions: Sequence[Function], classes: Sequence[Class]) -> str | None:
+    """The value that is called: of a variable, or what an expression gives."""
+    from .expressions import lower
+
+    if isinstance(node.func, ast.Name):
+        symbol = body.facts.program.lookup(node.func.id, body.scope)
+        return lower(body, node.func) if isinstance(symbol, Variable) else None
+    if isinstance(node.func, ast.Attribute):
+        return lower(body, node.func) if _names_field(body, node.func) else None
+    return lower(body, node.func) if not functions and not classes else None
+
+
+def _arguments(body: Body, node: ast.Call, functions: Sequence[Function], skipped: int) -> list[tuple[int, str]]:
+    from .expressions import lower
+
+    known = next((function for function in functions if function.node is not None), None)
+    indices: dict[ast.expr, int] = {}
+    if known is not None:
+        places = {parameter: index for index, parameter in enumerate(known.parameters)}
+        indices = {argument: places[parameter] for parameter, argument in arguments_of(node, known, skip=skipped).items()}
+    found = []
+    for index, argument in enumerate(node.args[skipped:]):
+        if isinstance(argument, ast.Starred):
+            lower(body, argument.value)
+            continue
+        found.append((indices.get(argument, index), lower(body, argument, text=True)))
+    for keyword in node.keywords:
+        value = lower(body, keyword.value, text=True)
+        if keyword.arg is not None and keyword.value in indices:
+            found.append((indices[keyword.value], value))
+        elif keyword.arg is not None:
+            body.facts.add("keyword_argument", value, keyword.arg)
+    return found

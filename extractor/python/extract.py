@@ -1,0 +1,84 @@
+"""The facts of a Python component: of all its modules together, as a translation unit has those of all its headers."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from rosarch.extractor.cxx.unit import file_key
+from rosarch.extractor.files import path_text
+from rosarch.extractor.flow import Flow
+from rosarch.extractor.workspace.model import PythonEntry
+
+from .body import Body, Facts
+from .inference import Inference
+from .model import Function, Module
+from .program import Program
+from .scopes import open_module
+from .source import Problem, read_source
+from .statements import lower_module
+
+Rows = dict[str, set[tuple[str | int, ...]]]
+RECURSION = 20_000
+SourceProblem = tuple[str, int, int, str]
+
+
+def extract_program(root: Path, entry: PythonEntry) -> tuple[Rows, list[SourceProblem]]:
+    """The facts of the component that `entry` starts, and what was not understood of its sources."""
+    sys.setrecursionlimit(max(sys.getrecursionlimit(), RECURSION))
+    problems: list[SourceProblem] = []
+    modules = {module.name: module for name, path in entry.modules for module in _read(root, entry, name, path, problems)}
+    rows = _rows(modules, entry, problems) if modules else {}
+    return rows, problems
+
+
+def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[SourceProblem]) -> Iterator[Module]:
+    """A module; none when its source is no Python."""
+    try:
+        parsed = read_source(path)
+    except OSError as error:
+        parsed = Problem(1, 1, f"not analysed: {error.strerror or error}")
+    found = (parsed,) if isinstance(parsed, Problem) else parsed.problems
+    problems += [(str(path), problem.line, problem.column, problem.message) for problem in found]
+    if isinstance(parsed, Problem) or not path.is_relative_to(root):
+        return
+    relative = path_text(path.relative_to(root))
+    main = path == entry.file and entry.function is None
+    module = Module(name, parsed.tree, file_key(relative), relative, tuple(parsed.data.split(b"\n")), main, path.name == "__init__.py")
+    try:
+        open_module(module)
+    except RecursionError:
+        problems.append((str(path), 1, 1, "not analysed: nested too deeply"))
+        return
+    yield module
+
+
+def _rows(modules: dict[str, Module], entry: PythonEntry, problems: list[SourceProblem]) -> Rows:
+    program = Program(modules)
+    facts = Facts(program, Inference(program, modules.values()))
+    for module in modules.values():
+        facts.add("source_file", module.key, module.path)
+        try:
+            lower_module(Body(facts, module, module.scope, Flow()), module)
+        except RecursionError:
+            problems.append((module.path, 1, 1, "not analysed as a whole: nested too deeply"))
+    first = modules.get(entry.module)
+    if first is not None:
+        facts.add("program_entry", first.function.identifier)
+        function = program.symbol_of(entry.module, entry.function) if entry.function else None
+        if isinstance(function, Function):
+            facts.add("program_entry", facts.function(function))
+    facts.rows["class_by_reference"].add(("?",))
+    return dict(facts.rows)
+
+
+def dynamic_imports(tree: ast.Module) -> Iterator[tuple[int, int]]:
+    """Where a module imports something by a name that is made up at run time."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Call(func=ast.Name(id="__import__") | ast.Attribute(attr="import_module"), args=[ast.Constant(value=str()), *_]):
+                continue
+            case ast.Call(func=ast.Name(id="__import__") | ast.Attribute(attr="import_module")):
+                yield node.lineno, node.col_offset + 1

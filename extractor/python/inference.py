@@ -1,0 +1,404 @@
+"""What expressions may stand for: modules, classes, functions, objects of classes. Flow is not looked at, calls are followed to what they return."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable
+
+from .model import (
+    NOTHING,
+    Class,
+    ClassValue,
+    ExternalValue,
+    Function,
+    FunctionValue,
+    Import,
+    InstanceValue,
+    Module,
+    ModuleValue,
+    Scope,
+    Source,
+    Value,
+    Values,
+    Variable,
+)
+from .program import Program, instance, names_class
+
+_ROUNDS = 8
+_MOST_VALUES = 16
+_CONTAINERS = {ast.List: "list", ast.ListComp: "list", ast.Tuple: "tuple", ast.Dict: "dict", ast.DictComp: "dict", ast.Set: "set", ast.SetComp: "set"}
+
+
+class Inference:
+    """Values of expressions of one program: the least that all its assignments, calls and returns ask for, found in rounds."""
+
+    def __init__(self, program: Program, modules: Iterable[Module]) -> None:
+        self.program = program
+        self._modules = list(modules)
+        self._variables: dict[Variable, Values] = {}
+        self._returns: dict[Function, Values] = {}
+        self._expressions: dict[tuple[ast.expr, Scope], Values] = {}
+        for _ in range(_ROUNDS):
+            if not self._round():
+                break
+        self._expressions.clear()
+
+    def _round(self) -> bool:
+        """Add what follows from what is known; whether anything was new."""
+        self._expressions.clear()
+        new = False
+        for module in self._modules:
+            for target, source in module.outer_targets:
+                self._outer_target(module, target, source)
+            for variable in module.variables:
+                new |= self._add(variable, frozenset().union(*(self._source(source) for source in variable.sources)))
+            for call, scope in module.calls:
+                new |= self._passes(call, scope)
+            for function in module.functions.values():
+                known = self._returns.get(function, NOTHING)
+                found = known | self._returned(function)
+                new |= found != known
+                self._returns[function] = found
+        return new
+
+    def _add(self, variable: Variable, values: Values) -> bool:
+        known = self._variables.get(variable, NOTHING)
+        if values <= known or len(known) > _MOST_VALUES:
+            return False
+        self._variables[variable] = known | values
+        return True
+
+    def _passes(self, call: ast.Call, scope: Scope) -> bool:
+        """The parameters of the functions that `call` may enter get its arguments; a list gets what is appended."""
+        new = False
+        if isinstance(call.func, ast.Attribute) and call.func.attr in ("append", "add", "appendleft") and len(call.args) == 1:
+            for variable in self.named(call.func.value, scope):
+                source = Source(call.args[0], scope, "inside")
+                if all(known.expr is not source.expr for known in variable.sources):
+                    variable.sources.append(source)
+        for function in self.callees(call, scope):
+            if function.own:
+                for parameter, argument in arguments_of(call, function).items():
+                    new |= self._add(parameter, self.values(argument, scope))
+        return new
+
+    def callees(self, call: ast.Call, scope: Scope) -> list[Function]:
+        """The functions that `call` may enter, constructors too."""
+        found: list[Function] = []
+        for value in by_name(self.callee_values(call, scope)):
+            symbol = value.function if isinstance(value, FunctionValue) else None
+            if isinstance(value, (ClassValue, InstanceValue)):
+                member = value.cls.find("__init__" if isinstance(value, ClassValue) else "__call__")
+                symbol = member if isinstance(member, Function) else None
+            if symbol is not None:
+                found.append(symbol)
+        return found
+
+    def _outer_target(self, module: Module, target: ast.expr, source: Source | None) -> None:
+        """`object.name = value`, `list[index] = value`."""
+        if source is None:
+            return
+        if isinstance(target, ast.Subscript):
+            for variable in self.named(target.value, source.scope):
+                if all(known.expr is not source.expr for known in variable.sources):
+                    variable.sources.append(Source(source.expr, source.scope, "inside"))
+        elif isinstance(target, ast.Attribute):
+            for value in self.values(target.value, source.scope):
+                if isinstance(value, InstanceValue) and value.cls.own:
+                    symbol = value.cls.find(target.attr)
+                    if symbol is None:
+                        place = target.lineno, target.col_offset + 1
+                        symbol = Variable(f"{value.cls.name}::{target.attr}", target.attr, "field", module, *place, owner=value.cls)
+                        value.cls.fields[target.attr] = symbol
+                        module.variables.append(symbol)
+                    if isinstance(symbol, Variable) and all(known.expr is not source.expr for known in symbol.sources):
+                        symbol.sources.append(source)
+
+    def named(self, node: ast.expr, scope: Scope) -> list[Variable]:
+        """The variables that `node` may name."""
+        if isinstance(node, ast.Name):
+            symbol = self.program.lookup(node.id, scope)
+            return [symbol] if isinstance(symbol, Variable) else []
+        return self.fields(node, scope) if isinstance(node, ast.Attribute) else []
+
+    def values(self, node: ast.expr | None, scope: Scope) -> Values:
+        """What the value of `node` may be, as far as it is known."""
+        if node is None:
+            return NOTHING
+        key = (node, scope)
+        found = self._expressions.get(key)
+        if found is None:
+            found = self._expressions[key] = self._infer(node, scope)
+        return found
+
+    def variable(self, variable: Variable) -> Values:
+        """What a variable may hold."""
+        found = self._variables.get(variable, NOTHING)
+        if variable.module is not None and variable.module.stub and not found:
+            found = frozenset().union(*(self._source(source) for source in variable.sources if source.part == "annotation"))
+        return found
+
+    def _source(self, source: Source) -> Values:
+        if source.part == "inside":
+            return NOTHING
+        if source.part == "annotation":
+            return self.annotated(source.expr, source.scope)
+        if source.part == "element":
+            return self._elements(source.expr, source.scope)
+        return self.values(source.expr, source.scope)
+
+    def annotated(self, node: ast.expr | None, scope: Scope) -> Values:
+        """Objects of the class that an annotation names."""
+        match node:
+            case ast.Constant(value=str(text)):
+                try:
+                    return self.annotated(ast.parse(text, mode="eval").body, scope)
+                except (SyntaxError, ValueError, RecursionError, MemoryError):
+                    return NOTHING
+            case ast.BinOp(left=left, op=ast.BitOr(), right=right):
+                return self.annotated(left, scope) | self.annotated(right, scope)
+            case ast.Subscript(value=outer, slice=inner):
+                if _last(outer) in ("Optional", "Final", "ClassVar", "Annotated"):
+                    return self.annotated(inner.elts[0] if isinstance(inner, ast.Tuple) else inner, scope)
+                if _last(outer) == "Union" and isinstance(inner, ast.Tuple):
+                    return frozenset().union(*(self.annotated(part, scope) for part in inner.elts))
+                return self.annotated(outer, scope)
+            case ast.Name() | ast.Attribute():
+                return frozenset(self._object(value) for value in self.program.dotted(node, scope) if not isinstance(value, (ModuleValue, FunctionValue)))
+        return NOTHING
+
+    def _object(self, value: Value) -> Value:
+        if isinstance(value, ExternalValue):
+            return InstanceValue(self.program.external_class(value.path))
+        return InstanceValue(value.cls) if isinstance(value, ClassValue) else value
+
+    def _elements(self, node: ast.expr | None, scope: Scope) -> Values:
+        """What a container that the source writes out, or that a variable holds, has in it."""
+        match node:
+            case ast.List(elts=parts) | ast.Tuple(elts=parts) | ast.Set(elts=parts):
+                return frozenset().union(*(self.values(part, scope) for part in parts))
+            case ast.ListComp(elt=part) | ast.SetComp(elt=part) | ast.GeneratorExp(elt=part):
+                return self.values(part, scope)
+            case ast.Dict(values=parts):
+                return frozenset().union(*(self.values(part, scope) for part in parts))
+            case ast.Call(func=ast.Attribute(value=inner, attr="values" | "items" | "copy"), args=[]):
+                return self._elements(inner, scope)
+            case ast.Call(func=ast.Name(id="range" | "xrange")):
+                return instance(self._builtin("int"))
+            case ast.Call(func=ast.Name(id="list" | "tuple" | "sorted" | "reversed" | "enumerate" | "set" | "iter"), args=[inner, *_]):
+                return self._elements(inner, scope)
+            case ast.Name(id=name):
+                symbol = self.program.lookup(name, scope)
+                return self._held(symbol) if isinstance(symbol, Variable) else NOTHING
+            case ast.Attribute():
+                return frozenset().union(*(self._held(variable) for variable in self.fields(node, scope)))
+        return NOTHING
+
+    def _held(self, variable: Variable, depth: int = 0) -> Values:
+        """What is in the container that a variable holds."""
+        found: Values = frozenset().union(*(self.values(source.expr, source.scope) for source in variable.sources if source.part == "inside"))
+        for source in variable.sources:
+            if source.part == "value" and isinstance(source.expr, tuple(_CONTAINERS)):
+                found |= self._elements(source.expr, source.scope)
+        return found
+
+    def fields(self, node: ast.Attribute, scope: Scope) -> list[Variable]:
+        """The data members that `object.name` may name."""
+        found = []
+        for value in sorted(self.values(node.value, scope), key=_name_of_value):
+            if isinstance(value, (InstanceValue, ClassValue)):
+                symbol = value.cls.find(node.attr)
+                if isinstance(symbol, Variable):
+                    found.append(field_of(value.cls, symbol))
+            elif isinstance(value, ModuleValue):
+                symbol = self.program.symbol_of(value.path, node.attr)
+                if isinstance(symbol, Variable):
+                    found.append(symbol)
+        return list(dict.fromkeys(found))
+
+    def _infer(self, node: ast.expr, scope: Scope) -> Values:
+        match node:
+            case ast.Name(id=name):
+                return self._name(name, scope)
+            case ast.Attribute():
+                return self._attribute(node, scope)
+            case ast.Call():
+                return self._call(node, scope)
+            case ast.Constant(value=value):
+                return NOTHING if value is None or value is Ellipsis else instance(self._builtin(type(value).__name__))
+            case ast.JoinedStr():
+                return instance(self._builtin("str"))
+            case ast.Lambda():
+                function = scope.module.functions.get(node)
+                return frozenset({FunctionValue(function)}) if function else NOTHING
+            case ast.IfExp(body=yes, orelse=no):
+                return self.values(yes, scope) | self.values(no, scope)
+            case ast.BoolOp(values=parts):
+                return frozenset().union(*(self.values(part, scope) for part in parts))
+            case ast.Compare() | ast.UnaryOp(op=ast.Not()):
+                return instance(self._builtin("bool"))
+            case ast.UnaryOp(operand=inner) | ast.NamedExpr(value=inner) | ast.Await(value=inner):
+                return self.values(inner, scope)
+            case ast.BinOp(left=left, right=right):
+                return self._binary(self.values(left, scope), self.values(right, scope))
+            case ast.Subscript(value=inner):
+                return self._elements(inner, scope)
+        kind = _CONTAINERS.get(type(node))
+        return instance(self._builtin(kind)) if kind else NOTHING
+
+    def _builtin(self, name: str) -> Class | None:
+        found = self.program.builtin(name)
+        return found if isinstance(found, Class) else None
+
+    def _binary(self, left: Values, right: Values) -> Values:
+        """Numbers with numbers are numbers; of other objects, the first tells."""
+        names = {value.cls.name for value in left | right if isinstance(value, InstanceValue)}
+        if names and names <= {"int", "float", "bool"}:
+            return instance(self._builtin("float" if "float" in names else "int"))
+        return left or right
+
+    def _name(self, name: str, scope: Scope) -> Values:
+        function = scope.function
+        outer: Scope | None = scope
+        while outer is not None and name not in outer.names:
+            function = outer.function if outer.kind == "function" else None
+            if function is not None and function.receiver == name and function.owner is not None:
+                return frozenset({ClassValue(function.owner) if function.of_class else InstanceValue(function.owner)})
+            outer = outer.parent
+        symbol = self.program.lookup(name, scope)
+        if symbol is None:
+            return NOTHING
+        if isinstance(symbol, Variable):
+            return self.variable(symbol)
+        return self.program.values_of(symbol, scope)
+
+    def _attribute(self, node: ast.Attribute, scope: Scope) -> Values:
+        found: set[Value] = set()
+        for value in self.values(node.value, scope):
+            match value:
+                case InstanceValue(cls):
+                    found |= self.of_object(cls, node.attr)
+                case ModuleValue(path, _):
+                    symbol = self.program.symbol_of(path, node.attr)
+                    found |= self.variable(symbol) if isinstance(symbol, Variable) else self.program.of_module(path, node.attr)
+                case ClassValue(cls):
+                    symbol = cls.find(node.attr)
+                    if isinstance(symbol, Variable):
+                        found |= instance(cls) if cls.enumeration else self.variable(symbol)
+                    else:
+                        found |= self.program.member(value, node.attr)
+                case ExternalValue():
+                    found |= self.program.member(value, node.attr)
+        return frozenset(found)
+
+    def of_object(self, cls: Class, name: str, *, beyond: Class | None = None) -> Values:
+        """What `name` of an object of `cls` stands for."""
+        symbol = cls.find(name, beyond=beyond)
+        if isinstance(symbol, Function):
+            return self.returns(symbol) if symbol.is_property else frozenset({FunctionValue(symbol, bound=symbol.kind != "static_method")})
+        if isinstance(symbol, Variable):
+            return self.variable(field_of(cls, symbol))
+        return frozenset({ClassValue(symbol)}) if isinstance(symbol, Class) else NOTHING
+
+    def callee_values(self, node: ast.Call, scope: Scope) -> Values:
+        """What a call calls."""
+        above = super_of(node.func, scope)
+        if above is not None and isinstance(node.func, ast.Attribute):
+            return self.of_object(above, node.func.attr, beyond=above)
+        return self.values(node.func, scope)
+
+    def _call(self, node: ast.Call, scope: Scope) -> Values:
+        if isinstance(node.func, ast.Name) and node.func.id == "super" and scope.owner is not None:
+            return NOTHING  # see `super_of`
+        result: set[Value] = set()
+        for value in self.callee_values(node, scope):
+            match value:
+                case ClassValue(cls):
+                    result.add(InstanceValue(cls))
+                case FunctionValue(function, _):
+                    result |= self.returns(function)
+                case ExternalValue(path):
+                    if names_class(path):
+                        result.add(InstanceValue(self.program.external_class(path)))
+                case InstanceValue(cls):
+                    called = cls.find("__call__")
+                    result |= self.returns(called) if isinstance(called, Function) else NOTHING
+        return frozenset(result)
+
+    def returns(self, function: Function) -> Values:
+        """What a function returns."""
+        return self._returns.get(function, NOTHING) if function.own else self._returned(function)
+
+    def _returned(self, function: Function) -> Values:
+        if function.node is None or function.scope is None:
+            return NOTHING
+        if isinstance(function.node, ast.Lambda):
+            return self.values(function.node.body, function.scope)
+        if function.node.returns is not None:
+            return self.annotated(function.node.returns, function.scope.parent or function.scope)
+        return frozenset().union(*(self.values(value, function.scope) for value in returned(function.node)))
+
+
+def arguments_of(call: ast.Call, function: Function, *, skip: int = 0) -> dict[Variable, ast.expr]:
+    """The parameters of `function` with the arguments that `call` gives them, as far as it writes them out; the first `skip` are left out."""
+    found: dict[Variable, ast.expr] = {}
+    positional = [parameter for parameter in function.parameters if parameter.positional]
+    for parameter, argument in zip(positional, call.args[skip:], strict=False):
+        if isinstance(argument, ast.Starred):
+            break
+        found[parameter] = argument
+    for keyword in call.keywords:
+        index = function.index_of(keyword.arg) if keyword.arg else None
+        if index is not None:
+            found[function.parameters[index]] = keyword.value
+    return found
+
+
+def super_of(node: ast.expr, scope: Scope) -> Class | None:
+    """The class whose bases `super().name` looks in."""
+    match node:
+        case ast.Attribute(value=ast.Call(func=ast.Name(id="super"))):
+            return scope.owner
+    return None
+
+
+def returned(node: ast.AST) -> Iterable[ast.expr]:
+    """The values that a function returns, not those of functions in it."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Return) and child.value is not None:
+            yield child.value
+        elif not isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef, ast.expr)):
+            yield from returned(child)
+
+
+def field_of(cls: Class, variable: Variable) -> Variable:
+    """The data member of all classes from which `cls` has it: that of the most general one that the workspace defines."""
+    found = variable
+    for ancestor in cls.ancestors():
+        known = ancestor.fields.get(variable.name)
+        if known is not None and ancestor.own == (variable.module is not None and not variable.module.stub):
+            found = known
+    return found
+
+
+def _last(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def _name_of_value(value: Value) -> str:
+    match value:
+        case InstanceValue(cls) | ClassValue(cls):
+            return cls.name
+        case FunctionValue(function, _):
+            return function.identifier
+        case ModuleValue(path, _) | ExternalValue(path):
+            return path
+    return ""
+
+
+def by_name(values: Values) -> list[Value]:
+    """Values in a fixed order."""
+    return sorted(values, key=lambda value: (type(value).__name__, _name_of_value(value)))
+
+
+__all__ = ["Import", "Inference", "by_name", "field_of", "super_of"]

@@ -1,0 +1,230 @@
+"""Modules, classes, functions and variables of a Python program, and what expressions may stand for."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
+
+
+@dataclass(eq=False)
+class Module:
+    """A module: of the workspace (then `key` and `path` name its file), or a declaration (`stub`) of one that is elsewhere.
+
+    `main` tells that it is run as a program, and not imported. `outer_targets` are assigned to, and neither names nor members of `self`.
+    """
+
+    name: str
+    tree: ast.Module
+    key: str = ""
+    path: str = ""
+    lines: tuple[bytes, ...] = ()
+    main: bool = False
+    is_package: bool = False
+    scope: Scope = field(init=False)
+    function: Function = field(init=False)
+    functions: dict[ast.AST, Function] = field(default_factory=dict)
+    classes: dict[ast.AST, Class] = field(default_factory=dict)
+    variables: list[Variable] = field(default_factory=list)
+    calls: list[tuple[ast.Call, Scope]] = field(default_factory=list)
+    outer_targets: list[tuple[ast.expr, Source | None]] = field(default_factory=list)
+
+    @property
+    def stub(self) -> bool:
+        """Whether this is only a declaration."""
+        return not self.key
+
+    def member(self, name: str) -> str:
+        """The qualified name of what the module calls `name`."""
+        return f"{self.name}::{name}" if self.name != "builtins" else name
+
+
+@dataclass(eq=False)
+class Class:
+    """A class; one that no source declares has no `node` and no `module`."""
+
+    name: str
+    module: Module | None = None
+    node: ast.ClassDef | None = None
+    scope: Scope | None = None
+    bases: list[Class] = field(default_factory=list)
+    fields: dict[str, Variable] = field(default_factory=dict)
+    enumeration: bool = False
+
+    @property
+    def own(self) -> bool:
+        """Whether the workspace defines it."""
+        return self.module is not None and not self.module.stub
+
+    def ancestors(self) -> Iterator[Class]:
+        """The class and those it derives from, in the order in which members are looked for; each once."""
+        waiting, seen = [self], {id(self)}
+        while waiting:
+            found = waiting.pop(0)
+            yield found
+            for base in found.bases:
+                if id(base) not in seen:
+                    seen.add(id(base))
+                    waiting.append(base)
+
+    def member(self, name: str) -> Symbol | None:
+        """What the class itself, without its bases, calls `name`: a method, a nested class, a data member."""
+        symbol = self.scope.names.get(name) if self.scope else None
+        return symbol if isinstance(symbol, (Function, Class)) else self.fields.get(name)
+
+    def find(self, name: str, *, beyond: Class | None = None) -> Symbol | None:
+        """What objects of the class call `name`; with `beyond`, only what comes after that class is looked at."""
+        found = self.ancestors()
+        if beyond is not None:
+            found = iter(list(found)[1:]) if beyond is self else (c for c in list(found)[1:])
+        return next((symbol for c in found if (symbol := c.member(name)) is not None), None)
+
+
+@dataclass(eq=False)
+class Function:
+    """A function with a body in the workspace, a declared one (of a stub), or one that is only known by name (no `node`)."""
+
+    identifier: str
+    name: str
+    kind: str
+    node: FunctionNode | None = None
+    module: Module | None = None
+    owner: Class | None = None
+    scope: Scope | None = None
+    parameters: list[Variable] = field(default_factory=list)
+    receiver: str = ""
+    is_property: bool = False
+    of_class: bool = False
+
+    @property
+    def own(self) -> bool:
+        """Whether the workspace defines it."""
+        return self.module is not None and not self.module.stub
+
+    def index_of(self, name: str) -> int | None:
+        """The index of the parameter called `name`."""
+        return next((index for index, parameter in enumerate(self.parameters) if parameter.name == name), None)
+
+
+@dataclass(eq=False)
+class Source:
+    """What a variable gets of `expr` in `scope`: its `part`, which is value, element, annotation, or inside (an element of the variable)."""
+
+    expr: ast.expr
+    scope: Scope
+    part: str = "value"
+
+
+@dataclass(eq=False)
+class Variable:
+    """A variable; `sources` are what it gets, `first` the statement that declares it: its first assignment."""
+
+    identifier: str
+    name: str
+    kind: str
+    module: Module | None = None
+    line: int = 0
+    column: int = 0
+    owner: Class | None = None
+    function: Function | None = None
+    sources: list[Source] = field(default_factory=list)
+    first: ast.AST | None = None
+    positional: bool = True
+
+
+@dataclass(eq=False)
+class Import:
+    """A name that an import binds: the module `path`, or the member `member` of it; `sure` when nothing else may be bound instead."""
+
+    path: str
+    member: str = ""
+
+
+Symbol = Variable | Function | Class | Import
+
+
+@dataclass(eq=False)
+class Scope:
+    """The names of a module, a class or a function; `function` is the one whose body this is part of."""
+
+    kind: str
+    module: Module
+    parent: Scope | None
+    names: dict[str, Symbol] = field(default_factory=dict)
+    function: Function | None = None
+    owner: Class | None = None
+    elsewhere: dict[str, str] = field(default_factory=dict)
+    stars: list[str] = field(default_factory=list)
+    other_imports: dict[str, list[Import]] = field(default_factory=dict)
+
+    def lookup(self, name: str) -> Symbol | None:
+        """What `name` means in this scope: classes are passed over from within functions."""
+        if self.elsewhere.get(name) == "global":
+            return self.module.scope.names.get(name)
+        if name in self.names and self.elsewhere.get(name) != "nonlocal":
+            return self.names[name]
+        outer = self.parent
+        while outer is not None:
+            if outer.kind != "class" and name in outer.names:
+                return outer.names[name]
+            outer = outer.parent
+        return None
+
+    def holder(self, name: str) -> Scope:
+        """The scope in which an assignment to `name` here takes place."""
+        where = self.elsewhere.get(name)
+        if where == "global":
+            return self.module.scope
+        outer = self.parent
+        while where == "nonlocal" and outer is not None:
+            if outer.kind == "function" and name in outer.names:
+                return outer
+            outer = outer.parent
+        return self
+
+
+# What an expression may stand for.
+
+
+@dataclass(frozen=True)
+class ModuleValue:
+    """A module; `module` is None when it is neither in the workspace nor declared."""
+
+    path: str
+    module: Module | None
+
+
+@dataclass(frozen=True)
+class ExternalValue:
+    """Something of a module that is not declared, by its dotted name."""
+
+    path: str
+
+
+@dataclass(frozen=True)
+class ClassValue:
+    """A class itself."""
+
+    cls: Class
+
+
+@dataclass(frozen=True)
+class InstanceValue:
+    """An object of a class."""
+
+    cls: Class
+
+
+@dataclass(frozen=True)
+class FunctionValue:
+    """A function; `bound` when its object is given with it."""
+
+    function: Function
+    bound: bool = False
+
+
+Value = ModuleValue | ExternalValue | ClassValue | InstanceValue | FunctionValue
+Values = frozenset[Value]
+NOTHING: Values = frozenset()

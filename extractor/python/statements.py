@@ -1,0 +1,457 @@
+"""Statements: the shape of the control-flow graph, and the expressions in it."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Sequence
+
+from rosarch.extractor.flow import Flow
+
+from .body import Body
+from .model import Class, Function, InstanceValue, Module, ModuleValue, Variable
+
+_AUGMENTED: dict[type[ast.operator], str] = {
+    ast.Add: "+=", ast.Sub: "-=", ast.Mult: "*=", ast.Div: "/=", ast.FloorDiv: "/=", ast.Mod: "%=", ast.Pow: "*=", ast.LShift: "<<=", ast.RShift: ">>=",
+    ast.BitOr: "|=", ast.BitAnd: "&=", ast.BitXor: "^=", ast.MatMult: "*=",
+}  # fmt: skip
+_EVERYTHING = ("Exception", "BaseException")
+
+
+def lower_statements(body: Body, nodes: Sequence[ast.stmt]) -> None:
+    """Record statements in a row."""
+    for node in nodes:
+        _STATEMENTS.get(type(node), _expressions_of)(body, node)
+
+
+def lower_function(body: Body, function: Function) -> None:
+    """Record a function: its parameters' defaults, its body, its control-flow graph."""
+    from .expressions import lower
+
+    facts, node, scope = body.facts, function.node, function.scope
+    if node is None or scope is None or function.module is None:
+        return
+    name = facts.function(function)
+    facts.add("function_defined", name)
+    outside = Body(facts, function.module, body.scope, Flow())
+    arguments = node.args
+    named = [*arguments.posonlyargs, *arguments.args]
+    defaults = {argument.arg: default for argument, default in zip(reversed(named), reversed(arguments.defaults), strict=False)}
+    defaults.update({argument.arg: default for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if default is not None})
+    for parameter in function.parameters:
+        if parameter.name in defaults:
+            facts.add("parameter_default", facts.variable(parameter), lower(outside, defaults[parameter.name], text=True))
+    inner = Body(facts, function.module, scope, Flow(), name)
+    if isinstance(node, ast.Lambda):
+        value = lower(inner, node.body, text=True)
+        facts.add("return_value", name, value)
+        inner.flow.evaluate(value)
+    else:
+        lower_statements(inner, node.body)
+    inner.flow.write(facts, name)
+
+
+def lower_module(facts_body: Body, module: Module) -> None:
+    """Record the body of a module: a function that runs when the module is imported, or as a program."""
+    facts = facts_body.facts
+    name = facts.function(module.function)
+    facts.add("function_defined", name)
+    body = Body(facts, module, module.scope, Flow(), name)
+    lower_statements(body, module.tree.body)
+    body.flow.write(facts, name)
+
+
+def lower_lambda(body: Body, node: ast.Lambda) -> str:
+    """A lambda expression; its body is a function of its own."""
+    expr = body.node(node, "lambda")
+    function = body.module.functions.get(node)
+    if function is not None:
+        lower_function(body, function)
+        body.facts.add("lambda", expr, function.identifier)
+    return expr
+
+
+def assign(body: Body, target: ast.expr, value: str, node: ast.AST) -> None:
+    """`target` is given `value`."""
+    from .expressions import literal, lower
+
+    if isinstance(target, (ast.Tuple, ast.List)):
+        for index, part in enumerate(target.elts):
+            element = body.operator(part, "[]", value, literal(body, part, index))
+            assign(body, part.value if isinstance(part, ast.Starred) else part, element, part)
+        return
+    place = lower(body, target, text=True)
+    body.flow.evaluate(body.operator(node, "=", place, value))
+
+
+def _assign(body: Body, node: ast.Assign) -> None:
+    from .expressions import lower
+
+    target = node.targets[0]
+    if len(node.targets) == 1 and isinstance(target, (ast.Tuple, ast.List)) and isinstance(node.value, (ast.Tuple, ast.List)):
+        parts = node.value.elts
+        if len(parts) == len(target.elts) and not any(isinstance(part, ast.Starred) for part in (*parts, *target.elts)):
+            values = [lower(body, part, text=True) for part in parts]
+            for part, value in zip(target.elts, values, strict=True):
+                assign(body, part, value, part)
+            return
+    value = lower(body, node.value, text=True)
+    declared = _declared(body, target, node) if len(node.targets) == 1 else None
+    if declared is not None:
+        body.facts.add("variable_initializer", declared, value)
+        body.flow.evaluate(value)
+        return
+    for target in node.targets:
+        assign(body, target, value, node)
+
+
+def _declared(body: Body, target: ast.expr, node: ast.stmt) -> str | None:
+    """The variable that this statement declares: its first assignment."""
+    if isinstance(target, ast.Name):
+        variable = body.scope.holder(target.id).names.get(target.id)
+        if isinstance(variable, Variable) and variable.first is node:
+            return body.facts.variable(variable)
+    return None
+
+
+def _annotated(body: Body, node: ast.AnnAssign) -> None:
+    from .expressions import lower
+
+    if node.value is not None:
+        value = lower(body, node.value, text=True)
+        declared = _declared(body, node.target, node)
+        if declared is not None:
+            body.facts.add("variable_initializer", declared, value)
+            body.flow.evaluate(value)
+        else:
+            assign(body, node.target, value, node)
+
+
+def _augmented(body: Body, node: ast.AugAssign) -> None:
+    from .expressions import lower
+
+    target, value = lower(body, node.target, text=True), lower(body, node.value, text=True)
+    body.flow.evaluate(body.operator(node, _AUGMENTED[type(node.op)], target, value))
+
+
+def _expression(body: Body, node: ast.Expr) -> None:
+    from .expressions import lower
+
+    if not isinstance(node.value, ast.Constant):
+        lower(body, node.value, text=True)
+
+
+def _expressions_of(body: Body, node: ast.stmt) -> None:
+    """A statement without facts of its own."""
+    from .expressions import lower
+
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.expr):
+            lower(body, child)
+
+
+def _delete(body: Body, node: ast.Delete) -> None:
+    from .expressions import lower
+
+    for target in node.targets:
+        body.flow.evaluate(body.operator(target, "delete", lower(body, target)))
+
+
+def _if(body: Body, node: ast.If) -> None:
+    from .expressions import lower
+
+    flow = body.flow
+    yes, no = flow.branch(lower(body, node.test, text=True))
+    after = flow.block()
+    flow.start(yes)
+    lower_statements(body, node.body)
+    flow.to(after)
+    flow.start(no)
+    lower_statements(body, node.orelse)
+    flow.to(after)
+    flow.start(after)
+
+
+def _loop(body: Body, kind: str, test: Callable[[], str], inner: Callable[[], None], orelse: Sequence[ast.stmt] = ()) -> None:
+    """A loop; what stands in its `else` follows when it is not left by `break`."""
+    flow = body.flow
+    loop = flow.loop()
+    with flow.within(loop.test):
+        head = flow.block()
+        flow.to(head)
+        flow.start(head)
+        condition = test()
+    loop.head = flow.current
+    flow.current.loop = kind
+    after = flow.block()
+    ended = flow.block() if orelse else after
+    with flow.within(loop.body):
+        start = flow.block()
+        flow.current.condition = condition
+        flow.to(start, "true")
+        flow.to(ended, "false")
+        flow.start(start)
+        with flow.breaking(after, head):
+            inner()
+        flow.to(head)
+    if orelse:
+        flow.start(ended)
+        lower_statements(body, orelse)
+        flow.to(after)
+    flow.start(after)
+
+
+def _while(body: Body, node: ast.While) -> None:
+    from .expressions import lower
+
+    _loop(body, "while", lambda: lower(body, node.test, text=True), lambda: lower_statements(body, node.body), node.orelse)
+
+
+def _for(body: Body, node: ast.For | ast.AsyncFor) -> None:
+    container = _begin_range(body, node.target, node.iter)
+
+    def inner() -> None:
+        _take_apart(body, node.target, container)
+        lower_statements(body, node.body)
+
+    _loop(body, "range_for", lambda: container, inner, node.orelse)
+
+
+def _begin_range(body: Body, target: ast.expr, container: ast.expr) -> str:
+    """The loop variable runs over `container`."""
+    from .expressions import lower
+
+    expr = lower(body, container, text=True)
+    if isinstance(target, ast.Name):
+        variable = body.scope.holder(target.id).names.get(target.id)
+        if isinstance(variable, Variable):
+            body.facts.add("range_variable", body.facts.variable(variable), expr)
+            body.flow.evaluate(expr)
+    return expr
+
+
+def _take_apart(body: Body, target: ast.expr, container: str) -> None:
+    """`for a, b in container`: each gets its part of an element."""
+    from .expressions import literal
+
+    if not isinstance(target, ast.Name):
+        element = body.operator(target, "[]", container, literal(body, target, None))
+        assign(body, target, element, target)
+
+
+def lower_comprehension(body: Body, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp) -> str:
+    """A loop that makes a container of what it gives."""
+    from .expressions import lower
+
+    made: list[str] = []
+
+    def generate(rest: Sequence[ast.comprehension]) -> None:
+        if not rest:
+            if isinstance(node, ast.DictComp):
+                made.append(body.operator(node.key, "{}", lower(body, node.key), lower(body, node.value), form="list"))
+            else:
+                made.append(lower(body, node.elt))
+            return
+        first = rest[0]
+        container = _begin_range(body, first.target, first.iter)
+
+        def inner() -> None:
+            _take_apart(body, first.target, container)
+            after = body.flow.block()
+            for test in first.ifs:
+                yes, no = body.flow.branch(lower(body, test, text=True))
+                body.flow.start(no)
+                body.flow.to(after)
+                body.flow.start(yes)
+            generate(rest[1:])
+            body.flow.to(after)
+            body.flow.start(after)
+
+        _loop(body, "range_for", lambda: container, inner)
+
+    generate(node.generators)
+    return body.operator(node, "{}", *made, form="list")
+
+
+def _with(body: Body, node: ast.With | ast.AsyncWith) -> None:
+    from .expressions import lower
+
+    for item in node.items:
+        value = lower(body, item.context_expr, text=True)
+        if item.optional_vars is not None:
+            assign(body, item.optional_vars, value, item.optional_vars)
+    lower_statements(body, node.body)
+
+
+def _try(body: Body, node: ast.Try) -> None:
+    """What stands in `finally` follows in any case; where it goes on after an exception is not told apart."""
+    flow = body.flow
+    handlers = [flow.block() for _ in node.handlers]
+    after = flow.block()
+    everything = bool(node.finalbody) or any(_catches_all(handler) for handler in node.handlers)
+    caught = handlers or [after]
+    with flow.catching(caught, everything):
+        start = flow.block()
+        flow.to(start)
+        flow.start(start)
+        lower_statements(body, node.body)
+    lower_statements(body, node.orelse)
+    flow.to(after)
+    for block, handler in zip(handlers, node.handlers, strict=True):
+        flow.start(block)
+        if handler.type is not None:
+            _expressions_of(body, ast.copy_location(ast.Expr(handler.type), handler))
+        lower_statements(body, handler.body)
+        flow.to(after)
+    flow.start(after)
+    lower_statements(body, node.finalbody)
+
+
+def _catches_all(handler: ast.ExceptHandler) -> bool:
+    return handler.type is None or (isinstance(handler.type, ast.Name) and handler.type.id in _EVERYTHING)
+
+
+def _return(body: Body, node: ast.Return) -> None:
+    from .expressions import lower
+
+    if node.value is not None:
+        expr = lower(body, node.value, text=True)
+        body.facts.add("return_value", body.function, expr)
+        body.flow.evaluate(expr)
+    body.flow.leave()
+
+
+def _raise(body: Body, node: ast.Raise) -> None:
+    from .expressions import lower
+
+    operands = [lower(body, part) for part in (node.exc, node.cause) if part is not None]
+    expr = body.operator(node, "throw", *operands, form="throw")
+    body.flow.evaluate(expr)
+    body.flow.throw()
+
+
+def _match(body: Body, node: ast.Match) -> None:
+    """One case after the other is asked for."""
+    from .expressions import lower
+
+    flow = body.flow
+    subject = lower(body, node.subject, text=True)
+    after = flow.block()
+    for case in node.cases:
+        if isinstance(case.pattern, ast.MatchAs) and case.pattern.pattern is None and case.guard is None:
+            lower_statements(body, case.body)
+            break
+        if isinstance(case.pattern, ast.MatchValue):
+            condition = body.operator(case.pattern, "==", subject, lower(body, case.pattern.value))
+        else:
+            condition = body.node(case.pattern, "unknown")
+            body.facts.add("operand", condition, 0, subject)
+            body.facts.add("expr_unknown", condition, "pattern")
+        body.facts.add("expr_text", condition, f"{body.text(node.subject)} == {body.text(case.pattern)}")
+        yes, no = flow.branch(condition)
+        flow.start(yes)
+        if case.guard is not None:
+            inside, outside = flow.branch(lower(body, case.guard, text=True))
+            flow.start(outside)
+            flow.to(no)
+            flow.start(inside)
+        lower_statements(body, case.body)
+        flow.to(after)
+        flow.start(no)
+    flow.to(after)
+    flow.start(after)
+
+
+def _function(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
+    function = body.module.functions.get(node)
+    if function is not None:
+        _decorators(body, node.decorator_list, function)
+        lower_function(body, function)
+
+
+def _decorators(body: Body, nodes: Sequence[ast.expr], function: Function) -> None:
+    """A decorator is called with the function; those of the language are no more than marks."""
+    from .expressions import function_use, lower
+
+    for node in nodes:
+        body.facts.add("function_annotation", body.facts.function(function), body.text(node))
+        values = body.inference.values(node, body.scope)
+        if isinstance(node, ast.Name) and not any(getattr(value, "function", None) for value in values):
+            continue
+        callee = lower(body, node)
+        call = body.node(node, "call")
+        body.facts.add("call", call, "decorator")
+        body.facts.add("call_through", call, callee)
+        body.facts.add("call_argument", call, 0, function_use(body, node, [function]))
+        body.flow.evaluate(call)
+
+
+def _class(body: Body, node: ast.ClassDef) -> None:
+    """What stands in a class is evaluated when the class is defined; the methods are functions of their own."""
+    cls = body.module.classes.get(node)
+    if cls is None or cls.scope is None:
+        return
+    body.facts.cls(cls)
+    inner = Body(body.facts, body.module, cls.scope, Flow())
+    lower_statements(inner, node.body)
+
+
+def _import(body: Body, node: ast.Import | ast.ImportFrom) -> None:
+    """A module of the workspace runs when it is imported first."""
+    program = body.facts.program
+    for path in _imported(body, node):
+        module = program.modules.get(path)
+        if module is not None and not module.stub and module is not body.module:
+            call = body.node(node, "call")
+            body.facts.add("call", call, "import")
+            body.facts.add("call_function", call, body.facts.function(module.function))
+            body.flow.evaluate(call)
+
+
+def _imported(body: Body, node: ast.Import | ast.ImportFrom) -> list[str]:
+    if isinstance(node, ast.Import):
+        wholes = [alias.name for alias in node.names]
+    else:
+        path = node.module or ""
+        if node.level:
+            parts = body.module.name.split(".")
+            parts = parts[: len(parts) - node.level + body.module.is_package] if node.level <= len(parts) else []
+            path = ".".join([*parts, *([path] if path else [])])
+        wholes = [path, *(f"{path}.{alias.name}" for alias in node.names)]
+    found = []
+    for whole in wholes:
+        parts = whole.split(".")
+        found += [".".join(parts[:count]) for count in range(1, len(parts) + 1)]
+    return list(dict.fromkeys(found))
+
+
+def _nothing(_body: Body, _node: ast.stmt) -> None:
+    """A statement that does nothing by itself."""
+
+
+_STATEMENTS: dict[type[ast.stmt], Callable[..., None]] = {
+    ast.Expr: _expression,
+    ast.Assign: _assign,
+    ast.AnnAssign: _annotated,
+    ast.AugAssign: _augmented,
+    ast.Delete: _delete,
+    ast.If: _if,
+    ast.While: _while,
+    ast.For: _for,
+    ast.AsyncFor: _for,
+    ast.With: _with,
+    ast.AsyncWith: _with,
+    ast.Try: _try,
+    ast.Return: _return,
+    ast.Raise: _raise,
+    ast.Match: _match,
+    ast.FunctionDef: _function,
+    ast.AsyncFunctionDef: _function,
+    ast.ClassDef: _class,
+    ast.Import: _import,
+    ast.ImportFrom: _import,
+    ast.Break: lambda body, _node: body.flow.break_(),
+    ast.Continue: lambda body, _node: body.flow.continue_(),
+    ast.Global: _nothing,
+    ast.Nonlocal: _nothing,
+    ast.Pass: _nothing,
+}
