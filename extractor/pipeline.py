@@ -6,7 +6,7 @@ component are the union of those of its units.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -25,10 +25,10 @@ from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs
+from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.sharing import CommonUnits
-from rosarch.extractor.units import Progress, UnitFile, UnitReader, read_units, unit_rows
+from rosarch.extractor.units import Outcome, Progress, UnitFile, UnitReader, odd_source, read_units, unit_rows
 from rosarch.extractor.workspace import (
-    PYTHON_NODE,
     Component,
     Diagnostic,
     Workspace,
@@ -140,10 +140,10 @@ def extract(
         extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
         observation.ignore(scratch)
-        found = [component for component in _readable(components(workspace, extraction.diagnostics)) if only is None or only(component)]
+        found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
         commands = read_compile_commands(workspace.root)
         extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
-        units_of = {component: compile_units(workspace, component, commands) for component in found}
+        units_of = {component: compile_units(workspace, component, commands) for component in found if component.python is None}
         units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
         extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
         extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
@@ -152,22 +152,20 @@ def extract(
         reader = UnitReader(workspace.root, finder, scratch, cache)
         reading = read_units(units, reader, jobs or default_jobs(), timeout, progress)
         reading.diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in odd_source(source)]
-        scripts = sorted({PythonUnit(component.python) for component in found if component.python}, key=repr)
+        scripts = sorted({component.python for component in found if component.python}, key=repr)
         read = read_units(scripts, PythonReader(workspace.root, scratch, cache), jobs or default_jobs(), timeout, progress)
         reading.diagnostics += read.diagnostics
     extraction.seconds = {**reading.seconds, **read.seconds}
-    extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str) if units else extraction.diagnostics
+    if units or scripts:
+        extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str)
     defined = _defined(store)
     extraction.components = tuple(
-        _component_facts(component, units_of[component], workspace.root, reading.files, defined)
+        _component_facts(
+            component, workspace.root, read.of([component.python]) if component.python else reading.of(units_of[component]), defined
+        )
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction
-
-
-def _readable(found: Iterable[Component]) -> Iterator[Component]:
-    """The components whose language is read."""
-    return (component for component in found if component.kind != PYTHON_NODE)
 
 
 def compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:
@@ -230,9 +228,7 @@ def _defined(store: MessageStore) -> _Defined:
     return _Defined(classes, configs, hash_of(map(repr, (*sorted(classes), *sorted(configs)))))
 
 
-def _component_facts(
-    component: Component, units: Sequence[CompileUnit], root: Path, files: Mapping[CompileUnit, UnitFile | Failure], defined: _Defined
-) -> ComponentFacts:
+def _component_facts(component: Component, root: Path, outcomes: Sequence[Outcome], defined: _Defined) -> ComponentFacts:
     own: dict[str, set[tuple[str | int, ...]]] = {
         "component": {(component.name, component.package, component.kind)},
         "component_source": set(),
@@ -243,18 +239,19 @@ def _component_facts(
         own["component_class"] = {(component.entry_class,)}
     if component.plugin_name or component.base_class:
         own["component_plugin"] = {(component.plugin_name or component.entry_class or component.name, component.base_class or "")}
-    for unit in units:
-        if unit.source.is_relative_to(root):
-            relative = path_text(unit.source.relative_to(root))
-            origin = "own" if unit.source in component.sources else "library"
-            own["source_file"].add((file_key(relative), relative))
-            own["component_source"].add((file_key(relative), origin))
-            if isinstance(failure := files[unit], Failure):
-                own["source_failed"].add((file_key(relative), failure.reason))
-    read = [file for unit in units if isinstance(file := files[unit], UnitFile)]
+    for sources, outcome in outcomes:
+        for source in sources:
+            if source.is_relative_to(root):
+                relative = path_text(source.relative_to(root))
+                origin = "own" if source in component.sources else "library"
+                own["source_file"].add((file_key(relative), relative))
+                own["component_source"].add((file_key(relative), origin))
+                if isinstance(outcome, Failure):
+                    own["source_failed"].add((file_key(relative), outcome.reason))
+    read = [outcome for _, outcome in outcomes if isinstance(outcome, UnitFile)]
     keys = [file.key for file in read if file.key is not None]
     facts = [f"{relation} {row!r}" for relation, rows in sorted(own.items()) for row in sorted(rows, key=repr)]
-    certain = len(keys) == len(units)  # a unit that failed may not do so the next time
+    certain = len(keys) == len(outcomes)  # a unit that failed may not do so the next time
     sources = tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root))
     return ComponentFacts(
         component.name,

@@ -9,7 +9,7 @@ import re
 import shutil
 import sys
 import time
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Generic, Protocol, TypeVar
@@ -46,14 +46,19 @@ class UnitFile:
 
 
 class AnyUnit(Hashable, Protocol):
-    """What is read together, and begins with a source."""
+    """Sources that are read together."""
 
     @property
     def source(self) -> Path:
-        """The file that it begins with."""
+        """The file that the others are read for."""
+
+    @property
+    def own_sources(self) -> tuple[Path, ...]:
+        """The files that are read for no other reason."""
 
 
 Unit = TypeVar("Unit", bound=AnyUnit)
+Outcome = tuple[tuple[Path, ...], UnitFile | Failure]
 
 
 class Reader(Protocol[Unit]):
@@ -87,6 +92,10 @@ class Reading(Generic[Unit]):
     files: dict[Unit, UnitFile | Failure] = field(default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     seconds: dict[Path, float] = field(default_factory=dict)
+
+    def of(self, units: Iterable[Unit]) -> list[Outcome]:
+        """The sources of some units and what became of them."""
+        return [(unit.own_sources, self.files[unit]) for unit in units]
 
 
 @dataclass(frozen=True)

@@ -46,6 +46,11 @@ class CompileUnit:
     installed: tuple[Path, ...] = ()
 
     @property
+    def own_sources(self) -> tuple[Path, ...]:
+        """The source: headers are read for others too."""
+        return (self.source,)
+
+    @property
     def language(self) -> str:
         """`c`, `cuda` or `c++`, by the name of the source."""
         return {".c": "c", ".cu": "cuda"}.get(self.source.suffix, "c++")

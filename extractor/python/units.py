@@ -16,18 +16,6 @@ from .extract import extract_program
 
 
 @dataclass(frozen=True)
-class PythonUnit:
-    """What is read together: all modules of a component."""
-
-    entry: PythonEntry
-
-    @property
-    def source(self) -> Path:
-        """The file that it begins with."""
-        return self.entry.file
-
-
-@dataclass(frozen=True)
 class PythonReader:
     """Extracts Python components into files below `scratch`, or takes them from the cache."""
 
@@ -42,17 +30,17 @@ class PythonReader:
         """Whether it is worth a look into the cache."""
         return self.cache is not None
 
-    def known(self, unit: PythonUnit) -> UnitFile | None:
+    def known(self, unit: PythonEntry) -> UnitFile | None:
         """The component as it is in the cache."""
         start = time.perf_counter()
         key = self._key(unit)
         data = self.cache.load(key) if self.cache else None
         return self._file(key, data, start) if data is not None else None
 
-    def read(self, unit: PythonUnit) -> UnitFile:
+    def read(self, unit: PythonEntry) -> UnitFile:
         """Extract a component."""
         start = time.perf_counter()
-        rows, problems = extract_program(self.root, unit.entry)
+        rows, problems = extract_program(self.root, unit)
         data = marshal.dumps((problems, dump_rows(rows)))
         key = self._key(unit)
         if self.cache:
@@ -64,11 +52,10 @@ class PythonReader:
         path.write_bytes(data)
         return UnitFile(path, (), key, time.perf_counter() - start, marshal.loads(data)[0])
 
-    def _key(self, unit: PythonUnit) -> str:
+    def _key(self, unit: PythonEntry) -> str:
         """A hash of the sources and of how they are started."""
-        entry = unit.entry
-        parts = [extractor_version(), "python", str(self.root), entry.module, entry.function or ""]
-        for name, path in entry.modules:
+        parts = [extractor_version(), "python", str(self.root), unit.module, unit.function or ""]
+        for name, path in unit.modules:
             parts += [name, path_text(path), hash_of([_content(path)])]
         return hash_of(parts)
 

@@ -154,6 +154,16 @@ class PythonEntry:
     roots: tuple[Path, ...]
     modules: tuple[tuple[str, Path], ...] = ()
 
+    @property
+    def source(self) -> Path:
+        """The file that the others are read for."""
+        return self.file
+
+    @property
+    def own_sources(self) -> tuple[Path, ...]:
+        """The files that are read for no other reason."""
+        return tuple(dict.fromkeys(path for _, path in self.modules))
+
 
 @dataclass(frozen=True)
 class Component:

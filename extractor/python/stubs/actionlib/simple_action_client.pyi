@@ -1,0 +1,1 @@
+from actionlib import *

@@ -1,0 +1,3 @@
+from typing import Any
+
+def partial(func: Any, *args: Any, **keywords: Any) -> Any: ...

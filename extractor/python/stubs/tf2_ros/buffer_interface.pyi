@@ -1,0 +1,1 @@
+from tf2_ros import *
