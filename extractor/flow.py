@@ -217,7 +217,7 @@ class Flow:
         return self._switches[-1] if self._switches else None
 
     def write(self, unit: Rows, function: str) -> list[Mark]:
-        """Add the graph's rows; blocks that nothing enters and that evaluate nothing are left out. The marks, with the names of their blocks."""
+        """Add the graph's rows, without blocks that nothing enters and nothing is evaluated in. The marks, by names of blocks."""
         self.to(self.exit)
         entered = {id(target) for block in self._blocks for target, _ in block.edges + block.cases}
         kept = [b for b in self._blocks if b is self.entry or id(b) in entered or b.exprs or b.condition]

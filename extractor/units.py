@@ -58,10 +58,11 @@ class AnyUnit(Hashable, Protocol):
 
 
 Unit = TypeVar("Unit", bound=AnyUnit)
+Read = TypeVar("Read", bound=AnyUnit, contravariant=True)
 Outcome = tuple[tuple[Path, ...], UnitFile | Failure]
 
 
-class Reader(Protocol[Unit]):
+class Reader(Protocol[Read]):
     """Extracts units of a kind into files below `scratch`, or takes them from the cache."""
 
     @property
@@ -78,10 +79,10 @@ class Reader(Protocol[Unit]):
     def prepare(self) -> None:
         """Make what all units share."""
 
-    def known(self, unit: Unit) -> UnitFile | None:
+    def known(self, unit: Read) -> UnitFile | None:
         """The unit as it is in the cache."""
 
-    def read(self, unit: Unit) -> UnitFile:
+    def read(self, unit: Read) -> UnitFile:
         """Extract one unit."""
 
 

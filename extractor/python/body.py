@@ -114,7 +114,7 @@ class Facts:
         return identifier
 
     def type(self, values: Values) -> str:
-        """The type of a variable that may hold `values`: that of numbers, or of the one class; of several, the workspace's own come first."""
+        """The type of a variable that may hold `values`: that of numbers, or the one class; of several, the workspace's own first."""
         classes = {value.cls.name: value.cls for value in values if isinstance(value, InstanceValue)}
         numbers = [name for name in _NUMBERS if name in classes]
         if numbers and len(numbers) == len(classes):

@@ -59,7 +59,9 @@ def _receiver(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[str
     if not isinstance(node.func, ast.Attribute):
         return None, 0
     owners = body.inference.values(node.func.value, body.scope)
-    methods = [value.function for value in values if isinstance(value, FunctionValue) and not value.bound and value.function.owner is not None]
+    methods = [
+        value.function for value in values if isinstance(value, FunctionValue) and not value.bound and value.function.owner is not None
+    ]
     methods = [method for method in methods if method.kind != "static_method" and not method.of_class]
     if any(isinstance(owner, ClassValue) for owner in owners) and methods and node.args:
         return lower(body, node.args[0]), 1
@@ -88,7 +90,11 @@ def _callees(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[list
     functions += _methods(body, classes, "__init__")
     if not functions and not classes and isinstance(node.func, ast.Attribute) and not _names_field(body, node.func):
         above = super_of(node.func, body.scope)
-        owners = [above] if above else [v.cls for v in by_name(body.inference.values(node.func.value, body.scope)) if isinstance(v, InstanceValue)]
+        owners = (
+            [above]
+            if above
+            else [v.cls for v in by_name(body.inference.values(node.func.value, body.scope)) if isinstance(v, InstanceValue)]
+        )
         functions += _methods(body, owners, node.func.attr, beyond=above)
     return list(dict.fromkeys(functions)), classes
 

@@ -15,12 +15,13 @@ from .program import external_name, names_class
 from .statements import lower_comprehension, lower_lambda
 
 _BINARY: dict[type[ast.operator], str] = {
-    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.Pow: "**", ast.LShift: "shift", ast.RShift: "shift",
-    ast.BitOr: "|", ast.BitAnd: "&", ast.BitXor: "^", ast.MatMult: "@",
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.Pow: "**",
+    ast.LShift: "shift", ast.RShift: "shift", ast.BitOr: "|", ast.BitAnd: "&", ast.BitXor: "^", ast.MatMult: "@",
 }  # fmt: skip
 _UNARY: dict[type[ast.unaryop], str] = {ast.Not: "!", ast.USub: "-", ast.UAdd: "+", ast.Invert: "~"}
 _COMPARED: dict[type[ast.cmpop], str] = {
-    ast.Eq: "==", ast.NotEq: "!=", ast.Is: "==", ast.IsNot: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.In: "in", ast.NotIn: "not in",
+    ast.Eq: "==", ast.NotEq: "!=", ast.Is: "==", ast.IsNot: "!=", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=",
+    ast.In: "in", ast.NotIn: "not in",
 }  # fmt: skip
 _CALCULATED: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.FloorDiv: operator.floordiv,
@@ -230,8 +231,8 @@ def calculated(node: ast.expr) -> int | float | None:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool) and abs(value) < 1e15:
             return value
         case ast.UnaryOp(op=ast.USub(), operand=inner):
-            value = calculated(inner)
-            return -value if value is not None else None
+            negated = calculated(inner)
+            return -negated if negated is not None else None
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _CALCULATED:
             first, second = calculated(left), calculated(right)
             if first is not None and second is not None:

@@ -1,9 +1,10 @@
-"""What expressions may stand for: modules, classes, functions, objects of classes. Flow is not looked at, calls are followed to what they return."""
+"""What expressions may stand for: modules, classes, functions, objects of classes. The order of assignments is not looked at."""
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Iterable
+from typing import TypeVar
 
 from .model import (
     NOTHING,
@@ -24,9 +25,18 @@ from .model import (
 )
 from .program import Program, instance, names_class
 
+Key = TypeVar("Key")
 _ROUNDS = 8
 _MOST_VALUES = 16
-_CONTAINERS = {ast.List: "list", ast.ListComp: "list", ast.Tuple: "tuple", ast.Dict: "dict", ast.DictComp: "dict", ast.Set: "set", ast.SetComp: "set"}
+_CONTAINERS = {
+    ast.List: "list",
+    ast.ListComp: "list",
+    ast.Tuple: "tuple",
+    ast.Dict: "dict",
+    ast.DictComp: "dict",
+    ast.Set: "set",
+    ast.SetComp: "set",
+}
 
 
 class Inference:
@@ -36,6 +46,7 @@ class Inference:
         self.program = program
         self._modules = list(modules)
         self._variables: dict[Variable, Values] = {}
+        self._inside: dict[Variable, Values] = {}
         self._returns: dict[Function, Values] = {}
         self._expressions: dict[tuple[ast.expr, Scope], Values] = {}
         for _ in range(_ROUNDS):
@@ -51,22 +62,13 @@ class Inference:
             for target, source in module.outer_targets:
                 self._outer_target(module, target, source)
             for variable in module.variables:
-                new |= self._add(variable, frozenset().union(*(self._source(source) for source in variable.sources)))
+                new |= _grow(self._variables, variable, frozenset().union(*(self._source(source) for source in variable.sources)))
+                new |= _grow(self._inside, variable, self._inner(variable))
             for call, scope in module.calls:
                 new |= self._passes(call, scope)
             for function in module.functions.values():
-                known = self._returns.get(function, NOTHING)
-                found = known | self._returned(function)
-                new |= found != known
-                self._returns[function] = found
+                new |= _grow(self._returns, function, self._returned(function))
         return new
-
-    def _add(self, variable: Variable, values: Values) -> bool:
-        known = self._variables.get(variable, NOTHING)
-        if values <= known or len(known) > _MOST_VALUES:
-            return False
-        self._variables[variable] = known | values
-        return True
 
     def _passes(self, call: ast.Call, scope: Scope) -> bool:
         """The parameters of the functions that `call` may enter get its arguments; a list gets what is appended."""
@@ -79,7 +81,7 @@ class Inference:
         for function in self.callees(call, scope):
             if function.own:
                 for parameter, argument in arguments_of(call, function).items():
-                    new |= self._add(parameter, self.values(argument, scope))
+                    new |= _grow(self._variables, parameter, self.values(argument, scope))
         return new
 
     def callees(self, call: ast.Call, scope: Scope) -> list[Function]:
@@ -164,7 +166,9 @@ class Inference:
                     return frozenset().union(*(self.annotated(part, scope) for part in inner.elts))
                 return self.annotated(outer, scope)
             case ast.Name() | ast.Attribute():
-                return frozenset(self._object(value) for value in self.program.dotted(node, scope) if not isinstance(value, (ModuleValue, FunctionValue)))
+                return frozenset(
+                    self._object(value) for value in self.program.dotted(node, scope) if not isinstance(value, (ModuleValue, FunctionValue))
+                )
         return NOTHING
 
     def _object(self, value: Value) -> Value:
@@ -189,16 +193,18 @@ class Inference:
                 return self._elements(inner, scope)
             case ast.Name(id=name):
                 symbol = self.program.lookup(name, scope)
-                return self._held(symbol) if isinstance(symbol, Variable) else NOTHING
+                return self._inside.get(symbol, NOTHING) if isinstance(symbol, Variable) else NOTHING
             case ast.Attribute():
-                return frozenset().union(*(self._held(variable) for variable in self.fields(node, scope)))
+                return frozenset().union(*(self._inside.get(variable, NOTHING) for variable in self.fields(node, scope)))
         return NOTHING
 
-    def _held(self, variable: Variable, depth: int = 0) -> Values:
-        """What is in the container that a variable holds."""
-        found: Values = frozenset().union(*(self.values(source.expr, source.scope) for source in variable.sources if source.part == "inside"))
+    def _inner(self, variable: Variable) -> Values:
+        """What is in the container that a variable holds, by its sources."""
+        found: Values = NOTHING
         for source in variable.sources:
-            if source.part == "value" and isinstance(source.expr, tuple(_CONTAINERS)):
+            if source.part == "inside":
+                found |= self.values(source.expr, source.scope)
+            elif source.part == "value" and isinstance(source.expr, (*_CONTAINERS, ast.Name, ast.Attribute, ast.Call)):
                 found |= self._elements(source.expr, source.scope)
         return found
 
@@ -339,8 +345,17 @@ class Inference:
         return frozenset().union(*(self.values(value, function.scope) for value in returned(function.node)))
 
 
+def _grow(table: dict[Key, Values], key: Key, values: Values) -> bool:
+    """Add `values` to an entry; whether any is new."""
+    known = table.get(key, NOTHING)
+    if values <= known or len(known) > _MOST_VALUES:
+        return False
+    table[key] = known | values
+    return True
+
+
 def arguments_of(call: ast.Call, function: Function, *, skip: int = 0) -> dict[Variable, ast.expr]:
-    """The parameters of `function` with the arguments that `call` gives them, as far as it writes them out; the first `skip` are left out."""
+    """The parameters of `function` with the arguments that `call` gives them, as far as it writes them out, without the first `skip`."""
     found: dict[Variable, ast.expr] = {}
     positional = [parameter for parameter in function.parameters if parameter.positional]
     for parameter, argument in zip(positional, call.args[skip:], strict=False):
@@ -393,7 +408,6 @@ def _name_of_value(value: Value) -> str:
             return function.identifier
         case ModuleValue(path, _) | ExternalValue(path):
             return path
-    return ""
 
 
 def by_name(values: Values) -> list[Value]:

@@ -110,7 +110,7 @@ class Function:
 
 @dataclass(eq=False)
 class Source:
-    """What a variable gets of `expr` in `scope`: its `part`, which is value, element, annotation, or inside (an element of the variable)."""
+    """What a variable gets of `expr` in `scope`: its `part`, that is value, element, annotation, or inside (an element of it)."""
 
     expr: ast.expr
     scope: Scope

@@ -168,7 +168,7 @@ class Program:
 
 
 def external_name(path: str) -> str:
-    """How facts name something of a module that is not declared: the module ends where names of classes begin, else before the last name."""
+    """How facts name something of a module that is not declared: the module ends where a class begins, else before the last name."""
     parts = path.split(".")
     first = next((index for index, part in enumerate(parts) if part[:1].isupper()), len(parts) - 1)
     first = max(first, 1)

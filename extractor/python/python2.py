@@ -36,7 +36,9 @@ def _tabs(line: str) -> str:
 def _tool() -> Any:
     from fissix.pgen2 import driver  # takes a while, and few sources need it
 
-    driver.load_grammar = partial(driver.load_grammar, gp="", save=False, force=True)  # it would keep, and trust, files in the user's folder
+    driver.load_grammar = partial(
+        driver.load_grammar, gp="", save=False, force=True
+    )  # it would keep, and trust, files in the user's folder
     from fissix.refactor import RefactoringTool
 
     logging.getLogger("fissix").setLevel(logging.CRITICAL)

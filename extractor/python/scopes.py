@@ -44,7 +44,9 @@ class _Binder:
                 self._class(node)
             case ast.Import():
                 for alias in node.names:
-                    self._bind(alias.asname or alias.name.partition(".")[0], Import(alias.name if alias.asname else alias.name.partition(".")[0]))
+                    self._bind(
+                        alias.asname or alias.name.partition(".")[0], Import(alias.name if alias.asname else alias.name.partition(".")[0])
+                    )
             case ast.ImportFrom():
                 self._import_from(node)
             case ast.Assign():
@@ -114,7 +116,9 @@ class _Binder:
         else:
             identifier = f"{qualified}@{module.key}:{line}:{column}" if module.key else qualified
         function = Function(identifier, "lambda" if isinstance(node, ast.Lambda) else qualified, _kind(node, owner), node, module, owner)
-        function.is_property = not isinstance(node, ast.Lambda) and any(_decorator(d) in ("property", "cached_property") for d in node.decorator_list)
+        function.is_property = not isinstance(node, ast.Lambda) and any(
+            _decorator(d) in ("property", "cached_property") for d in node.decorator_list
+        )
         function.of_class = not isinstance(node, ast.Lambda) and any(_decorator(d) == "classmethod" for d in node.decorator_list)
         module.functions[node] = function
         scope = function.scope = Scope("function", module, self.scope, function=function, owner=self.scope.owner)
@@ -141,7 +145,9 @@ class _Binder:
         defaults.update({a.arg: d for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if d is not None})
         outer = scope.parent or scope
         for index, argument in enumerate([*named, *arguments.kwonlyargs]):
-            variable = Variable(f"{function.identifier}#{index}", argument.arg, "parameter", self.module, *place(self.module, argument), function=function)
+            variable = Variable(
+                f"{function.identifier}#{index}", argument.arg, "parameter", self.module, *place(self.module, argument), function=function
+            )
             variable.positional = index < len(named)
             if argument.annotation is not None:
                 variable.sources.append(Source(argument.annotation, outer, "annotation"))
@@ -152,7 +158,9 @@ class _Binder:
             scope.names[argument.arg] = variable
         for rest in (arguments.vararg, arguments.kwarg):
             if rest is not None:
-                scope.names[rest.arg] = Variable(f"{function.identifier}#{rest.arg}", rest.arg, "local", self.module, *place(self.module, rest), function=function)
+                scope.names[rest.arg] = Variable(
+                    f"{function.identifier}#{rest.arg}", rest.arg, "local", self.module, *place(self.module, rest), function=function
+                )
 
     def _class(self, node: ast.ClassDef) -> None:
         outer = self.scope.owner if self.scope.kind == "class" else None
@@ -212,7 +220,9 @@ class _Binder:
         if known is None or (begins and known.kind == "field" and known.first is None):
             at = place(self.module, target)
             if known is None:
-                known = owner.fields[target.attr] = Variable(f"{owner.name}::{target.attr}", target.attr, "field", self.module, *at, owner=owner)
+                known = owner.fields[target.attr] = Variable(
+                    f"{owner.name}::{target.attr}", target.attr, "field", self.module, *at, owner=owner
+                )
                 self.module.variables.append(known)
             known.line, known.column = at
             known.first = target if begins else None

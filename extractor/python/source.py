@@ -51,7 +51,9 @@ def read_source(path: Path) -> Parsed | Problem:
     if older is not None:
         converted = _parse(older.text)
         if isinstance(converted, ast.Module):
-            return Parsed(older.text.encode(), converted, (*problems, Problem(tree.line, tree.column, "Python 2: read as what 2to3 makes of it")))
+            return Parsed(
+                older.text.encode(), converted, (*problems, Problem(tree.line, tree.column, "Python 2: read as what 2to3 makes of it"))
+            )
     return _partial(text, tree, problems)
 
 

@@ -8,11 +8,11 @@ from collections.abc import Callable, Sequence
 from rosarch.extractor.flow import Flow
 
 from .body import Body
-from .model import Class, Function, InstanceValue, Module, ModuleValue, Variable
+from .model import Function, Module, Variable
 
 _AUGMENTED: dict[type[ast.operator], str] = {
-    ast.Add: "+=", ast.Sub: "-=", ast.Mult: "*=", ast.Div: "/=", ast.FloorDiv: "/=", ast.Mod: "%=", ast.Pow: "*=", ast.LShift: "<<=", ast.RShift: ">>=",
-    ast.BitOr: "|=", ast.BitAnd: "&=", ast.BitXor: "^=", ast.MatMult: "*=",
+    ast.Add: "+=", ast.Sub: "-=", ast.Mult: "*=", ast.Div: "/=", ast.FloorDiv: "/=", ast.Mod: "%=", ast.Pow: "*=",
+    ast.LShift: "<<=", ast.RShift: ">>=", ast.BitOr: "|=", ast.BitAnd: "&=", ast.BitXor: "^=", ast.MatMult: "*=",
 }  # fmt: skip
 _EVERYTHING = ("Exception", "BaseException")
 
@@ -36,7 +36,13 @@ def lower_function(body: Body, function: Function) -> None:
     arguments = node.args
     named = [*arguments.posonlyargs, *arguments.args]
     defaults = {argument.arg: default for argument, default in zip(reversed(named), reversed(arguments.defaults), strict=False)}
-    defaults.update({argument.arg: default for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if default is not None})
+    defaults.update(
+        {
+            argument.arg: default
+            for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+            if default is not None
+        }
+    )
     for parameter in function.parameters:
         if parameter.name in defaults:
             facts.add("parameter_default", facts.variable(parameter), lower(outside, defaults[parameter.name], text=True))
