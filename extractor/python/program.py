@@ -22,6 +22,7 @@ from .model import (
     Symbol,
     Value,
     Values,
+    Variable,
 )
 from .scopes import open_module
 
@@ -116,6 +117,8 @@ class Program:
         return self._followed(symbol, module.scope, member, depth)
 
     def _followed(self, symbol: Symbol, scope: Scope, name: str, depth: int) -> Symbol | None:
+        if isinstance(symbol, Variable) and scope.module.stub and isinstance(symbol.first, ast.Assign) and isinstance(symbol.first.value, ast.Name):
+            return self.symbol_of(scope.module.name, symbol.first.value.id, depth - 1) or symbol  # another name
         if not isinstance(symbol, Import):
             return symbol
         choices = [symbol, *scope.other_imports.get(name, ())]

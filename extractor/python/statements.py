@@ -76,14 +76,16 @@ def lower_lambda(body: Body, node: ast.Lambda) -> str:
     return expr
 
 
-def assign(body: Body, target: ast.expr, value: str, node: ast.AST) -> None:
-    """`target` is given `value`."""
+def assign(body: Body, target: ast.expr, value: str, node: ast.AST, whole: ast.expr | None = None) -> None:
+    """`target` is given `value`; its parts get parts of it, which are written as the `whole` is."""
     from .expressions import literal, lower
 
     if isinstance(target, (ast.Tuple, ast.List)):
         for index, part in enumerate(target.elts):
             element = body.operator(part, "[]", value, literal(body, part, index))
-            assign(body, part.value if isinstance(part, ast.Starred) else part, element, part)
+            if whole is not None:
+                body.written(element, whole)
+            assign(body, part.value if isinstance(part, ast.Starred) else part, element, part, whole)
         return
     place = lower(body, target, text=True)
     body.flow.evaluate(body.operator(node, "=", place, value))
@@ -107,7 +109,7 @@ def _assign(body: Body, node: ast.Assign) -> None:
         body.flow.evaluate(value)
         return
     for target in node.targets:
-        assign(body, target, value, node)
+        assign(body, target, value, node, node.value)
 
 
 def _declared(body: Body, target: ast.expr, node: ast.stmt) -> str | None:

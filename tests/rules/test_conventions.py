@@ -149,6 +149,21 @@ int main(int argc, char** argv) {
 """
 
 
+SCRIPT = """#!/usr/bin/env python3
+import rospy
+from std_msgs.msg import String
+
+class Echo:
+    def __init__(self):
+        rospy.Subscriber('text', String, self.on_text)
+
+    def on_text(self, text):
+        undeclared(text, how=1)
+
+Echo()
+"""
+
+
 def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     package = tmp_path / "src" / "demo"
     package.mkdir(parents=True)
@@ -161,6 +176,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
         "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nadd_executable(demo demo.cpp)\n", encoding="utf-8"
     )
     (package / "demo.cpp").write_text(SNIPPETS, encoding="utf-8")
+    (package / "echo.py").write_text(SCRIPT, encoding="utf-8")
     filled: set[str] = set()
     for root in (tmp_path / "src", EXAMPLES / "nodelet_filter", EXAMPLES / "services_and_actions"):
         with extract(root, jobs=1) as extraction:

@@ -1,0 +1,6 @@
+from typing import Any
+
+class Duration:
+    def __init__(self, *, seconds: float = ..., nanoseconds: int = ...) -> None: ...
+    def to_msg(self) -> Any: ...
+    nanoseconds: int

@@ -1,0 +1,1 @@
+from rclpy.lifecycle import *

@@ -1,0 +1,3 @@
+class Service:
+    def destroy(self) -> None: ...
+    srv_name: str
