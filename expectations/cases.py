@@ -13,7 +13,7 @@ from rosarch.expectations.grammar import Expectation, ExpectationError, parse
 from rosarch.extractor.files import folder_reader, path_text
 from rosarch.extractor.suppressions import has_suppressions
 
-SOURCES = frozenset({".c", ".cc", ".cpp", ".cxx", ".c++"})
+SOURCES = frozenset({".c", ".cc", ".cpp", ".cxx", ".c++", ".py"})
 _MANIFEST = "package.xml"
 
 
@@ -49,7 +49,7 @@ def find_cases(paths: Sequence[Path]) -> Cases:
 
 def _single(path: Path, problems: list[str]) -> Case:
     if path.suffix not in SOURCES:
-        problems.append(f"{path}: not a C++ source; other files are tested with the workspace that they are in")
+        problems.append(f"{path}: not a C++ or Python source; other files are tested with the workspace that they are in")
     return Case(path.parent, (path,), tuple(_expectations(path.parent, [path.name], problems)))
 
 

@@ -1,9 +1,10 @@
-"""Conditions as boolean formulas: built from the conditions that the source spells, simplified, and written as C++ text."""
+"""Conditions as boolean formulas: built from the conditions that the source spells, simplified, and written as its language has it."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from rosarch.models.places import Place
 
@@ -15,7 +16,7 @@ class Condition:
     """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text are equal.
 
     A `stable` condition has one value as long as an activity runs: it cannot hold here and not there. `meaning` is the text with local
-    variables replaced by what they stand for.
+    variables replaced by what they stand for. Its language has `words` (and, or, not), or signs.
     """
 
     text: str
@@ -23,6 +24,7 @@ class Condition:
     place: Place | None = field(default=None, compare=False)
     stable: bool = field(default=False, compare=False)
     meaning: str | None = field(default=None, compare=False)
+    words: bool = field(default=False, compare=False)
 
     @property
     def key(self) -> tuple[str, bool]:
@@ -46,9 +48,13 @@ TRUE = Formula(((),))
 FALSE = Formula(())
 
 
-def condition(text: str, holds: bool, place: Place | None = None, *, stable: bool = False, meaning: str | None = None) -> Formula:
-    """The formula of one condition."""
-    return Formula(((Condition(text, holds, place, stable, meaning),),))
+def condition(
+    text: str, holds: bool, place: Place | None = None, *, stable: bool = False, meaning: str | None = None, words: bool = False
+) -> Formula:
+    """The formula of one condition; of `not x`, it is x that does not hold."""
+    while words and text.startswith("not ") and loosest(text[4:]) == "":
+        text, holds, meaning = text[4:], not holds, meaning and meaning.removeprefix("not ")
+    return Formula(((Condition(text, holds, place, stable, meaning, words),),))
 
 
 def both(first: Formula, second: Formula) -> Formula:
@@ -115,21 +121,23 @@ def _common(conjunctions: list[tuple[Condition, ...]]) -> tuple[Condition, ...]:
 
 
 def text(formula: Formula) -> str | None:
-    """The formula in C++; None when it is true, `false` when it never holds. What all alternatives share comes first."""
+    """The formula in the language of its conditions; None when it is true, `false` when it never holds. What all alternatives share comes first."""
     if formula == TRUE:
         return None
     if not formula.alternatives:
         return "false"
+    words = any(item.words for conjunction in formula.alternatives for item in conjunction)
+    and_, or_ = (" and ", " or ") if words else (" && ", " || ")
     common = _common(list(formula.alternatives))
     shared = {item.key for item in common}
     rest = [tuple(item for item in conjunction if item.key not in shared) for conjunction in formula.alternatives]
     parts = [_item(item, alone=len(common) == 1 and not rest[0]) for item in common]
     if rest[0] and all(len(conjunction) == 1 and _negative(conjunction[0]) for conjunction in rest):
-        parts.append(f"!({' && '.join(_opposite(conjunction[0]) for conjunction in rest)})")
+        parts.append(f"{'not ' if words else '!'}({and_.join(_opposite(conjunction[0]) for conjunction in rest)})")
     elif rest[0]:
-        choice = " || ".join(_conjunction(conjunction, alone=False) for conjunction in rest)
+        choice = or_.join(_conjunction(conjunction, alone=False) for conjunction in rest)
         parts.append(f"({choice})" if parts else choice)
-    return " && ".join(parts)
+    return and_.join(parts)
 
 
 def _negative(item: Condition) -> bool:
@@ -138,26 +146,29 @@ def _negative(item: Condition) -> bool:
 
 def _opposite(item: Condition) -> str:
     """The negation of a negative condition, without a double one."""
-    return item.text[1:] if item.holds else _item(Condition(item.text, True), alone=False)
+    return item.text[1:] if item.holds else _item(replace(item, holds=True), alone=False)
 
 
 def _conjunction(items: tuple[Condition, ...], *, alone: bool) -> str:
-    joined = " && ".join(_item(item, alone=len(items) == 1) for item in items)
+    joined = (" and " if items[0].words else " && ").join(_item(item, alone=len(items) == 1) for item in items)
     return f"({joined})" if len(items) > 1 and not alone else joined
 
 
 def _item(item: Condition, *, alone: bool) -> str:
     if not item.holds:
-        return negation(item.text)
+        return negation(item.text, words=item.words)
     return f"({item.text})" if not alone and loosest(item.text) in ("||", "?", ",", "=") else item.text
 
 
-def negation(source: str) -> str:
-    """The negated condition in C++."""
-    return f"!{source}" if loosest(source) == "" else f"!({source})"
+def negation(source: str, *, words: bool = False) -> str:
+    """The negated condition."""
+    sign = "not " if words else "!"
+    return f"{sign}{source}" if loosest(source) == "" else f"{sign}({source})"
 
 
 _ORDER = (",", "=", "?", "||", "&&", "op")
+_WORDS = {"or": "||", "and": "&&", "not": "op", "in": "op", "is": "op", "if": "?", "else": "?", "lambda": ","}
+_WORD = re.compile(r"[^\W\d]\w*")
 
 
 def loosest(source: str) -> str:
@@ -188,6 +199,10 @@ def loosest(source: str) -> str:
                 found.add(char)
             elif char == "=":
                 found.add("=")
+            elif word := _WORD.match(source, index):
+                if word.group() in _WORDS:
+                    found.add(_WORDS[word.group()])
+                index = word.end() - 1
             elif not (char.isalnum() or char in "_. :"):
                 found.add("op")
         index += 1

@@ -33,6 +33,7 @@ class Guards:
         for row in sorted(relations["guard_step"]):
             self._steps[row[0]].append(row[1:])
         self._silent = {row[0] for row in relations["silent_condition"]}
+        self._worded = {row[0] for row in relations["worded_condition"]}
         self._loops = {row[0] for row in relations["loop_condition"]}
         self._stable = {row[0] for row in relations["stable_condition"]}
         self._locals: dict[str, list[tuple[str, str]]] = defaultdict(list)
@@ -114,7 +115,7 @@ class Guards:
             for label in self._cases[chooser]:
                 formula = both(formula, self._case(text, meaning, label, False, place))
             return formula
-        return condition(text, sense == "true", place, stable=chooser in self._stable, meaning=meaning)
+        return condition(text, sense == "true", place, stable=chooser in self._stable, meaning=meaning, words=chooser in self._worded)
 
     def _case(self, text: str, meaning: str, label: str, holds: bool, place: Place | None) -> Formula:
         value = self._texts.get(label, "?")

@@ -37,7 +37,7 @@ def normal_text(formula: Formula) -> str | None:
 def _meant(items: Iterable[Item]) -> Formula:
     found = TRUE
     for item in items:
-        found = both(found, condition(item.meaning or item.text, item.holds, stable=item.stable))
+        found = both(found, condition(item.meaning or item.text, item.holds, stable=item.stable, words=item.words))
     return found
 
 

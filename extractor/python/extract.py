@@ -60,6 +60,7 @@ def _rows(modules: dict[str, Module], entry: PythonEntry, problems: list[SourceP
     facts = Facts(program, Inference(program, modules.values()))
     for module in modules.values():
         facts.add("source_file", module.key, module.path)
+        facts.add("source_language", module.key, "python")
         try:
             lower_module(Body(facts, module, module.scope, Flow()), module)
         except RecursionError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from .model import EXECUTABLE, SHARED, Package, Target, Workspace
+from .model import EXECUTABLE, SHARED, Package, Program, Target, Workspace
 from .plugins import registrations
 
 
@@ -17,6 +17,8 @@ def loose_workspace(root: Path, sources: Iterable[Path]) -> Workspace:
 
 def _package(root: Path, source: Path) -> Package:
     name = loose_name(root, source)
+    if source.suffix == ".py":
+        return Package(name, source.parent, source, build_type="", programs=(Program(source.stem, source, source, 1),))
     kind = SHARED if registrations(source) else EXECUTABLE
     target = Target(source.stem, source.stem, kind, name, source, 1, sources=(source,))
     return Package(name, source.parent, source, targets=(target,))

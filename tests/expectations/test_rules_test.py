@@ -188,7 +188,7 @@ def test_a_workspace(rosarch: Callable, workspace: Path) -> None:
 def test_a_file_that_is_no_source(rosarch: Callable, tmp_path: Path) -> None:
     (tmp_path / "a.launch").write_text("<launch/> <!-- expect: finding launch-error -->\n")
     done = rosarch("rules", "test", tmp_path / "a.launch")
-    told = f"{tmp_path}/a.launch: not a C++ source; other files are tested with the workspace that they are in"
+    told = f"{tmp_path}/a.launch: not a C++ or Python source; other files are tested with the workspace that they are in"
     assert (done.code, done.err) == (2, f"rosarch: error: {told}\n")
 
 
