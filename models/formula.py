@@ -121,7 +121,7 @@ def _common(conjunctions: list[tuple[Condition, ...]]) -> tuple[Condition, ...]:
 
 
 def text(formula: Formula) -> str | None:
-    """The formula in the language of its conditions; None when it is true, `false` when it never holds. What all alternatives share comes first."""
+    """The formula in its language; None when it is true, `false` when it never holds. What all alternatives share comes first."""
     if formula == TRUE:
         return None
     if not formula.alternatives:

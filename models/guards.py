@@ -33,7 +33,7 @@ class Guards:
         for row in sorted(relations["guard_step"]):
             self._steps[row[0]].append(row[1:])
         self._silent = {row[0] for row in relations["silent_condition"]}
-        self._worded = {row[0] for row in relations["worded_condition"]}
+        self._worded = {row[0] for row in relations.get("worded_condition", ())}
         self._loops = {row[0] for row in relations["loop_condition"]}
         self._stable = {row[0] for row in relations["stable_condition"]}
         self._locals: dict[str, list[tuple[str, str]]] = defaultdict(list)

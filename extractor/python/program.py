@@ -117,8 +117,9 @@ class Program:
         return self._followed(symbol, module.scope, member, depth)
 
     def _followed(self, symbol: Symbol, scope: Scope, name: str, depth: int) -> Symbol | None:
-        if isinstance(symbol, Variable) and scope.module.stub and isinstance(symbol.first, ast.Assign) and isinstance(symbol.first.value, ast.Name):
-            return self.symbol_of(scope.module.name, symbol.first.value.id, depth - 1) or symbol  # another name
+        if isinstance(symbol, Variable) and scope.module.stub and isinstance(symbol.first, ast.Assign):
+            value = symbol.first.value  # another name
+            return (self.symbol_of(scope.module.name, value.id, depth - 1) if isinstance(value, ast.Name) else None) or symbol
         if not isinstance(symbol, Import):
             return symbol
         choices = [symbol, *scope.other_imports.get(name, ())]
