@@ -187,7 +187,7 @@ def received(result: Result | _Carried[Result]) -> Result:
 
 
 class Present:
-    """The trees, files and variables as they are now; each tree is looked at once."""
+    """The trees, files and variables as they are now; each tree is looked at once, and not if it is one of a recording under way."""
 
     def __init__(self, variables: Mapping[str, str]) -> None:
         self.variables = variables
@@ -197,7 +197,8 @@ class Present:
         """Hashes of all names below some folders."""
         for folder in folders:
             if folder not in self._trees:
-                self._trees[folder] = _names_digest(folder)
+                known = _recordings[-1].trees if _recordings else {}
+                self._trees[folder] = known.get(folder) or _names_digest(folder)
         return {folder: self._trees[folder] for folder in folders}
 
     def confirms(self, then: Observation) -> Observation | None:

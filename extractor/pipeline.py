@@ -6,6 +6,7 @@ component are the union of those of its units.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
@@ -23,6 +24,7 @@ from rosarch.extractor.facts_text import facts_text
 from rosarch.extractor.files import path_text
 from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.manifest import write_manifest
+from rosarch.extractor.memo import Memo
 from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
 from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.python.units import PythonReader
@@ -135,7 +137,7 @@ def extract(
     """
     with ExitStack() as confinement:
         confinement.enter_context(confined([root, *ros_package_path()]))
-        workspace = workspace or discover(root, packages, defines=defines, timeout=timeout)
+        workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
         store = load_messages(workspace.packages)
         extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
@@ -166,6 +168,21 @@ def extract(
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction
+
+
+def _discovered(
+    root: Path, packages: Collection[str] | None, defines: Mapping[str, str], timeout: float, cache: Cache | None
+) -> Workspace:
+    """The workspace; as it was when nothing that its CMake files and manifests look at has changed since."""
+
+    def find() -> Workspace:
+        return discover(root, packages, defines=defines, timeout=timeout)
+
+    if cache is None:
+        return find()
+    top = os.path.abspath(root)
+    asked = [repr(packages and sorted(packages)), repr(sorted(defines.items())), repr(timeout)]
+    return Memo(cache).recall(["workspace", top, *asked], (top,), find)
 
 
 def compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:

@@ -212,8 +212,8 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "kind": model.kind,
         "node_name": model.node_name,
         "sources": list(model.sources),
-        "ports": [_port_json(port) for port in model.ports],
-        "params": [{"name": p.name, "op": p.op, "type": p.type, "default": default_value(p), "at": str(p.at)} for p in model.params],
+        "ports": list(map(port_json, model.ports)),
+        "params": list(map(parameter_json, model.params)),
         **_behavior_json(model.behavior),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
@@ -259,7 +259,13 @@ def _variable_json(variable: StateVariable) -> dict[str, Any]:
     return data if variable.from_param is None else {**data, "from_param": variable.from_param}
 
 
-def _port_json(port: Port) -> dict[str, Any]:
+def parameter_json(parameter: Parameter) -> dict[str, Any]:
+    """A parameter as `to_json` shows it."""
+    return {"name": parameter.name, "op": parameter.op, "type": parameter.type, "default": default_value(parameter), "at": str(parameter.at)}
+
+
+def port_json(port: Port) -> dict[str, Any]:
+    """A port as `to_json` shows it."""
     data: dict[str, Any] = {
         "id": port.id, "kind": port.kind, "name": port.name, "from_param": port.from_param, "type": port.type, "queue": port.queue,
         "latched": port.latched, "callback": port.callback, "via": port.via, "at": str(port.at),

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rosarch.library import LibraryComponent
-from rosarch.models.component import ComponentModel, to_json
+from rosarch.models.component import ComponentModel, parameter_json, port_json
 from rosarch.models.places import Place
 from rosarch.models.traits import TRAITS
 
@@ -48,7 +48,7 @@ _LIBRARY_PORT = {**_PORT, "from_arg": "argument", "param_pattern": "pattern", "s
 
 def model_rows(model: ComponentModel) -> Rows:
     """The rows of a component that was analysed."""
-    writer, document = _Writer(), to_json(model)
+    writer = _Writer()
     component = f"{model.package}/{model.component}"
     writer.add("interface", component, model.package, model.plugin.name if model.plugin else model.component, model.kind, "source")
     if model.plugin and model.plugin.base:
@@ -57,24 +57,22 @@ def model_rows(model: ComponentModel) -> Rows:
         writer.add("interface_loads", component, name)
     for base in model.loads_any:
         writer.add("interface_loads_any", component, base)
-    for port, described in zip(model.ports, document["ports"], strict=True):
+    for port in model.ports:
         key = f"{component}#{port.id}"
         writer.add("interface_port", component, key, port.kind, port.name)
-        writer.attributes("interface_port", key, described, _PORT)
+        writer.attributes("interface_port", key, port_json(port), _PORT)
         writer.add("interface_port_at", key, writer.placed(port.at))
-    for number, (parameter, access) in enumerate(zip(model.params, document["params"], strict=True), 1):
-        _access(writer, component, f"{component}#a{number}", access, parameter.at)
+    for number, parameter in enumerate(model.params, 1):
+        _access(writer, component, f"{component}#a{number}", parameter_json(parameter), parameter.at)
     for number, parameter in enumerate(model.reconfigurable, 1):
         _access(writer, component, f"{component}#d{number}", vars(parameter), parameter.at)
-    for reaction in document["reactive"]:
-        how = "always" if reaction["must"] else "sometimes"
-        writer.add("interface_reacts", f"{component}#{reaction['input']}", f"{component}#{reaction['output']}", how)
-    for loop in document["periodic"]:
-        for port in loop["publishes"]:
-            hz = loop["hz"] if isinstance(loop["hz"], (int, float)) else 0
-            writer.add("interface_periodic", f"{component}#{port}", float(hz), loop["hz_from_param"] or "")
-    for timed in model.behavior.periodic:
-        writer.add("interface_loop", component, writer.placed(timed.at), timed.hz or 0.0, timed.hz_from_param or "")
+    for reaction in model.behavior.reactive:
+        how = "always" if reaction.must else "sometimes"
+        writer.add("interface_reacts", f"{component}#{reaction.input}", f"{component}#{reaction.output}", how)
+    for loop in model.behavior.periodic:
+        for sent in loop.publishes:
+            writer.add("interface_periodic", f"{component}#{sent}", loop.hz or 0.0, loop.hz_from_param or "")
+        writer.add("interface_loop", component, writer.placed(loop.at), loop.hz or 0.0, loop.hz_from_param or "")
     for trait in model.traits:
         values = zip(TRAITS[trait.name], trait.values, strict=True)
         writer.add(f"interface_{trait.name}", component, *(_trait_value(writer, component, kind, value) for kind, value in values))

@@ -48,8 +48,9 @@ def facts(root: Path, cache: Cache | None) -> dict[str, set[tuple[object, ...]]]
 
 
 def entries(cache: Cache) -> list[Path]:
-    """Those of units: all but the precompiled declarations."""
-    return sorted(path for path in cache.folder.glob("*/*") if path.parent.name + path.name != extractor_version())
+    """Those of units: all but the precompiled declarations and what is kept of whole stages, which is pickled."""
+    others = sorted(path for path in cache.folder.glob("*/*") if path.parent.name + path.name != extractor_version())
+    return [path for path in others if path.read_bytes()[32:33] != b"\x80"]
 
 
 def strings(rows: dict[str, set[tuple[object, ...]]]) -> set[object]:
