@@ -73,19 +73,27 @@ class Cache:
         """The entry, or None when there is none or it is damaged."""
         path = self._path(key)
         try:
-            stored = path.read_bytes()
-            digest, data = stored[:_DIGEST_SIZE], stored[_DIGEST_SIZE:]
-            if hashlib.sha256(data).digest() != digest:
-                return None
-            os.utime(path)  # the time of its last use
+            data = unsealed(path.read_bytes())
+            if data is not None:
+                os.utime(path)  # the time of its last use
         except OSError:
             return None
+        return data
+
+    def load_to(self, path: Path, key: str) -> bytes | None:
+        """The entry, see `load`, which then lies sealed at `path`, too: the same file, if that can be."""
+        data = self.load(key)
+        if data is not None and not path.is_file():
+            try:
+                os.link(self._path(key), path)
+            except OSError:  # another file system, or another run has just removed it
+                write_whole(path, sealed(data))
         return data
 
     def store(self, key: str, data: bytes) -> None:
         """Keep an entry; without room, there is none."""
         with suppress(OSError):
-            write_whole(self._path(key), hashlib.sha256(data).digest() + data)
+            write_whole(self._path(key), sealed(data))
 
     def trim(self, limit: int = LIMIT) -> None:
         """Remove what was not used for longest until three quarters of `limit` bytes remain, when there are more than `limit`."""
@@ -106,6 +114,17 @@ class Cache:
 
     def _path(self, key: str) -> Path:
         return self.folder / key[:2] / key[2:]
+
+
+def sealed(data: bytes) -> bytes:
+    """The content of a file that tells whether it is damaged."""
+    return hashlib.sha256(data).digest() + data
+
+
+def unsealed(content: bytes) -> bytes | None:
+    """What was sealed; None when it is damaged."""
+    digest, data = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
+    return data if hashlib.sha256(data).digest() == digest else None
 
 
 def hash_of(parts: Iterable[str | bytes]) -> str:

@@ -83,7 +83,7 @@ def recording(trees: Mapping[str, str]) -> Iterator[Recording]:
     try:
         yield found
     finally:
-        _recordings.remove(found)
+        _recordings.pop()
         if _recordings:
             _recordings[-1].add(found)
 

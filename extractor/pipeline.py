@@ -29,7 +29,8 @@ from rosarch.extractor.messages import MessageClass, MessageStore, header_text, 
 from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.sharing import CommonUnits
-from rosarch.extractor.units import Outcome, Progress, UnitFile, UnitReader, odd_source, read_units, unit_rows
+from rosarch.extractor.unit_store import unit_rows
+from rosarch.extractor.units import Outcome, Progress, UnitFile, UnitReader, odd_source, read_units
 from rosarch.extractor.workspace import (
     Component,
     Diagnostic,
@@ -170,9 +171,7 @@ def extract(
     return extraction
 
 
-def _discovered(
-    root: Path, packages: Collection[str] | None, defines: Mapping[str, str], timeout: float, cache: Cache | None
-) -> Workspace:
+def _discovered(root: Path, packages: Collection[str] | None, defines: Mapping[str, str], timeout: float, cache: Cache | None) -> Workspace:
     """The workspace; as it was when nothing that its CMake files and manifests look at has changed since."""
 
     def find() -> Workspace:

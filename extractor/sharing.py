@@ -43,7 +43,7 @@ class CommonUnits:
 def read_common(files: frozenset[Path]) -> CommonUnits:
     """Read the rows of files."""
     from rosarch.extractor.cxx.unit import merge  # these load libclang
-    from rosarch.extractor.units import unit_rows
+    from rosarch.extractor.unit_store import unit_rows
 
     return CommonUnits(files, merge(list(map(unit_rows, sorted(files)))))
 

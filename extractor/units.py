@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import errno
-import marshal
 import os
 import re
 import shutil
 import sys
 import time
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Generic, Protocol, TypeVar
@@ -23,6 +22,7 @@ from rosarch.extractor.cxx.translation_unit import CompileUnit, Problem, Rows, b
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import read_file
 from rosarch.extractor.pool import Failure, run_tasks
+from rosarch.extractor.unit_store import UnitStore
 
 Progress = Callable[[str, int, int], None]
 PRELUDE_BYTES = 64 << 20
@@ -101,17 +101,18 @@ class Reading(Generic[Unit]):
 
 @dataclass(frozen=True)
 class UnitReader:
-    """Extracts units into files below `scratch`, or takes them from the cache.
-
-    A file holds a head and, apart from it, the rows: the head of a unit are the errors that lost code and the keys of the headers that
-    it shares, the head of a header the names that it declares.
-    """
+    """Extracts units into files below `scratch`, or takes them from the cache."""
 
     root: Path
     finder: HeaderFinder
     scratch: Path
     cache: Cache | None
     _names: dict[str, Names] = field(default_factory=dict)
+
+    @property
+    def files(self) -> UnitStore:
+        """The files of units and headers."""
+        return UnitStore(self.scratch, self.cache)
 
     def prepare(self) -> None:
         """What all units share: the precompiled declarations."""
@@ -148,43 +149,24 @@ class UnitReader:
         if not (self.cache and includes.predictable):
             return None
         key = unit_key(unit, self.root, includes, self.finder)
-        data = self.cache.load(key)
-        if data is None:
+        head = self.files.head(key)
+        if head is None or any(self.files.head(header) is None for header in head[1] if header not in self._names):
             return None
-        problems, headers = marshal.loads(data)[0]
-        if not all(self._header_file(header) for header in headers):
-            return None
-        return self._file(key, data, (problems, headers), key, start)
+        return self._file(key, head, start)
 
     def load(self, key: str) -> Names | None:
         """The names that a header declares; None when no unit has read it yet (see `HeaderStore`)."""
         if key not in self._names:
-            path = self._header_file(key)
-            if path is None:
+            head = self.files.head(key)
+            if head is None:
                 return None
-            self._names[key] = Names(*marshal.loads(marshal.loads(path.read_bytes())[0]))
+            self._names[key] = Names(*head)
         return self._names[key]
 
     def store(self, key: str, names: Names, rows: Rows) -> None:
         """Keep the facts of a header."""
-        data = marshal.dumps((marshal.dumps(tuple(names)), dump_rows(rows)))
-        write_whole(self._header_path(key), data)
-        if self.cache:
-            self.cache.store(key, data)
+        self.files.keep(key, tuple(names), rows)
         self._names[key] = names
-
-    def _header_path(self, key: str) -> Path:
-        return self.scratch / f"{key}.header"
-
-    def _header_file(self, key: str) -> Path | None:
-        """The file of a header, if there is one by now."""
-        path = self._header_path(key)
-        if not path.is_file():
-            data = self.cache.load(key) if self.cache else None
-            if data is None:
-                return None
-            write_whole(path, data)
-        return path
 
     def read(self, unit: CompileUnit) -> UnitFile:
         """Extract one unit."""
@@ -197,27 +179,13 @@ class UnitReader:
         prelude = self.precompiled_for(unit, includes)
         rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
         head = problems, sorted(headers.keys.values())
-        data = marshal.dumps((head, dump_rows(rows)))
-        if self.cache and includes.predictable:
-            self.cache.store(key, data)
-        return self._file(key, data, head, key if includes.predictable else None, start)
+        self.files.keep(key, head, rows, lasting=includes.predictable)
+        return self._file(key, head, start, certain=includes.predictable)
 
-    def _file(self, name: str, data: bytes, head: tuple[list[Problem], list[str]], key: str | None, start: float) -> UnitFile:
-        path = self.scratch / f"{name}.unit"
-        path.write_bytes(data)
+    def _file(self, key: str, head: tuple[list[Problem], list[str]], start: float, *, certain: bool = True) -> UnitFile:
         problems, headers = head
-        return UnitFile(path, tuple(map(self._header_path, headers)), key, time.perf_counter() - start, problems)
-
-
-def dump_rows(rows: Rows) -> bytes:
-    """The rows as the file of a unit has them."""
-    return marshal.dumps({name: list(found) for name, found in rows.items()})  # sets would be sorted first
-
-
-def unit_rows(path: Path) -> Mapping[str, list[tuple[str | int, ...]]]:
-    """The rows in the file of a unit or header."""
-    rows: Mapping[str, list[tuple[str | int, ...]]] = marshal.loads(marshal.loads(path.read_bytes())[1])
-    return rows
+        paths = tuple(map(self.files.path, headers))
+        return UnitFile(self.files.path(key), paths, key if certain else None, time.perf_counter() - start, problems)
 
 
 def read_units(units: Sequence[Unit], reader: Reader[Unit], jobs: int, timeout: float, progress: Progress | None) -> Reading[Unit]:

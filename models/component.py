@@ -261,7 +261,8 @@ def _variable_json(variable: StateVariable) -> dict[str, Any]:
 
 def parameter_json(parameter: Parameter) -> dict[str, Any]:
     """A parameter as `to_json` shows it."""
-    return {"name": parameter.name, "op": parameter.op, "type": parameter.type, "default": default_value(parameter), "at": str(parameter.at)}
+    default = default_value(parameter)
+    return {"name": parameter.name, "op": parameter.op, "type": parameter.type, "default": default, "at": str(parameter.at)}
 
 
 def port_json(port: Port) -> dict[str, Any]:

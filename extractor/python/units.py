@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import marshal
 import time
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.cache import Cache, extractor_version, hash_of
 from rosarch.extractor.files import path_text, read_file
-from rosarch.extractor.units import UnitFile, dump_rows
+from rosarch.extractor.unit_store import UnitStore
+from rosarch.extractor.units import UnitFile
 from rosarch.extractor.workspace.model import PythonEntry
 
-from .extract import extract_program
+from .extract import SourceProblem, extract_program
 
 
 @dataclass(frozen=True)
@@ -34,23 +34,23 @@ class PythonReader:
         """The component as it is in the cache."""
         start = time.perf_counter()
         key = self._key(unit)
-        data = self.cache.load(key) if self.cache else None
-        return self._file(key, data, start) if data is not None else None
+        problems = self._files.head(key)
+        return None if problems is None else self._file(key, problems, start)
 
     def read(self, unit: PythonEntry) -> UnitFile:
         """Extract a component."""
         start = time.perf_counter()
         rows, problems = extract_program(self.root, unit)
-        data = marshal.dumps((problems, dump_rows(rows)))
         key = self._key(unit)
-        if self.cache:
-            self.cache.store(key, data)
-        return self._file(key, data, start)
+        self._files.keep(key, problems, rows)
+        return self._file(key, problems, start)
 
-    def _file(self, key: str, data: bytes, start: float) -> UnitFile:
-        path = self.scratch / f"{key}.unit"
-        path.write_bytes(data)
-        return UnitFile(path, (), key, time.perf_counter() - start, marshal.loads(data)[0])
+    @property
+    def _files(self) -> UnitStore:
+        return UnitStore(self.scratch, self.cache)
+
+    def _file(self, key: str, problems: list[SourceProblem], start: float) -> UnitFile:
+        return UnitFile(self._files.path(key), (), key, time.perf_counter() - start, problems)
 
     def _key(self, unit: PythonEntry) -> str:
         """A hash of the sources and of how they are started."""

@@ -184,6 +184,11 @@ def test_stages_in_stages(tree: Path, tmp_path: Path) -> None:
     assert made == ["outer", "inner", "outer", "outer", "inner"]
 
 
+def test_a_stage_that_sees_as_little_as_the_one_around_it_is_told_apart(tree: Path, tmp_path: Path) -> None:
+    memo = Memo(Cache(tmp_path / "cache"))
+    assert memo.recall(["outer"], [str(tree)], lambda: memo.recall(["inner"], [str(tree)], lambda: 1) + 1) == 2
+
+
 def test_what_workers_see_counts(tree: Path, tmp_path: Path) -> None:
     cache, files = Cache(tmp_path / "cache"), [tree / "deep" / "a.txt", tree / "deep" / "b.txt"]
 
