@@ -26,7 +26,7 @@ def overview_json(compositions: Mapping[str, Composition]) -> str:
 
 
 def overview_text(compositions: Mapping[str, Composition], base: Path) -> str:
-    """A line per launch file: how much it starts and sets, and what roslaunch would stop at."""
+    """A line per launch file: how much it starts and sets, and what the launch tool would stop at."""
     rows = [
         (_shown(path, base), counted(len(found.nodes), "node"), counted(len(found.params), "parameter"), found.refusal)
         for path, found in compositions.items()
@@ -61,19 +61,21 @@ def composition_text(composition: Composition, base: Path) -> str:
 def _missing(composition: Composition, base: Path) -> list[str]:
     """What would start or set more, but is not there or not known."""
     missing = [(f"include {include.text}", include.lines) for include in composition.includes if not include.file]
-    missing += [(f"rosparam {setting.name} of {setting.source}", setting.lines) for setting in composition.unread]
+    what = "rosparam" if composition.ros == 1 else "parameters"
+    missing += [(f"{what} {setting.name} of {setting.source}", setting.lines) for setting in composition.unread]
     return [f"{_shown(text, base)}  from  {_chain(lines, base)}" for text, lines in missing]
 
 
 def summary_line(composition: Composition, base: Path) -> str:
-    """How much there is, and what roslaunch would stop at."""
+    """How much there is, and what the launch tool would stop at."""
     counts = [counted(len(composition.nodes), "node")]
     if composition.tests:
         counts.append(counted(len(composition.tests), "test"))
     counts += [counted(len(composition.params), "parameter"), counted(len(composition.files), "launch file")]
     line = ", ".join(counts) + "\n"
     if composition.refusal:
-        line += f"roslaunch would refuse this: {_shown(str(composition.refusal), base)}\n"
+        tool = "roslaunch" if composition.ros == 1 else "ros2 launch"
+        line += f"{tool} would refuse this: {_shown(str(composition.refusal), base)}\n"
     return line
 
 

@@ -4,15 +4,17 @@
 everything that it would refuse or that cannot be known, with the launch lines of each. What cannot be known (an environment variable that
 is not set, a package that is not there) stays in the texts as the `$(...)` that was not resolved.
 
+Those of ROS 2 are read by `rosarch.extractor.launch_ros2`, and come to the same.
+
 Sources: the roslaunch XML format (wiki.ros.org/roslaunch/XML) and the behaviour of roslaunch 1.15.
 """
 
-from .compose import compose
 from .files import Files
 from .model import Composition, Condition, NodeStart, ParamSetting, Place, Problem, Remap
 from .packages import PackagePath
 from .record import record
 from .top_level import launch_files, top_level
+from .versions import compose, ros_version
 
 __all__ = [
     "Composition",
@@ -27,5 +29,6 @@ __all__ = [
     "compose",
     "launch_files",
     "record",
+    "ros_version",
     "top_level",
 ]

@@ -33,6 +33,8 @@ def node_arguments(node: NodeStart) -> NodeArguments:
         words = tuple(shlex.split(node.args))
     except ValueError:
         words = (node.args,)
+    if node.ros == 2:  # what `--ros-args` says was taken out where the node is started
+        return NodeArguments(words, words, (), ())
     plain: list[str] = []
     remaps: dict[str, str] = {}
     params: dict[str, str] = {}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,18 @@ from rosarch.extractor.xml_reader import XmlError
 from . import elements, nodes
 from .descriptions import note_worlds
 from .files import Files
-from .model import ArgumentDeclared, Composition, Condition, Include, LaunchError, NodeStart, ParamSetting, Place, Remap
+from .model import (
+    ArgumentDeclared,
+    Composition,
+    Condition,
+    Include,
+    LaunchError,
+    NodeStart,
+    ParamSetting,
+    Place,
+    Reference,
+    Remap,
+)
 from .names import global_namespace
 from .scope import Scope
 from .state import Exhausted, Handler, State
@@ -53,7 +64,7 @@ def compose(
     values = {name: cleaned(value) for name, value in (arguments or {}).items()}
     for path in launch_files:
         _Composer(state).top(str(path), Scope(namespace=root, filename=str(path), args=dict(values)))
-    return _finished(state)
+    return finished(state, itertools.chain.from_iterable(map(files.references, state.read)))
 
 
 class _Composer:
@@ -203,7 +214,7 @@ class _Composer:
         return inner
 
 
-def _finished(state: State) -> Composition:
+def finished(state: State, references: Iterable[Reference]) -> Composition:
     """The result, with unknown parts of texts as the source writes them."""
     shown = state.unknowns.render
     return Composition(
@@ -220,7 +231,7 @@ def _finished(state: State) -> Composition:
         passed=tuple(replace(argument, name=shown(argument.name), value=shown(argument.value)) for argument in state.passed),
         remaps=tuple(_rendered_remap(remap, state) for remap in state.remaps),
         worlds=tuple(state.worlds.values()),
-        references=tuple(itertools.chain.from_iterable(map(state.files.references, state.read))),
+        references=tuple(references),
     )
 
 
@@ -284,4 +295,6 @@ def _rendered_node(node: NodeStart, state: State) -> NodeStart:
         cwd=_shown(node.cwd, state),
         launch_prefix=_shown(node.launch_prefix, state),
         test_name=_shown(node.test_name, state),
+        called=_shown(node.called, state),
+        container=_shown(node.container, state),
     )

@@ -35,7 +35,7 @@ class UnknownInvolved(Exception):
     """The value depends on something unknown."""
 
 
-_BINARY: dict[type[ast.operator], Function] = {
+BINARY: dict[type[ast.operator], Function] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
@@ -49,13 +49,13 @@ _BINARY: dict[type[ast.operator], Function] = {
     ast.BitOr: operator.or_,
     ast.BitXor: operator.xor,
 }
-_UNARY: dict[type[ast.unaryop], Function] = {
+UNARY: dict[type[ast.unaryop], Function] = {
     ast.Not: operator.not_,
     ast.USub: operator.neg,
     ast.UAdd: operator.pos,
     ast.Invert: operator.invert,
 }
-_COMPARE: dict[type[ast.cmpop], Function] = {
+COMPARE: dict[type[ast.cmpop], Function] = {
     ast.Eq: operator.eq,
     ast.NotEq: operator.ne,
     ast.Lt: operator.lt,
@@ -67,7 +67,7 @@ _COMPARE: dict[type[ast.cmpop], Function] = {
     ast.In: lambda item, container: item in container,
     ast.NotIn: lambda item, container: item not in container,
 }
-_PYTHON_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+PYTHON_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 
 
 def evaluate(expression: str, lookup: Callable[[str], Any], functions: Mapping[str, Function]) -> Any:
@@ -130,7 +130,7 @@ class Evaluator:
             raise Unsupported(f"{type(node).__name__} is not evaluated")
         try:
             value = method(node)
-        except _PYTHON_ERRORS as error:
+        except PYTHON_ERRORS as error:
             raise EvalFailed(f"{type(error).__name__}: {error}") from None
         self.steps += size_of(value) // 16
         return value
@@ -172,14 +172,14 @@ class Evaluator:
             raise UnknownInvolved
         if isinstance(node.op, ast.Mod) and isinstance(left, str):
             return format_text(left, right)
-        function = _BINARY.get(type(node.op))
+        function = BINARY.get(type(node.op))
         if function is None:
             raise Unsupported(f"{type(node.op).__name__} is not evaluated")
         check_size(node.op, left, right)
         return function(left, right)
 
     def _unaryop(self, node: ast.UnaryOp) -> Any:
-        return _UNARY[type(node.op)](self.known(node.operand))
+        return UNARY[type(node.op)](self.known(node.operand))
 
     def _boolop(self, node: ast.BoolOp) -> Any:
         wanted = isinstance(node.op, ast.Or)
@@ -194,7 +194,7 @@ class Evaluator:
         left, result = self.known(node.left), True
         for operation, operand in zip(node.ops, node.comparators, strict=True):
             right = self.known(operand)
-            result = _COMPARE[type(operation)](left, right)
+            result = COMPARE[type(operation)](left, right)
             if not result:
                 break
             left = right
@@ -233,7 +233,7 @@ class Evaluator:
             return value
         if not is_known_value(value):
             raise UnknownInvolved
-        value = _CONVERSIONS[node.conversion](value)
+        value = CONVERSIONS[node.conversion](value)
         spec = "" if node.format_spec is None else self.known(node.format_spec)
         return METHODS[str]["format"]("{:" + spec + "}", value)
 
@@ -358,4 +358,4 @@ def _no_name(name: str) -> Any:
 
 
 _PYTHON_BUILTINS = frozenset(dir(builtins))
-_CONVERSIONS: dict[int, Function] = {-1: lambda value: value, ord("s"): str, ord("r"): repr, ord("a"): ascii}
+CONVERSIONS: dict[int, Function] = {-1: lambda value: value, ord("s"): str, ord("r"): repr, ord("a"): ascii}

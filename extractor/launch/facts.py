@@ -99,11 +99,16 @@ class _Writer:
         """A node, with what its command line says."""
         arguments = node_arguments(node)
         namespace = canonical(global_namespace(arguments.namespace)) if arguments.namespace else canonical(node.namespace) or "/"
-        name = ns_join(namespace, node.name or "")
+        name = ns_join(namespace, node.name or node.called or "")
         names[name] += 1
         start = name if names[name] == 1 else f"{name}#{names[name]}"
         self.add("started", start, node.package, node.type)
         self.add("started_name", start, name, namespace)
+        self.add("started_version", start, node.ros)
+        if node.called is not None and node.name is None:
+            self.add("started_unnamed", start)
+        if node.container is not None:
+            self.add("loaded_into", start, node.container)
         for depth, place in enumerate(node.lines):
             self.add("started_at", start, depth, self.place(place))
         for condition in node.conditions:

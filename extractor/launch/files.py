@@ -23,7 +23,7 @@ from .packages import PackagePath
 from .references import references
 from .unknowns import cleaned
 from .xml_reader import read_launch
-from .yaml_values import KeyLines, load_yaml_lines
+from .yaml_values import KeyLines, Loader, RosparamLoader, load_yaml_lines
 
 MAX_BYTES = 32 * 1024 * 1024  # of one file
 MAX_MATCHES = 1000
@@ -41,7 +41,7 @@ class Files:
         self._contents: dict[str, bytes] = {}
         self._documents: dict[tuple[str, object], Any] = {}
         self._references: dict[str, tuple[Reference, ...]] = {}
-        self._values: dict[str, tuple[Any, KeyLines]] = {}
+        self._values: dict[tuple[str, type[Loader]], tuple[Any, KeyLines]] = {}
 
     def allow_beside(self, launch_file: str) -> None:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
@@ -106,15 +106,16 @@ class Files:
             self._references[full] = tuple(dict.fromkeys(references(self.parsed(path, read_launch), path, self.packages)))
         return self._references[full]
 
-    def yaml(self, text: str) -> tuple[Any, KeyLines]:
+    def yaml(self, text: str, loader: type[Loader] = RosparamLoader) -> tuple[Any, KeyLines]:
         """The value of a YAML text and the lines of its keys, parsed once: the same file is often loaded for many nodes. Not to be changed.
 
         Raises:
             YamlError: it is no YAML for parameters.
         """
-        if text not in self._values:
-            self._values[text] = load_yaml_lines(text)
-        return self._values[text]
+        key = (text, loader)
+        if key not in self._values:
+            self._values[key] = load_yaml_lines(text, loader)
+        return self._values[key]
 
     def _read(self, full: str, path: str) -> bytes:
         observation.probe(full)

@@ -63,7 +63,8 @@ class Remap:
 class NodeStart:
     """A `<node>` or `<test>` that is started. `lines` lead from the launch file given to the line of the node.
 
-    `namespace` begins and ends with a slash; `respawn_delay` is in seconds.
+    `namespace` begins and ends with a slash; `respawn_delay` is in seconds. `ros` is the version of ROS. Where a launch file of ROS 2 does
+    not name a node, `called` is what it may be called; with a `container` (its absolute name), `type` is a class that is loaded there.
     """
 
     package: str
@@ -83,11 +84,14 @@ class NodeStart:
     environment: tuple[tuple[str, str], ...] = ()
     conditions: tuple[Condition, ...] = ()
     test_name: str | None = None
+    ros: int = 1
+    called: str | None = None
+    container: str | None = None
 
     @property
     def full_name(self) -> str:
         """The node's name in its namespace."""
-        return self.namespace + (self.name or "")
+        return self.namespace + (self.name or self.called or "")
 
 
 @dataclass(frozen=True)
@@ -232,7 +236,7 @@ class Composition:
     `params` has one setting per parameter, and more only where conditions are unknown; `cleared` are namespaces whose parameters are
     removed first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could
     not be read sets parameters in; the `source` of each is that file. `references` are what
-    the files read name, in all branches.
+    the files read name, in all branches. `ros` is the version of ROS that they are for.
     """
 
     nodes: tuple[NodeStart, ...]
@@ -249,6 +253,7 @@ class Composition:
     remaps: tuple[Remap, ...] = ()
     worlds: tuple[World, ...] = ()
     references: tuple[Reference, ...] = ()
+    ros: int = 1
 
     @property
     def refusal(self) -> Problem | None:

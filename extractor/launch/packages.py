@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
@@ -29,6 +29,7 @@ class PackagePath:
     def __init__(self, folders: Sequence[Path | str]) -> None:
         self.folders = tuple(os.path.abspath(folder) for folder in folders)
         self._names: dict[str, frozenset[str]] = {}
+        self._paths: dict[str, dict[str, list[str]]] = {}
 
     @cached_property
     def packages(self) -> dict[str, str]:
@@ -49,6 +50,17 @@ class PackagePath:
         if folder not in self._names:
             self._names[folder] = _names_below(folder)
         return self._names[folder]
+
+    def paths_in(self, folder: str) -> Mapping[str, Sequence[str]]:
+        """The paths of the files below a package's folder, by their names."""
+        if folder not in self._paths:
+            found: dict[str, list[str]] = {}
+            for here, folders, names in os.walk(folder):
+                folders[:] = sorted(name for name in folders if not name.startswith("."))
+                for name in names:
+                    found.setdefault(name, []).append(os.path.join(here, name))
+            self._paths[folder] = found
+        return self._paths[folder]
 
 
 def _names_below(folder: str) -> frozenset[str]:

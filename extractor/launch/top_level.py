@@ -8,16 +8,22 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from rosarch.extractor import observation
+from rosarch.extractor.files import read_file
 from rosarch.extractor.xml_reader import XmlError
 
-from .compose import compose
 from .files import Files
 from .model import Composition, LaunchError
+from .versions import compose
 from .xml_reader import read_launch
 
 _SUFFIXES = (".launch", ".launch.xml")
+_ROS2_FILE = re.compile(r".+[._-]launch\.(py|xml|ya?ml)")
+_TEST = re.compile(r"test_.*|.*[._-]test\.py")
+_TESTS = frozenset({"test", "tests"})
+_DESCRIBES = {".py": b"generate_launch_description", ".xml": b"<launch", ".yaml": b"launch:", ".yml": b"launch:"}
 _UNKNOWN = re.compile(r"\$\([^()]*\)")
-_FIND = re.compile(r"\$\(find ([^()$]+)\)")
+_FIND = re.compile(r"\$\((?:find|find-pkg-share) ([^()$]+)\)")
+_FILE_NAME = re.compile(r"[\w.-]+\.(?:py|xml|ya?ml|launch)\b")
 
 
 def launch_files(folder: Path | str) -> list[str]:
@@ -28,8 +34,19 @@ def launch_files(folder: Path | str) -> list[str]:
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
-        found += [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES)]
+        tests = _TESTS & set(os.path.relpath(here, folder).split(os.sep))
+        found += [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES) or (not tests and _is_ros2(here, name))]
     return found
+
+
+def _is_ros2(folder: str, name: str) -> bool:
+    """Whether a file is called as those of ROS 2 are, holds what they do, and is no test."""
+    if not _ROS2_FILE.fullmatch(name) or _TEST.fullmatch(name):
+        return False
+    try:
+        return _DESCRIBES[os.path.splitext(name)[1]] in read_file(os.path.join(folder, name))
+    except OSError:
+        return False
 
 
 def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str] | None = None) -> dict[str, Composition]:
@@ -39,12 +56,16 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
     """
     paths = list(paths)
     real = {path: os.path.realpath(path) for path in paths}
+    called: dict[str, list[str]] = {}
+    for path in paths:
+        called.setdefault(os.path.basename(path), []).append(path)
     included: dict[str, set[str]] = {}
     matches: dict[str, set[str]] = {}
     compositions: dict[str, Composition] = {}
     for path in paths:
         composition = compositions[path] = compose([path], files=files, environment=environment)
-        written = {*(include.file or include.text for include in composition.includes), *_written(path, files)}
+        said = _said(path, called) if path.endswith((".py", ".yaml", ".yml")) else _written(path, files)
+        written = {*(include.file or include.text for include in composition.includes), *said}
         included[real[path]] = {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
         for name in written:
             observation.probe(name)
@@ -80,6 +101,24 @@ def _pattern(name: str) -> re.Pattern[str] | None:
         return None
     known, *others = _UNKNOWN.split(os.path.normpath(name))
     return re.compile("[^/]*".join([re.escape(os.path.realpath(known) + known[len(known.rstrip("/")) :]), *map(re.escape, others)]))
+
+
+def _said(path: str, called: Mapping[str, list[str]]) -> Iterator[str]:
+    """The launch files whose names the text of one says: those beside it, else those in folders of packages that it names, too."""
+    try:
+        text = read_file(path).decode(errors="replace")
+    except OSError:
+        return
+    for name in sorted(set(_FILE_NAME.findall(text))):
+        others = [other for other in called.get(name, ()) if other != path]
+        beside = [other for other in others if os.path.dirname(other) == os.path.dirname(path)]
+        yield from beside or [other for other in others if any(part in text for part in _package_folder(other))]
+
+
+def _package_folder(path: str) -> list[str]:
+    """The name of the folder of the package that a file lies in."""
+    folder = next((folder for folder in Path(path).parents if (folder / "package.xml").is_file()), None)
+    return [] if folder is None else [folder.name]
 
 
 def _written(path: str, files: Files) -> Iterator[str]:

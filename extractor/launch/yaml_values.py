@@ -43,16 +43,16 @@ class Loader(BoundedLoader):
             raise yaml.constructor.ConstructorError(None, None, f"more than {_MAX_MERGED} merged keys", node.start_mark)
 
 
-class _Loader(Loader):
+class RosparamLoader(Loader):
     """The loader of rosparam, with its angles and binaries."""
 
 
-def load_yaml(text: str, loader_class: type[Loader] = _Loader) -> Any:
+def load_yaml(text: str, loader_class: type[Loader] = RosparamLoader) -> Any:
     """The value of a document. See `load_yaml_lines`."""
     return load_yaml_lines(text, loader_class)[0]
 
 
-def load_yaml_lines(text: str, loader_class: type[Loader] = _Loader) -> tuple[Any, KeyLines]:
+def load_yaml_lines(text: str, loader_class: type[Loader] = RosparamLoader) -> tuple[Any, KeyLines]:
     """The value of a document, and the line that each key of its maps stands on, by the keys that lead there.
 
     Raises:
@@ -97,7 +97,7 @@ def _key_lines(document: yaml.Node | None) -> dict[tuple[str, ...], int]:
     return lines
 
 
-def _radians(loader: _Loader, node: yaml.Node) -> float:
+def _radians(loader: RosparamLoader, node: yaml.Node) -> float:
     text = str(loader.construct_scalar(node)).strip()  # type: ignore[arg-type]
     expression = text[4:-1] if text.startswith("rad(") else text
     try:
@@ -106,7 +106,7 @@ def _radians(loader: _Loader, node: yaml.Node) -> float:
         raise yaml.constructor.ConstructorError(None, None, f"invalid radian expression: {text}", node.start_mark) from None
 
 
-def _degrees(loader: _Loader, node: yaml.Node) -> float:
+def _degrees(loader: RosparamLoader, node: yaml.Node) -> float:
     text = str(loader.construct_scalar(node))  # type: ignore[arg-type]
     number = text.strip()[4:-1] if text.startswith("deg(") else text
     try:
@@ -115,14 +115,14 @@ def _degrees(loader: _Loader, node: yaml.Node) -> float:
         raise yaml.constructor.ConstructorError(None, None, f"invalid degree value: {text}", node.start_mark) from None
 
 
-def _binary(loader: _Loader, node: yaml.Node) -> Binary:
+def _binary(loader: RosparamLoader, node: yaml.Node) -> Binary:
     return Binary(loader.construct_yaml_binary(node))  # type: ignore[arg-type]
 
 
 for _tag, _constructor in (("!radians", _radians), ("!degrees", _degrees), ("tag:yaml.org,2002:binary", _binary)):
-    _Loader.add_constructor(_tag, _constructor)
+    RosparamLoader.add_constructor(_tag, _constructor)
 for _tag, _name in (("!degrees", "deg"), ("!radians", "rad")):
-    _Loader.add_implicit_resolver(_tag, re.compile(rf"^{_name}\([^\)]*\)$"), list(_name + "("))
+    RosparamLoader.add_implicit_resolver(_tag, re.compile(rf"^{_name}\([^\)]*\)$"), list(_name + "("))
 
 
 def _check_size(value: Any) -> None:

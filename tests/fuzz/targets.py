@@ -138,8 +138,7 @@ def _compose(folder: Path, name: str, data: bytes) -> None:
 
     path = folder / "here" / name
     path.write_bytes(data)
-    launched = folder / "here" / "main.launch"
-    composition = compose([launched], {"b": "2"}, files=Files(PackagePath([folder]), str(folder)), environment={"HOME": "/home/me"})
+    composition = compose([path], {"b": "2"}, files=Files(PackagePath([folder]), str(folder)), environment={"HOME": "/home/me"})
     launch_rows(composition, folder)
     json.dumps(record(composition))
     for problem in composition.problems:
@@ -154,6 +153,36 @@ def _compose(folder: Path, name: str, data: bytes) -> None:
 def launch(data: bytes, folder: Path) -> None:
     """A launch file, composed, as facts and as a record."""
     _compose(folder, "main.launch", data)
+
+
+@target(
+    "from import launch launch_ros.actions launch.actions * LaunchDescription([ Node( GroupAction([ IncludeLaunchDescription( OpaqueFunction(function= ]) ) = : def"
+    " generate_launch_description(): return if else for in while True: lambda class yield try: except: with open( as os.path.join( os.environ[ ] LaunchConfiguration("
+    " PythonExpression([ 10**9 'a'*9**9 range( f'{ .format( .append( .add_action( self super().__init__( .perform(context) \\n \\t yaml.safe_load( { } **kw *args"
+)  # fmt: skip
+def launch_py(data: bytes, folder: Path) -> None:
+    """A launch file in Python, interpreted; and the same text as a module that one imports."""
+    (folder / "here" / "launch" / "tools.py").write_bytes(data)
+    main = b"from tools import *\nfrom launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([make()])\n"
+    for text in (data, main):
+        _compose(folder, "launch/main.launch.py", text)
+
+
+@target(
+    "<launch> </launch> <node pkg= exec= name= namespace= args= if= unless= <param from= value= type= <remap to= <let <arg default= <choice <include file= <group"
+    " scoped= <push_ros_namespace <set_remap <node_container <composable_node plugin= <load_composable_node target= <for_each values= <for len= <executable cmd="
+    " $(var $(eval ' $(find-pkg-share $(env $(dirname) $(anon $(command $(not $(and $(if $(file-content launch: - node: {pkg: exec: } children: \\"
+)  # fmt: skip
+def launch_ros2(data: bytes, folder: Path) -> None:
+    """A launch file of ROS 2 in XML and in YAML, and the same text as a file of parameters."""
+    for name in ("main.launch.xml", "main.launch.yaml"):
+        _compose(folder, name, b"<launch>%s</launch>" % data if name.endswith("xml") and b"<launch" not in data else data)
+    (folder / "here" / "p.yaml").write_bytes(data)
+    _compose(
+        folder,
+        "other.launch.xml",
+        b'<launch><node pkg="here" exec="x" name="n"><param from="$(dirname)/p.yaml" allow_substs="true"/></node></launch>',
+    )
 
 
 @target(

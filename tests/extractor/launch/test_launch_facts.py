@@ -9,6 +9,7 @@ import pytest
 from launch_builder import MANIFEST, composed
 
 from rosarch.datalog import load_declarations
+from rosarch.extractor.launch import Files, compose
 from rosarch.extractor.launch.facts import kind_and_text, launch_rows, library_name, started
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import MAX_FILES, script_rows
@@ -216,6 +217,17 @@ EVERYTHING = """<arg name="x"/><arg name="y" default="1"/>
 <node pkg="here" type="built" name="m"/><node pkg="here" type="mentioned" name="o"/><include file="$(find here)/gone.launch"/>"""
 
 
+IN_PYTHON = """from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+def generate_launch_description():
+    inner = ComposableNode(package="here", plugin="here::Inner")
+    return LaunchDescription([ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
+                                                      composable_node_descriptions=[inner])])
+"""
+
+
 def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     composition = composed(
         tmp_path,
@@ -229,6 +241,8 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\n")
     filled = launch_rows(composition, tmp_path)
     filled |= script_rows(composition, PackagePath([tmp_path]))
+    (tmp_path / "here" / "ros2.launch.py").write_text(IN_PYTHON)
+    filled |= launch_rows(compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path]))), tmp_path)
     filled |= workspace_rows(lambda: dependencies(tmp_path), [composition], {("here", "built")}, load().packages)
     declared = load_declarations(rules_folder() / "schema" / "launch.dl")
     assert {name for name, rows in filled.items() if rows} == set(declared)

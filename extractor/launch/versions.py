@@ -1,0 +1,77 @@
+"""Launch files of ROS 1 and of ROS 2: which is which, and both composed alike."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, replace
+from pathlib import Path
+
+from rosarch.extractor import observation
+from rosarch.extractor.files import read_file
+
+from .compose import compose as compose_ros1
+from .files import Files
+from .model import Composition
+
+_ROS2 = re.compile(
+    rb"\bexec\s*=|\$\((?:var|find-pkg-share|find-pkg-prefix) |<(?:let|push[-_]ros[-_]namespace|node_container|set_\w+|load_composable)\b"
+)
+_ROS1 = re.compile(rb"\btype\s*=|\$\((?:arg|find|optenv) |<(?:rosparam|machine|test)\b")
+_AMENT = re.compile(rb"<build_type[^>]*>\s*ament|<buildtool_depend[^>]*>\s*ament")
+
+
+def compose(
+    launch_files: Sequence[Path | str],
+    arguments: Mapping[str, str] | None = None,
+    *,
+    files: Files,
+    environment: Mapping[str, str] | None = None,
+    namespace: str | None = None,
+) -> Composition:
+    """What roslaunch or `ros2 launch` would make of launch files, each by the version of ROS that it is for; see `compose.compose`."""
+    compositions: list[Composition] = []
+    for version, group in itertools.groupby(launch_files, key=lambda path: ros_version(path)):
+        if version == 1:
+            composed = compose_ros1(list(group), arguments, files=files, environment=environment, namespace=namespace)
+        else:
+            from rosarch.extractor.launch_ros2.compose import compose_ros2
+
+            composed = compose_ros2(list(group), arguments, files=files, environment=environment, namespace=namespace)
+        compositions.append(composed)
+    return compositions[0] if len(compositions) == 1 else _joined(compositions)
+
+
+def _joined(compositions: Sequence[Composition]) -> Composition:
+    """All that several compositions start and set."""
+    if not compositions:
+        return Composition((), (), (), (), (), ())
+    names = [field.name for field in fields(Composition) if field.name != "ros"]
+    parts = {name: tuple(dict.fromkeys(itertools.chain.from_iterable(getattr(one, name) for one in compositions))) for name in names}
+    return replace(compositions[-1], **parts)  # type: ignore[arg-type]
+
+
+def ros_version(path: Path | str) -> int:
+    """The version of ROS that a launch file is for: by its suffix, by its elements and substitutions, else by its package's build tool."""
+    path = Path(path)
+    if path.suffix in (".py", ".yaml", ".yml"):
+        return 2
+    text = _content(path)
+    if _ROS2.search(text):
+        return 2
+    if _ROS1.search(text):
+        return 1
+    for folder in path.absolute().parents:
+        manifest = folder / "package.xml"
+        observation.probe(manifest)
+        if manifest.is_file():
+            return 2 if _AMENT.search(_content(manifest)) else 1
+    return 1
+
+
+def _content(path: Path) -> bytes:
+    try:
+        return read_file(path)
+    except OSError:
+        return b""  # reported where it is composed

@@ -1,0 +1,306 @@
+"""Actions, carried out as launch does, in their order. One that is refused costs itself only."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.model import ArgumentDeclared, LaunchError, Remap
+from rosarch.extractor.launch.names import canonical
+from rosarch.extractor.launch.scope import Scope
+
+from .conditions import contrary, holds
+from .context import Context, Given
+from .expressions import Raised
+from .registry import NATIVES
+from .substitutions import perform
+from .values import NOTHING, Bound, Either, Function, Instance, Made, Native, Unknown
+
+if TYPE_CHECKING:
+    from .world import World
+
+Handler = Callable[["World", Made, Context], None]
+HANDLERS: dict[str, Handler] = {}
+_SILENT = frozenset({"LogInfo", "Shutdown", "EmitEvent", "UnregisterEventHandler", "ReadyToTest", "LifecycleTransition", "SetROSLogDir"})
+
+
+def carries_out(*kinds: str) -> Callable[[Handler], Handler]:
+    """Register the function for actions of these classes."""
+
+    def register(function: Handler) -> Handler:
+        for kind in kinds:
+            HANDLERS[kind] = function
+        return function
+
+    return register
+
+
+def visit(world: World, entity: Any, context: Context) -> None:
+    """Carry out an action, or several."""
+    if entity is None or entity is NOTHING:
+        return
+    if isinstance(entity, (list, tuple)):
+        for item in entity:
+            visit(world, item, context)
+    elif isinstance(entity, Either):
+        for condition, item in ((entity.condition, entity.first), (contrary(entity.condition), entity.second)):
+            if not any(outer.excludes(condition) for outer in context.conditions):
+                with context.within(condition):
+                    visit(world, item, context)
+    elif isinstance(entity, Instance) and entity.made is not None:
+        _visit_instance(world, entity, context)
+    elif isinstance(entity, Made):
+        _visit_made(world, entity, context)
+    elif isinstance(entity, Unknown):
+        reason = f" ({entity.reason})" if entity.reason else ""
+        world.interpreter.misunderstood(entity.place, f"what `{world.state.unknowns.render(entity.text)}` starts is not known{reason}")
+
+
+def _visit_instance(world: World, entity: Instance, context: Context) -> None:
+    """An object of a class of the launch file: as its base class is, unless it says itself what is executed."""
+    run = world.interpreter
+    for name in ("execute", "visit"):
+        method = run.member_of(entity, name)
+        if isinstance(method, (Function, Bound)):
+            visit(world, run.apply(method, [context], {}), context)
+            return
+    if entity.made is not None:
+        _visit_made(world, entity.made, context)
+
+
+def _visit_made(world: World, action: Made, context: Context) -> None:
+    state = world.state
+    state.elements += 1
+    if state.elements > 500_000:
+        raise LaunchError("size", context.file, "more than 500000 actions, the rest is left out")
+    world.here(action.place)
+    state.scope = Scope("/", context.file, conditions=context.conditions)
+    try:
+        handler = HANDLERS.get(action.kind)
+        with conditional(world, action.arguments.get("condition"), context) as starts:
+            if handler is not None and starts:
+                handler(world, action, context)
+            elif handler is None and action.kind not in _SILENT:
+                state.warn("python", action.kind, f"{action.kind} is not carried out")
+    except LaunchError as error:
+        world.here(action.place)
+        state.report(error)
+    except Raised as error:
+        world.interpreter.misunderstood(error.place or action.place, f"not understood from here on: {error.kind}: {error.message}")
+
+
+@contextmanager
+def conditional(world: World, condition: Any, context: Context) -> Iterator[bool]:
+    """Whether the condition of an action lets it start; what follows is under it when that cannot be known."""
+    found = holds(world, condition, context)
+    if isinstance(found, bool):
+        yield found
+    elif any(outer.excludes(found) for outer in context.conditions):
+        yield False
+    else:
+        before = dict(context.configurations)
+        with context.within(found):
+            yield True
+        for name, value in context.configurations.items():
+            if name in before and before[name] != value:
+                context.configurations[name] = world.as_text(Either(found, value, before[name]))
+
+
+@carries_out("LaunchDescription")
+def _description(world: World, made: Made, context: Context) -> None:
+    visit(world, made.get("initial_entities"), context)
+
+
+@carries_out("GroupAction")
+def _group(world: World, made: Made, context: Context) -> None:
+    scoped, forwarding = made.arguments.get("scoped", True), made.arguments.get("forwarding", True)
+    given = made.get("launch_configurations") or {}
+    if scoped is False:
+        _set_all(world, given, context)
+        visit(world, made.get("actions"), context)
+        return
+    with context.scoped():
+        own = _performed(world, given, context)
+        if forwarding is False:
+            context.configurations.clear()
+        context.configurations.update(own)
+        visit(world, made.get("actions"), context)
+
+
+def _performed(world: World, given: Any, context: Context) -> dict[str, str]:
+    pairs = given.items() if isinstance(given, dict) else given if isinstance(given, (list, tuple)) else ()
+    return {perform(world, name, context): perform(world, value, context) for name, value in pairs}
+
+
+def _set_all(world: World, given: Any, context: Context) -> None:
+    context.configurations.update(_performed(world, given, context))
+
+
+@carries_out("TimerAction", "RosTimer", "ROSTimer")
+def _timer(world: World, made: Made, context: Context) -> None:
+    visit(world, made.get("actions"), context)
+
+
+_HANDLED = ("on_exit", "on_start", "on_completion", "on_shutdown", "on_stdout", "on_stderr", "entities")
+
+
+@carries_out("RegisterEventHandler")
+def _events(world: World, made: Made, context: Context) -> None:
+    """What an event starts is started some time, but for what the end of launch itself starts."""
+    handler = made.get("event_handler")
+    if not isinstance(handler, Made) or handler.kind == "OnShutdown":
+        return
+    for name in _HANDLED:
+        if name in handler.arguments:
+            _visit_outcome(world, handler.arguments[name], context)
+
+
+def _visit_outcome(world: World, outcome: Any, context: Context) -> None:
+    if isinstance(outcome, (Function, Bound)):
+        outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
+    visit(world, outcome, context)
+
+
+@carries_out("DeclareLaunchArgument")
+def _declare(world: World, made: Made, context: Context) -> None:
+    state = world.state
+    name = world.as_text(made.get("name"))
+    given = made.arguments.get("default_value")
+    default = None if given is None else perform(world, given, context)
+    state.declared.append(ArgumentDeclared(context.file, name, None, default, state.here))
+    if name not in context.configurations:
+        if default is None:
+            state.report(LaunchError("arg", name, f"argument `{name}` must be passed, it has no default"))
+            default = state.unknowns.mark(f"$(var {name})", context.file)
+        context.configurations[name] = default
+    choices = made.arguments.get("choices")
+    value = context.configurations[name]
+    if isinstance(choices, (list, tuple)) and choices and not state.unknowns.is_open(value):
+        texts = [perform(world, choice, context) for choice in choices]
+        if value not in texts and not any(map(state.unknowns.is_open, texts)):
+            raise LaunchError("choice", name, f"argument `{name}` is `{value}`, but must be one of {', '.join(texts)}")
+
+
+@carries_out("SetLaunchConfiguration")
+def _set(world: World, made: Made, context: Context) -> None:
+    context.configurations[perform(world, made.get("name"), context)] = perform(world, made.get("value"), context)
+
+
+@carries_out("UnsetLaunchConfiguration")
+def _unset(world: World, made: Made, context: Context) -> None:
+    context.configurations.pop(perform(world, made.get("name"), context), None)
+
+
+@carries_out("ResetLaunchConfigurations")
+def _reset(world: World, made: Made, context: Context) -> None:
+    kept = _performed(world, made.get("launch_configurations") or {}, context)
+    context.configurations.clear()
+    context.configurations.update(kept)
+
+
+@carries_out("PushLaunchConfigurations", "PopLaunchConfigurations", "PushEnvironment", "PopEnvironment", "ResetEnvironment")
+def _push(_world: World, _made: Made, _context: Context) -> None:
+    """Groups do this; by hand it is next to never done."""
+
+
+@carries_out("SetEnvironmentVariable", "AppendEnvironmentVariable")
+def _set_environment(world: World, made: Made, context: Context) -> None:
+    name, value = perform(world, made.get("name"), context), perform(world, made.get("value"), context)
+    before = context.variable(name)
+    if made.kind == "AppendEnvironmentVariable" and before:
+        value = f"{value}:{before}" if made.get("prepend") else f"{before}:{value}"
+    context.environment[name] = value
+
+
+@carries_out("UnsetEnvironmentVariable")
+def _unset_environment(world: World, made: Made, context: Context) -> None:
+    context.environment[perform(world, made.get("name"), context)] = None
+
+
+@carries_out("PushRosNamespace", "PushROSNamespace")
+def _namespace(world: World, made: Made, context: Context) -> None:
+    context.namespace = joined(context.namespace, perform(world, made.get("namespace"), context))
+
+
+def joined(outer: str, inner: str) -> str:
+    """A namespace within another one, absolute: an absolute one stays as it is."""
+    text = inner if inner.startswith("/") else f"{outer}/{inner}"
+    text = canonical(text if text.startswith("/") else f"/{text}")
+    return "" if text == "/" else text
+
+
+@carries_out("SetRemap")
+def _remap(world: World, made: Made, context: Context) -> None:
+    remap = Remap(perform(world, made.get("src"), context), perform(world, made.get("dst"), context), world.state.here, context.conditions)
+    world.state.remaps.append(remap)
+    context.remaps = (*context.remaps, remap)
+
+
+@carries_out("SetParameter", "SetUseSimTime")
+def _parameter(world: World, made: Made, context: Context) -> None:
+    name = "use_sim_time" if made.kind == "SetUseSimTime" else perform(world, made.get("name"), context)
+    kept = tuple(given for given in context.params if given.name != name or context.conditions)
+    context.params = (*kept, Given(made.arguments.get("value"), world.state.here, context.conditions, name=name))
+
+
+@carries_out("SetParametersFromFile")
+def _parameters(world: World, made: Made, context: Context) -> None:
+    node = made.get("node_name")
+    name = None if node is None else perform(world, node, context)
+    context.params = (*context.params, Given(made.get("filename"), world.state.here, context.conditions, node=name))
+
+
+@carries_out("OpaqueFunction")
+def _function(world: World, made: Made, context: Context) -> None:
+    arguments = made.arguments.get("args") or ()
+    named = made.arguments.get("kwargs") or {}
+    function = made.get("function")
+    rest = list(arguments) if isinstance(arguments, (list, tuple)) else []
+    visit(world, called(world, function, [context, *rest], named if isinstance(named, dict) else {}), context)
+
+
+def called(world: World, function: Any, arguments: list[Any], named: dict[str, Any]) -> Any:
+    """What a function of a launch file returns; what it adds belongs to the conditions that it is called under."""
+    if not isinstance(function, (Function, Bound, Native)):
+        return function if isinstance(function, (Unknown, Either)) else None
+    run = world.interpreter
+    run.path, kept = [], run.path
+    try:
+        return run.apply(function, arguments, named)
+    finally:
+        run.path = kept
+
+
+@carries_out("ForEach")
+def _for_each(world: World, made: Made, context: Context) -> None:
+    """The values are YAML documents, separated by semicolons; each is handed to the function as named arguments."""
+    text = perform(world, made.get("input_values", "values"), context)
+    if world.state.unknowns.is_open(text):
+        world.interpreter.misunderstood(world.state.here, f"the values of ForEach are not known: {world.state.unknowns.render(text)}")
+        return
+    for part in filter(str.strip, text.split(";")):
+        values = NATIVES["yaml.safe_load"].call(world.interpreter, part.strip())
+        if isinstance(values, dict):
+            _round(world, made, [], {str(key): value for key, value in values.items()}, context)
+
+
+@carries_out("ForLoop")
+def _for(world: World, made: Made, context: Context) -> None:
+    text = perform(world, made.get("length", "len"), context)
+    if not text.strip().isdigit() or int(text) > 1000:
+        world.interpreter.misunderstood(
+            world.state.here, f"the number of rounds of ForLoop is not known: {world.state.unknowns.render(text)}"
+        )
+        return
+    for index in range(int(text)):
+        _round(world, made, [index], {"index": index, str(made.get("name") or "index"): index}, context)
+
+
+def _round(world: World, made: Made, arguments: list[Any], values: dict[str, Any], context: Context) -> None:
+    if made.get("function") is not None:
+        visit(world, called(world, made.get("function"), arguments, {} if arguments else values), context)
+        return
+    kept, context.loop = context.loop, {**context.loop, **values}
+    visit(world, made.get("actions"), context)
+    context.loop = kept

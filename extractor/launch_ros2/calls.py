@@ -1,0 +1,372 @@
+"""Calls, attributes and modules of Python launch files."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.model import Place
+
+from .expressions import Expressions, Raised, Undecided, is_certain
+from .natives_files import environment_item
+from .registry import KNOWN_MODULES, NATIVES
+from .values import (
+    CLASSES,
+    NOTHING,
+    Bound,
+    Class,
+    Constructor,
+    Either,
+    Frame,
+    Function,
+    Instance,
+    Made,
+    Module,
+    ModuleFrame,
+    Native,
+    PathText,
+    Super,
+    TextFile,
+    Unknown,
+)
+
+if TYPE_CHECKING:
+    from .world import World
+
+MAX_DEPTH = 60
+_LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "launch_testing", "launch_testing_ros")
+_OBJECTS = (Made, Instance, Class, PathText, TextFile, Module)
+_DECORATORS = frozenset({"staticmethod", "classmethod", "property", "cached_property"})
+
+
+class Calls(Expressions):
+    """What is called, and what is asked of objects."""
+
+    def __init__(self, world: World) -> None:
+        super().__init__()
+        self.world = world
+        self.modules: dict[str, ModuleFrame] = {}
+        self.depth = 0
+        self.kinds: dict[int, str] = {}
+
+    def text(self, value: Any) -> str:
+        return self.world.as_text(value)
+
+    def misunderstood(self, place: Place, message: str) -> None:
+        """Report what was not understood, once."""
+        before, self.world.state.here = self.world.state.here, place
+        self.world.state.warn("python", message, message)
+        self.world.state.here = before
+
+    def builtin(self, node: ast.Name, frame: Frame) -> Any:
+        return NATIVES.get(node.id) or super().builtin(node, frame)
+
+    # -- attributes -----------------------------------------------------------------------------------------------------------
+
+    def _attribute(self, node: ast.Attribute, frame: Frame) -> Any:
+        return self.member(self.value(node.value, frame), node.attr, node, frame)
+
+    def member(self, owner: Any, name: str, node: ast.AST, frame: Frame) -> Any:
+        """`owner.name`."""
+        from .natives import attribute
+
+        if isinstance(owner, Module):
+            return self._of_module(owner, name, node, frame)
+        if isinstance(owner, Class):
+            return self._of_class(owner, name, node, frame)
+        if isinstance(owner, Instance):
+            return self._of_instance(owner, name, node, frame)
+        if isinstance(owner, Super):
+            return self._of_super(owner, name, node, frame)
+        found = attribute(self, owner, name)
+        if found is NOTHING:
+            return Unknown(f"{_text_of(node)}", self.place(node, frame))
+        return found
+
+    def _of_module(self, module: Module, name: str, node: ast.AST, frame: Frame) -> Any:
+        full = f"{module.name}.{name}"
+        if module.frame is not None and name in module.frame.variables:
+            return module.frame.variables[name]
+        if module.name.partition(".")[0] in _LAUNCH and name in CLASSES:
+            return Constructor(name)
+        if full in NATIVES:
+            return NATIVES[full]
+        if full in self.modules:
+            return Module(full, self.modules[full])
+        if module.frame is not None or full in KNOWN_MODULES or module.name.partition(".")[0] in _LAUNCH:
+            inner = self.module(full, frame)
+            return inner if isinstance(inner, Module) else Unknown(full, self.place(node, frame))
+        return Unknown(full, self.place(node, frame))
+
+    def _of_class(self, owner: Class, name: str, node: ast.AST, frame: Frame) -> Any:
+        try:
+            found = owner.find(name)
+        except KeyError:
+            return Unknown(_text_of(node), self.place(node, frame))
+        return Bound(found, owner) if isinstance(found, Function) and self.kinds.get(id(found)) == "classmethod" else found
+
+    def _of_instance(self, owner: Instance, name: str, node: ast.AST, frame: Frame) -> Any:
+        from .natives import attribute
+
+        if name in owner.attributes:
+            return owner.attributes[name]
+        try:
+            found = owner.of.find(name)
+        except KeyError:
+            found = attribute(self, owner.made, name) if owner.made else NOTHING
+            return Unknown(_text_of(node), self.place(node, frame)) if found is NOTHING else found
+        if isinstance(found, Function):
+            kind = self.kinds.get(id(found))
+            if kind in ("property", "cached_property"):
+                return self.call_function(found, [owner], {})
+            return found if kind == "staticmethod" else Bound(found, owner.of if kind == "classmethod" else owner)
+        return found
+
+    def member_of(self, owner: Instance, name: str) -> Any:
+        """A method of an object, bound to it; unknown when its class has none of this name."""
+        try:
+            found = owner.of.find(name)
+        except KeyError:
+            return Unknown(f"{owner.of.name}.{name}", owner.made.place if owner.made else Place("", 1))
+        return Bound(found, owner) if isinstance(found, Function) else found
+
+    def _of_super(self, owner: Super, name: str, node: ast.AST, frame: Frame) -> Any:
+        above = Class("", owner.of.bases, {})
+        try:
+            found = above.find(name)
+        except KeyError:
+            if name == "__init__":
+                return Native(
+                    "__init__", lambda _run, *arguments, **named: self._initialise(owner, arguments, named, self.place(node, frame))
+                )
+            return Unknown(_text_of(node), self.place(node, frame))
+        return Bound(found, owner.instance) if isinstance(found, Function) else found
+
+    def _initialise(self, owner: Super, arguments: tuple[Any, ...], named: dict[str, Any], place: Place) -> None:
+        for constructor in owner.of.constructors()[:1]:
+            owner.instance.made = self.make(constructor.kind, list(arguments), named, place)
+
+    # -- modules --------------------------------------------------------------------------------------------------------------
+
+    def module(self, name: str, frame: Frame) -> Any:
+        """A module by its full name: one that is known here, one of the workspace, or unknown."""
+        first = name.partition(".")[0]
+        if first in _LAUNCH or name in KNOWN_MODULES:
+            return Module(name)
+        if name in self.modules:
+            return Module(name, self.modules[name])
+        source = self.world.module_source(name, frame.module.file)
+        if source is None:
+            return Unknown(name, Place(frame.module.file, 1))
+        try:
+            return Module(name, self.run_module(name, *source))
+        except (SyntaxError, Raised) as error:
+            self.misunderstood(Place(source[0], getattr(error, "lineno", None) or 1), f"module {name} not read to its end: {error}")
+            return Module(name, self.modules.get(name))
+
+    def run_module(self, name: str, file: str, text: str, *, is_launch_file: bool = False) -> ModuleFrame:
+        """The names of a module after it has run."""
+        raise NotImplementedError
+
+    # -- calls ----------------------------------------------------------------------------------------------------------------
+
+    def _call(self, node: ast.Call, frame: Frame) -> Any:
+        if isinstance(node.func, ast.Name) and node.func.id == "super" and not node.args:
+            return self._super(frame)
+        function = self.value(node.func, frame)
+        arguments = list(self._items(node.args, frame))
+        named: dict[str, Any] = {}
+        for keyword in node.keywords:
+            value = self.value(keyword.value, frame)
+            if keyword.arg is not None:
+                named[keyword.arg] = value
+            elif isinstance(value, dict):
+                named.update({str(key): item for key, item in value.items()})
+        return self.call(function, arguments, named, node, frame)
+
+    def _super(self, frame: Frame) -> Any:
+        here: Frame | None = frame
+        while here is not None:
+            if "__class__" in here.variables:
+                return Super(here.variables["__class__"], next(iter(here.variables.values())))
+            here = here.above
+        return Unknown("super()", Place(frame.module.file, 1))
+
+    def call(self, function: Any, arguments: list[Any], named: dict[str, Any], node: ast.expr, frame: Frame) -> Any:
+        """The value of a call."""
+        if isinstance(function, (Function, Bound)):
+            return self.apply(function, arguments, named)
+        if isinstance(function, Constructor):
+            made = self.make(function.kind, arguments, named, self.place(node, frame))
+            if function.kind == "LaunchDescription":
+                frame.module.described.append(made)
+            return made
+        if isinstance(function, Class):
+            return self.instance(function, arguments, named, self.place(node, frame))
+        if isinstance(function, Native):
+            if frame.module.is_launch_file:
+                self.world.here(self.place(node, frame))
+            found = function.call(self, *arguments, **named)
+            return self.unknown(node, frame) if found is NOTHING else found
+        if callable(function) and not isinstance(function, (Unknown, Either)):
+            if not all(map(self._plain, (*arguments, *named.values()))):
+                return self.unknown(node, frame)
+            wrapped = {name: self._callable(value) for name, value in named.items()}
+            return function(*map(self._callable, arguments), **wrapped)
+        return self.unknown(node, frame)
+
+    def _plain(self, value: Any) -> bool:
+        """Whether a value may be handed to a function of Python's own."""
+        return isinstance(value, (Function, Bound)) or (
+            is_certain(value) and not isinstance(value, (Made, Instance, Class, PathText, TextFile, Module))
+        )
+
+    def _callable(self, value: Any) -> Any:
+        return (lambda *arguments: self.apply(value, list(arguments), {})) if isinstance(value, (Function, Bound)) else value
+
+    def apply(self, function: Any, arguments: list[Any], named: dict[str, Any]) -> Any:
+        """The value of a call of a function of a launch file."""
+        if isinstance(function, Bound):
+            return self.call_function(function.function, [function.owner, *arguments], named)
+        if isinstance(function, Native):
+            return function.call(self, *arguments, **named)
+        if isinstance(function, Function):
+            return self.call_function(function, arguments, named)
+        return Unknown("a call", Place("", 1))
+
+    def call_function(self, function: Function, arguments: list[Any], named: dict[str, Any]) -> Any:
+        """The value of a call of a function of a launch file."""
+        if self.depth >= MAX_DEPTH:
+            return Unknown("calls nested too deeply", Place(function.frame.module.file, function.node.lineno))
+        frame = Frame(dict(_bound(function, arguments, named)), function.frame.module, function.frame)
+        if function.owner is not None:
+            frame.variables["__class__"] = function.owner
+        self.depth += 1
+        try:
+            if _is_generator(function.node):
+                frame.yielded = []
+            if isinstance(function.node, ast.Lambda):
+                return self.value(function.node.body, frame)
+            return self.body_of(function.node.body, frame)
+        except Undecided:
+            if self.path:
+                raise
+            return Unknown("too much that is not known", Place(function.frame.module.file, function.node.lineno))
+        finally:
+            self.depth -= 1
+
+    def body_of(self, body: list[ast.stmt], frame: Frame) -> Any:
+        """What a function with this body returns."""
+        raise NotImplementedError
+
+    def make(self, kind: str, arguments: list[Any], named: dict[str, Any], place: Place) -> Made:
+        """An object of a class of launch."""
+        names = CLASSES[kind]
+        given = {**dict(zip(names, arguments, strict=False)), **named}
+        return Made(kind, given, place, tuple(arguments[len(names) :]))
+
+    def instance(self, of: Class, arguments: list[Any], named: dict[str, Any], place: Place) -> Instance:
+        """An object of a class of a launch file."""
+        made = Instance(of)
+        for constructor in of.constructors()[:1]:
+            made.made = Made(constructor.kind, {}, place)
+        try:
+            start = of.find("__init__")
+        except KeyError:
+            made.attributes.update(zip(of.fields, arguments, strict=False))
+            made.attributes.update(named)
+            if made.made is not None:
+                made.made = self.make(made.made.kind, arguments, named, place)
+            return made
+        if isinstance(start, Function):
+            self.call_function(start, [made, *arguments], named)
+        return made
+
+    def decorated(self, function: Function, decorators: list[ast.expr]) -> Function:
+        """A function with its decorators: those of methods count, others are taken for such as change nothing."""
+        for decorator in decorators:
+            if isinstance(decorator, ast.Name) and decorator.id in _DECORATORS:
+                self.kinds[id(function)] = decorator.id
+        return function
+
+    def own(self, made: Class) -> None:
+        """Tell the methods of a class which class they are of."""
+        for name, member in made.members.items():
+            if isinstance(member, Function) and member.owner is None:
+                owned = Function(member.node, member.frame, member.defaults, member.named_defaults, made)
+                if id(member) in self.kinds:
+                    self.kinds[id(owned)] = self.kinds[id(member)]
+                made.members[name] = owned
+
+    # -- items ----------------------------------------------------------------------------------------------------------------
+
+    def item(self, value: Any, node: ast.Subscript, frame: Frame) -> Any:
+        if isinstance(value, Native) and value.name == "os.environ":
+            self.world.here(self.place(node, frame))
+            return environment_item(self, self.value(node.slice, frame))
+        return self.unknown(node, frame)
+
+    def guarded(self, value: Any) -> Any:
+        """A value that is added to something under the unknown conditions of the present branch."""
+        for condition in reversed(self.path):
+            value = Either(condition, value, NOTHING)
+        return value
+
+    def set_item(self, owner: Any, key: Any, value: Any) -> None:
+        """`owner[key] = value`."""
+        if isinstance(owner, dict) and is_certain(key):
+            for condition in reversed(self.path):
+                value = Either(condition, value, owner.get(key, NOTHING))
+            owner[key] = value
+        elif isinstance(owner, list) and isinstance(key, int) and -len(owner) <= key < len(owner):
+            for condition in reversed(self.path):
+                value = Either(condition, value, owner[key])
+            owner[key] = value
+
+    def close(self, file: TextFile) -> None:
+        """The end of a `with` block of a file: what was written into it can be read."""
+        if file.text is not None:
+            self.world.written[file.name] = file.text
+
+
+def _bound(function: Function, arguments: list[Any], named: dict[str, Any]) -> Iterator[tuple[str, Any]]:
+    """The names of parameters with what they stand for in a call."""
+    spec = function.node.args
+    places = [*spec.posonlyargs, *spec.args]
+    defaults = dict(zip((arg.arg for arg in places[len(places) - len(function.defaults) :]), function.defaults, strict=True))
+    rest = dict(named)
+    for index, arg in enumerate(places):
+        if index < len(arguments):
+            yield arg.arg, arguments[index]
+        elif arg.arg in rest:
+            yield arg.arg, rest.pop(arg.arg)
+        elif arg.arg in defaults:
+            yield arg.arg, defaults[arg.arg]
+        else:
+            raise Raised("TypeError", f"missing argument `{arg.arg}`")
+    for arg in spec.kwonlyargs:
+        if arg.arg in rest or arg.arg in function.named_defaults:
+            yield arg.arg, rest.pop(arg.arg, function.named_defaults.get(arg.arg))
+    if spec.vararg is not None:
+        yield spec.vararg.arg, tuple(arguments[len(places) :])
+    if spec.kwarg is not None:
+        yield spec.kwarg.arg, rest
+
+
+@lru_cache(maxsize=4096)
+def _is_generator(node: ast.AST) -> bool:
+    """Whether a function yields; what functions within it yield is theirs."""
+    stack = list(ast.iter_child_nodes(node))
+    while stack:
+        inner = stack.pop()
+        if isinstance(inner, (ast.Yield, ast.YieldFrom)):
+            return True
+        if not isinstance(inner, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
+            stack.extend(ast.iter_child_nodes(inner))
+    return False
+
+
+def _text_of(node: ast.AST) -> str:
+    return ast.unparse(node) if isinstance(node, ast.expr) else getattr(node, "module", None) or "import"

@@ -1,0 +1,70 @@
+"""Conditions of actions (launch.conditions): whether they hold, or that this cannot be known."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.model import Condition, LaunchError
+
+from .context import Context
+from .substitutions import perform
+from .values import Either, Instance, Made
+
+if TYPE_CHECKING:
+    from .world import World
+
+_TRUE, _FALSE = ("true", "1"), ("false", "0")
+
+
+def holds(world: World, condition: Any, context: Context) -> bool | Condition:
+    """Whether a condition holds; a `Condition` for one that cannot be known."""
+    if condition is None:
+        return True
+    if isinstance(condition, Instance):
+        found = world.interpreter.apply(world.interpreter.member_of(condition, "evaluate"), [context], {})
+        return found if isinstance(found, bool) else _open(world, world.as_text(found), True)
+    if isinstance(condition, Either):
+        first, second = (holds(world, one, context) for one in (condition.first, condition.second))
+        return (
+            first
+            if first == second
+            else condition.condition
+            if first is True and second is False
+            else _open(world, world.as_text(condition), True)
+        )
+    if not isinstance(condition, Made):
+        return _open(world, world.as_text(condition), True)
+    world.here(condition.place)
+    if condition.kind.startswith("LaunchConfiguration"):
+        return _compared(world, condition, context)
+    wanted = condition.kind != "UnlessCondition"
+    text = perform(world, condition.get("predicate_expression"), context)
+    if world.state.unknowns.is_open(text):
+        return _open(world, text, wanted)
+    if text.strip().lower() not in (*_TRUE, *_FALSE):
+        raise LaunchError("condition", text, f"{'if' if wanted else 'unless'}: `{text}` is not true or false")
+    return (text.strip().lower() in _TRUE) is wanted
+
+
+def _compared(world: World, condition: Made, context: Context) -> bool | Condition:
+    """`LaunchConfigurationEquals` and its contrary."""
+    wanted = condition.kind == "LaunchConfigurationEquals"
+    name = world.as_text(condition.get("launch_configuration_name"))
+    expected = condition.get("expected_value")
+    if name not in context.configurations:
+        return (expected is None) is wanted
+    value, other = context.configurations[name], perform(world, expected, context)
+    if value == other:
+        return wanted
+    if world.state.unknowns.is_open(value) or world.state.unknowns.is_open(other):
+        return _open(world, f"{value} == {other}", wanted)
+    return not wanted
+
+
+def _open(world: World, text: str, wanted: bool) -> Condition:
+    return Condition(world.state.unknowns.render(text), wanted, world.state.here, text)
+
+
+def contrary(condition: Condition) -> Condition:
+    """The condition that holds when this one does not."""
+    return Condition(condition.text, not condition.holds, condition.place, condition.key)

@@ -1,0 +1,74 @@
+"""What actions see and change while they are carried out: configurations, environment, namespace, remappings and parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rosarch.extractor.launch.model import Condition, Place, Remap
+
+
+@dataclass(frozen=True)
+class Given:
+    """A parameter, or a file of parameters, that nodes get; `place` is where it is given, `conditions` are its own."""
+
+    value: Any
+    place: Place
+    conditions: tuple[Condition, ...] = ()
+    name: str | None = None
+    node: str | None = None
+
+
+@dataclass
+class Context:
+    """The state of launch. What a group keeps to itself is put back when the group ends; an included file changes its includer's.
+
+    `environment` is what differs from the environment `outside`; None for a variable that was unset.
+    """
+
+    file: str
+    configurations: dict[str, str] = field(default_factory=dict)
+    outside: Mapping[str, str] = field(default_factory=dict)
+    environment: dict[str, str | None] = field(default_factory=dict)
+    namespace: str = ""
+    remaps: tuple[Remap, ...] = ()
+    params: tuple[Given, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    lines: tuple[Place, ...] = ()
+    loop: dict[str, Any] = field(default_factory=dict)
+
+    def variable(self, name: str) -> str | None:
+        """The value of an environment variable."""
+        return self.environment[name] if name in self.environment else self.outside.get(name)
+
+    @contextmanager
+    def scoped(self) -> Iterator[None]:
+        """What changes meanwhile is put back."""
+        kept = replace(self, configurations=dict(self.configurations), environment=dict(self.environment))
+        try:
+            yield
+        finally:
+            self.configurations, self.environment = kept.configurations, kept.environment
+            self.namespace, self.remaps, self.params = kept.namespace, kept.remaps, kept.params
+
+    @contextmanager
+    def within(self, *conditions: Condition) -> Iterator[None]:
+        """What happens meanwhile happens under these conditions only."""
+        kept = self.conditions
+        self.conditions = (*kept, *(condition for condition in conditions if condition not in kept))
+        try:
+            yield
+        finally:
+            self.conditions = kept
+
+    @contextmanager
+    def included(self, file: str, place: Place) -> Iterator[None]:
+        """The actions of another file, which is included at a line."""
+        kept = self.file, self.lines
+        self.file, self.lines = file, (*self.lines, place)
+        try:
+            yield
+        finally:
+            self.file, self.lines = kept

@@ -1,0 +1,357 @@
+"""Expressions of Python launch files, interpreted over their syntax trees.
+
+What is not known gives an `Unknown`, never an exception; what Python would refuse raises `Raised`. Steps and sizes are bounded.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from rosarch.extractor.launch.eval_functions import BUILTINS, METHODS, TooLarge, format_text, size_of
+from rosarch.extractor.launch.evaluation import BINARY, COMPARE, CONVERSIONS, PYTHON_ERRORS, UNARY, check_size
+from rosarch.extractor.launch.model import Condition, Place
+from rosarch.extractor.launch.unknowns import cleaned, is_known
+
+from .values import NOTHING, Either, Frame, Function, Instance, Made, PathText, Unknown
+
+MAX_STEPS = 2_000_000
+_SIZE_COST = 64
+_MAKING = (ast.BinOp, ast.Call, ast.JoinedStr, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)  # what may make something large
+_TEXTS = (str, Unknown, Either)
+
+
+class Stopped(Exception):
+    """The interpretation takes too long, or nests too deeply."""
+
+
+class Undecided(Exception):
+    """Too much depends on what is not known."""
+
+
+class Raised(Exception):
+    """What the launch file does raises an exception in Python."""
+
+    def __init__(self, kind: str, message: str, place: Place | None = None) -> None:
+        super().__init__(message)
+        self.kind, self.message, self.place = kind, message, place
+
+
+class Expressions:
+    """The values of expressions. `file` and `path` say where interpretation is, and under which unknown conditions."""
+
+    def __init__(self) -> None:
+        self.steps = 0
+        self.path: list[Condition] = []
+
+    def place(self, node: ast.AST, frame: Frame) -> Place:
+        """Where a piece of source is."""
+        return Place(frame.module.file, getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1)
+
+    def unknown(self, node: ast.expr, frame: Frame, reason: str = "") -> Unknown:
+        """The value of an expression that cannot be told."""
+        return Unknown(_short(ast.unparse(node)), self.place(node, frame), reason)
+
+    def step(self, count: int = 1) -> None:
+        """Count work that was done."""
+        self.steps += count
+        if self.steps > MAX_STEPS:
+            raise Stopped("too many steps")
+
+    def value(self, node: ast.expr, frame: Frame) -> Any:
+        """The value of any expression."""
+        self.step()
+        method = getattr(self, "_" + type(node).__name__.lower(), None)
+        if method is None:
+            return self.unknown(node, frame, f"{type(node).__name__} is not interpreted")
+        try:
+            found = method(node, frame)
+            if isinstance(node, _MAKING) and isinstance(found, (str, list, dict, tuple, set, int)):
+                self.step(size_of(found) // _SIZE_COST)
+            return found
+        except TooLarge as error:
+            return self.unknown(node, frame, str(error))
+        except PYTHON_ERRORS as error:
+            raise Raised(type(error).__name__, str(error), self.place(node, frame)) from None
+
+    def truth(self, value: Any) -> bool | None:
+        """Whether a value counts as true; None when that is not known."""
+        if isinstance(value, (Unknown, Either)) or (isinstance(value, str) and not is_known(value)):
+            return None
+        return True if _is_object(value) else bool(value)
+
+    # -- atoms ----------------------------------------------------------------------------------------------------------------
+
+    def _constant(self, node: ast.Constant, _frame: Frame) -> Any:
+        return cleaned(node.value) if isinstance(node.value, str) else node.value
+
+    def _name(self, node: ast.Name, frame: Frame) -> Any:
+        here: Frame | None = frame
+        while here is not None:
+            if node.id in here.variables:
+                found = here.variables[node.id]
+                return self.unknown(node, frame) if found is NOTHING else found
+            here = here.above
+        if node.id in frame.module.variables:
+            return frame.module.variables[node.id]
+        return self.builtin(node, frame)
+
+    def builtin(self, node: ast.Name, frame: Frame) -> Any:
+        """A name that no frame has."""
+        if node.id in BUILTINS:
+            return BUILTINS[node.id]
+        return self.unknown(node, frame)
+
+    def _joinedstr(self, node: ast.JoinedStr, frame: Frame) -> Any:
+        parts = [self.value(part, frame) for part in node.values]
+        return "".join(parts) if all(isinstance(part, str) for part in parts) else self.unknown(node, frame)
+
+    def _formattedvalue(self, node: ast.FormattedValue, frame: Frame) -> Any:
+        value = self.value(node.value, frame)
+        value = value.text if isinstance(value, PathText) else value
+        if node.conversion == -1 and node.format_spec is None and isinstance(value, str):
+            return value
+        if not is_certain(value):
+            return self.text(value) if isinstance(value, (Unknown, Either)) else self.unknown(node, frame)
+        spec = "" if node.format_spec is None else self.value(node.format_spec, frame)
+        return METHODS[str]["format"]("{:" + spec + "}", CONVERSIONS[node.conversion](value)) if isinstance(spec, str) else spec
+
+    def text(self, value: Any) -> str:
+        """An unknown as a part of a text."""
+        raise NotImplementedError
+
+    def _list(self, node: ast.List, frame: Frame) -> Any:
+        return list(self._items(node.elts, frame))
+
+    def _tuple(self, node: ast.Tuple, frame: Frame) -> Any:
+        return tuple(self._items(node.elts, frame))
+
+    def _set(self, node: ast.Set, frame: Frame) -> Any:
+        return set(self._items(node.elts, frame))
+
+    def _items(self, nodes: list[ast.expr], frame: Frame) -> Iterator[Any]:
+        for node in nodes:
+            if isinstance(node, ast.Starred):
+                yield from self.iterated(self.value(node.value, frame), node.value, frame)
+            else:
+                yield self.value(node, frame)
+
+    def _dict(self, node: ast.Dict, frame: Frame) -> Any:
+        found: dict[Any, Any] = {}
+        for key, value in zip(node.keys, node.values, strict=True):
+            if key is not None:
+                found[self.value(key, frame)] = self.value(value, frame)
+            elif isinstance(merged := self.value(value, frame), dict):
+                found.update(merged)
+        return found
+
+    def iterated(self, value: Any, node: ast.expr, frame: Frame) -> list[Any]:
+        """The items of a value; a single unknown one where these cannot be told."""
+        if isinstance(value, (list, tuple, set, dict, range, str)) and (not isinstance(value, str) or is_known(value)):
+            return list(value)
+        if isinstance(value, (Unknown, Either, Made, Instance, str)):
+            return [Unknown(f"each of {_short(ast.unparse(node))}", self.place(node, frame))]
+        raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))
+
+    # -- operators ------------------------------------------------------------------------------------------------------------
+
+    def _binop(self, node: ast.BinOp, frame: Frame) -> Any:
+        left, right = self.value(node.left, frame), self.value(node.right, frame)
+        return self.operation(node.op, left, right, node, frame)
+
+    def operation(self, op: ast.operator, left: Any, right: Any, node: ast.expr, frame: Frame) -> Any:
+        """The value of a binary operation."""
+        if isinstance(op, ast.Div) and isinstance(left, PathText) and isinstance(right, (str, PathText)):
+            return left.joined(right.text if isinstance(right, PathText) else right)
+        if isinstance(op, ast.Div) and isinstance(left, Made):
+            return Made("PathJoinSubstitution", {"substitutions": [left, right]}, self.place(node, frame))
+        if isinstance(op, ast.Add):
+            if isinstance(left, str) and isinstance(right, str):
+                return left + right
+            if (isinstance(left, list) and isinstance(right, list)) or (isinstance(left, tuple) and isinstance(right, tuple)):
+                return type(left)((*left, *right))
+            if isinstance(left, str) != isinstance(right, str) and isinstance(left, _TEXTS) and isinstance(right, _TEXTS):
+                return self.text(left) + self.text(right)
+            if isinstance(left, list) and isinstance(right, (Unknown, Either)):
+                return [*left, right]
+        if isinstance(op, ast.Mod) and isinstance(left, str) and is_known(left) and is_certain(right):
+            return format_text(left, right)
+        function = BINARY.get(type(op))
+        if function is None or not (is_certain(left) and is_certain(right)) or _is_object(left) or _is_object(right):
+            return self.unknown(node, frame)
+        check_size(op, left, right)
+        return function(left, right)
+
+    def _unaryop(self, node: ast.UnaryOp, frame: Frame) -> Any:
+        value = self.value(node.operand, frame)
+        if isinstance(node.op, ast.Not):
+            truth = self.truth(value)
+            return self.unknown(node, frame) if truth is None else not truth
+        return UNARY[type(node.op)](value) if is_certain(value) else self.unknown(node, frame)
+
+    def _boolop(self, node: ast.BoolOp, frame: Frame) -> Any:
+        wanted, unsure = isinstance(node.op, ast.Or), False
+        found: Any = None
+        for operand in node.values:
+            found = self.value(operand, frame)
+            truth = self.truth(found)
+            unsure |= truth is None
+            if truth is wanted:
+                break
+        else:
+            return self.unknown(node, frame) if unsure else found
+        return self.unknown(node, frame) if unsure and not isinstance(found, bool) else found
+
+    def _compare(self, node: ast.Compare, frame: Frame) -> Any:
+        left = self.value(node.left, frame)
+        for operation, operand in zip(node.ops, node.comparators, strict=True):
+            right = self.value(operand, frame)
+            result = self._compared(operation, left, right)
+            if result is None:
+                return self.unknown(node, frame)
+            if not result:
+                return False
+            left = right
+        return True
+
+    def _compared(self, operation: ast.cmpop, left: Any, right: Any) -> bool | None:
+        """Whether one comparison holds; None when that is not known."""
+        if isinstance(left, (Unknown, Either)) or isinstance(right, (Unknown, Either)):
+            return None
+        if (
+            isinstance(operation, (ast.Is, ast.IsNot))
+            or _is_object(left)
+            or (_is_object(right) and not isinstance(operation, (ast.In, ast.NotIn)))
+        ):
+            same = left is right or (isinstance(left, PathText) and left == right)
+            return same if isinstance(operation, (ast.Is, ast.Eq)) else not same if isinstance(operation, (ast.IsNot, ast.NotEq)) else None
+        if isinstance(operation, (ast.Eq, ast.NotEq)) and isinstance(left, str) and left == right:
+            return isinstance(operation, ast.Eq)
+        if isinstance(operation, (ast.In, ast.NotIn)) and isinstance(right, dict) and is_certain(left):
+            return (left in right) is isinstance(operation, ast.In)
+        if not (is_certain(left) and is_certain(right)):
+            return None
+        return bool(COMPARE[type(operation)](left, right))
+
+    def _ifexp(self, node: ast.IfExp, frame: Frame) -> Any:
+        truth = self.truth(self.value(node.test, frame))
+        if truth is not None:
+            return self.value(node.body if truth else node.orelse, frame)
+        condition = self.condition(node.test, frame)
+        return either(condition, self.value(node.body, frame), self.value(node.orelse, frame))
+
+    def condition(self, test: ast.expr, frame: Frame, holds: bool = True) -> Condition:
+        """A condition of the launch file that cannot be known."""
+        text = _short(ast.unparse(test))
+        return Condition(text, holds, self.place(test, frame), f"{frame.module.file}: {text}")
+
+    def _namedexpr(self, node: ast.NamedExpr, frame: Frame) -> Any:
+        frame.variables[node.target.id] = found = self.value(node.value, frame)
+        return found
+
+    def _await(self, node: ast.Await, frame: Frame) -> Any:
+        return self.value(node.value, frame)
+
+    # -- parts ----------------------------------------------------------------------------------------------------------------
+
+    def _subscript(self, node: ast.Subscript, frame: Frame) -> Any:
+        value = self.value(node.value, frame)
+        if isinstance(value, (Unknown, Either)) or not isinstance(value, (str, list, tuple, dict, range)):
+            return self.item(value, node, frame)
+        key = self.value(node.slice, frame)
+        if not is_certain(key) or (isinstance(value, str) and not is_known(value)):
+            return self.unknown(node, frame)
+        try:
+            found = value[key]
+        except (LookupError, TypeError) as error:
+            raise Raised(type(error).__name__, str(error), self.place(node, frame)) from None
+        return self.unknown(node, frame) if found is NOTHING else found
+
+    def item(self, _value: Any, node: ast.Subscript, frame: Frame) -> Any:
+        """`value[key]` of what is no list, map or text."""
+        return self.unknown(node, frame)
+
+    def _slice(self, node: ast.Slice, frame: Frame) -> Any:
+        return slice(*(None if part is None else self.value(part, frame) for part in (node.lower, node.upper, node.step)))
+
+    def _lambda(self, node: ast.Lambda, frame: Frame) -> Any:
+        return self.function(node, frame)
+
+    def function(self, node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda, frame: Frame) -> Function:
+        """A function, its defaults evaluated."""
+        defaults = tuple(self.value(default, frame) for default in node.args.defaults)
+        pairs = zip(node.args.kwonlyargs, node.args.kw_defaults, strict=True)
+        return Function(node, frame, defaults, {arg.arg: self.value(default, frame) for arg, default in pairs if default is not None})
+
+    # -- comprehensions -------------------------------------------------------------------------------------------------------
+
+    def _listcomp(self, node: ast.ListComp, frame: Frame) -> Any:
+        return list(self._generated(node.generators, frame, lambda inner: self.value(node.elt, inner)))
+
+    def _generatorexp(self, node: ast.GeneratorExp, frame: Frame) -> Any:
+        return list(self._generated(node.generators, frame, lambda inner: self.value(node.elt, inner)))
+
+    def _setcomp(self, node: ast.SetComp, frame: Frame) -> Any:
+        return set(self._generated(node.generators, frame, lambda inner: self.value(node.elt, inner)))
+
+    def _dictcomp(self, node: ast.DictComp, frame: Frame) -> Any:
+        return dict(self._generated(node.generators, frame, lambda inner: (self.value(node.key, inner), self.value(node.value, inner))))
+
+    def _generated(self, generators: list[ast.comprehension], frame: Frame, made: Callable[[Frame], Any]) -> Iterator[Any]:
+        if not generators:
+            yield made(frame)
+            return
+        first, *rest = generators
+        for item in self.iterated(self.value(first.iter, frame), first.iter, frame):
+            self.step()
+            inner = Frame({}, frame.module, frame)
+            self.assign(first.target, item, inner)
+            tests = [self.truth(self.value(test, inner)) for test in first.ifs]
+            if False in tests:
+                continue
+            unsure = next((test for test, truth in zip(first.ifs, tests, strict=True) if truth is None), None)
+            for found in self._generated(rest, inner, made):
+                yield found if unsure is None else either(self.condition(unsure, frame), found, NOTHING)
+
+    def assign(self, target: ast.expr, value: Any, frame: Frame) -> None:
+        """Bind names, items or attributes to a value."""
+        raise NotImplementedError
+
+
+def either(condition: Condition, first: Any, second: Any) -> Any:
+    """One of two values; the value itself when they are the same."""
+    if first is second or (
+        type(first) is type(second) and isinstance(first, (str, int, float, list, dict, tuple)) and _equal(first, second)
+    ):
+        return first
+    return Either(condition, first, second)
+
+
+def _equal(first: Any, second: Any) -> bool:
+    return is_certain(first) and is_certain(second) and not _is_object(first) and bool(first == second)
+
+
+def is_certain(value: Any) -> bool:
+    """Whether a value has nothing unknown in it."""
+    stack = [value]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, (Unknown, Either)) or item is NOTHING or (isinstance(item, str) and not is_known(item)):
+            return False
+        if isinstance(item, (list, tuple, set)):
+            stack.extend(item)
+        elif isinstance(item, dict):
+            stack.extend((*item.keys(), *item.values()))
+        elif isinstance(item, PathText):
+            stack.append(item.text)
+    return True
+
+
+def _is_object(value: Any) -> bool:
+    return not (value is None or isinstance(value, (bool, int, float, str, bytes, list, tuple, set, dict, range, slice)))
+
+
+def _short(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= 80 else line[:77] + "..."

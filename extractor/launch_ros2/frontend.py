@@ -1,0 +1,297 @@
+"""Elements of XML and YAML launch files, as actions (launch.frontend and the parsers of launch_ros)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.model import LaunchError, Place
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
+
+from .texts import parsed
+from .values import Made
+
+if TYPE_CHECKING:
+    from .world import World
+
+
+@dataclass(eq=False)
+class Entity:
+    """An element: its name, attributes (texts; in YAML also numbers and lists) and children, and where it is."""
+
+    name: str
+    attributes: dict[str, Any]
+    place: Place
+    children: list[Entity] = field(default_factory=list)
+
+    def named(self, *names: str) -> list[Entity]:
+        """The children of these names."""
+        return [child for child in self.children if child.name in names]
+
+
+Maker = Callable[["World", Entity], "Made | None"]
+MAKERS: dict[str, Maker] = {}
+
+
+def element(*names: str) -> Callable[[Maker], Maker]:
+    """Register the function for elements of these names."""
+
+    def register(function: Maker) -> Maker:
+        for name in names:
+            MAKERS[name] = function
+            MAKERS[name.replace("_", "-")] = function
+        return function
+
+    return register
+
+
+def actions_of(world: World, parent: Entity) -> list[Made]:
+    """The actions of the children of an element."""
+    return list(_actions(world, parent.children, parent.name))
+
+
+def _actions(world: World, children: list[Entity], inside: str) -> Iterator[Made]:
+    for child in children:
+        world.here(child.place)
+        maker = MAKERS.get(child.name)
+        if maker is None:
+            world.state.report(LaunchError("unknown-element", child.name, f"unknown element <{child.name}> in <{inside}>"))
+            continue
+        try:
+            made = maker(world, child)
+        except LaunchError as error:
+            world.state.report(error)
+            continue
+        if made is not None:
+            made.arguments["condition"] = _condition(child)
+            yield made
+
+
+def _condition(child: Entity) -> Made | None:
+    for attribute, kind in (("if", "IfCondition"), ("unless", "UnlessCondition")):
+        if attribute in child.attributes:
+            return Made(kind, {"predicate_expression": text(child, attribute)}, child.place)
+    return None
+
+
+def text(child: Entity, name: str) -> Any:
+    """The substitutions of an attribute; None when it is not there."""
+    found = child.attributes.get(name)
+    if found is None:
+        return None
+    return parsed(found if isinstance(found, str) else _plain(found), child.place)
+
+
+def _plain(value: Any) -> str:
+    return {True: "true", False: "false"}.get(value, str(value)) if isinstance(value, bool) else str(value)
+
+
+def required(child: Entity, *names: str) -> Any:
+    """The substitutions of an attribute that must be there, under one of its names.
+
+    Raises:
+        LaunchError: it is not there.
+    """
+    for name in names:
+        if name in child.attributes:
+            return text(child, name)
+    raise LaunchError("attribute", names[0], f"<{child.name}> has no attribute `{names[0]}`")
+
+
+def made(child: Entity, kind: str, **arguments: Any) -> Made:
+    """An action, without the arguments that are not there."""
+    return Made(kind, {name: value for name, value in arguments.items() if value is not None}, child.place)
+
+
+def flag(child: Entity, name: str, default: bool) -> bool:
+    """A Boolean attribute."""
+    found = child.attributes.get(name)
+    return default if found is None else found if isinstance(found, bool) else str(found).strip().lower() in ("true", "1")
+
+
+def raw(child: Entity, name: str) -> str:
+    """The text of an attribute that must be there, as it is written."""
+    if name not in child.attributes:
+        raise LaunchError("attribute", name, f"<{child.name}> has no attribute `{name}`")
+    return _plain(child.attributes[name])
+
+
+@element("arg")
+def _arg(_world: World, child: Entity) -> Made:
+    choices = [text(choice, "value") for choice in child.named("choice")]
+    return made(child, "DeclareLaunchArgument", name=raw(child, "name"), default_value=text(child, "default"), choices=choices or None)
+
+
+@element("let", "set_launch_configuration")
+def _let(_world: World, child: Entity) -> Made:
+    return made(child, "SetLaunchConfiguration", name=required(child, "name"), value=required(child, "value"))
+
+
+@element("include")
+def _include(_world: World, child: Entity) -> Made:
+    passed = [(required(one, "name"), required(one, "value")) for one in child.named("arg", "let")]
+    return made(child, "IncludeLaunchDescription", launch_description_source=required(child, "file"), launch_arguments=passed)
+
+
+@element("group")
+def _group(world: World, child: Entity) -> Made:
+    inner = Entity(child.name, {}, child.place, [one for one in child.children if one.name != "keep"])
+    kept = {raw(one, "name"): required(one, "value") for one in child.named("keep")}
+    scoped, forwarding = flag(child, "scoped", True), flag(child, "forwarding", True)
+    return made(child, "GroupAction", actions=actions_of(world, inner), scoped=scoped, forwarding=forwarding, launch_configurations=kept)
+
+
+@element("push_ros_namespace")
+def _namespace(_world: World, child: Entity) -> Made:
+    return made(child, "PushRosNamespace", namespace=required(child, "namespace"))
+
+
+@element("set_remap")
+def _remap(_world: World, child: Entity) -> Made:
+    return made(child, "SetRemap", src=required(child, "from"), dst=required(child, "to"))
+
+
+@element("set_parameter")
+def _set_parameter(_world: World, child: Entity) -> Made:
+    return made(child, "SetParameter", name=required(child, "name"), value=value_of(child))
+
+
+@element("set_use_sim_time")
+def _sim_time(_world: World, child: Entity) -> Made:
+    return made(child, "SetUseSimTime", value=value_of(child))
+
+
+@element("set_parameters_from_file")
+def _from_file(_world: World, child: Entity) -> Made:
+    return made(child, "SetParametersFromFile", filename=required(child, "filename"), node_name=text(child, "node"))
+
+
+@element("set_env", "env", "append_env")
+def _environment(_world: World, child: Entity) -> Made:
+    kind = "AppendEnvironmentVariable" if child.name.startswith("append") else "SetEnvironmentVariable"
+    return made(child, kind, name=required(child, "name"), value=required(child, "value"))
+
+
+@element("unset_env")
+def _unset_env(_world: World, child: Entity) -> Made:
+    return made(child, "UnsetEnvironmentVariable", name=required(child, "name"))
+
+
+@element("unset", "unset_launch_configuration")
+def _unset(_world: World, child: Entity) -> Made:
+    return made(child, "UnsetLaunchConfiguration", name=required(child, "name"))
+
+
+@element("reset")
+def _reset(_world: World, child: Entity) -> Made:
+    return made(
+        child, "ResetLaunchConfigurations", launch_configurations={raw(one, "name"): required(one, "value") for one in child.named("keep")}
+    )
+
+
+@element("timer", "ros_timer")
+def _timer(world: World, child: Entity) -> Made:
+    return made(child, "TimerAction", period=required(child, "period"), actions=actions_of(world, child))
+
+
+@element("for_each")
+def _for_each(world: World, child: Entity) -> Made:
+    return made(child, "ForEach", input_values=required(child, "values"), actions=actions_of(world, child))
+
+
+@element("for")
+def _for(world: World, child: Entity) -> Made:
+    return made(child, "ForLoop", length=required(child, "len"), name=raw(child, "name"), actions=actions_of(world, child))
+
+
+@element("executable")
+def _executable(_world: World, child: Entity) -> Made:
+    return made(child, "ExecuteProcess", cmd=_words(child, "cmd"), args=_words(child, "args"))
+
+
+@element("log", "log_info", "log_debug", "log_warning", "log_error", "shutdown", "push_launch_configurations", "pop_launch_configurations")
+@element("push_env", "pop_env", "reset_env", "set_ros_log_dir", "test", "lifecycle_transition")
+def _silent(_world: World, child: Entity) -> Made:
+    return made(child, "LogInfo")
+
+
+@element("node", "lifecycle_node")
+def _node(_world: World, child: Entity) -> Made:
+    kind = "LifecycleNode" if child.name.startswith("lifecycle") else "Node"
+    return made(child, kind, executable=required(child, "exec"), package=text(child, "pkg"), **_of_node(child))
+
+
+def _of_node(child: Entity) -> dict[str, Any]:
+    return {
+        "name": text(child, "name"),
+        "namespace": text(child, "namespace"),
+        "parameters": [_param(one) for one in child.named("param")],
+        "remappings": [(required(one, "from"), required(one, "to"), one.place) for one in child.named("remap")],
+        "arguments": _words(child, "args"),
+        "ros_arguments": _words(child, "ros_args"),
+        "additional_env": {raw(one, "name"): required(one, "value") for one in child.named("env")},
+        "output": text(child, "output"),
+        "respawn": flag(child, "respawn", False),
+    }
+
+
+def _words(child: Entity, name: str) -> Any:
+    found = text(child, name)
+    return None if found is None else Made("Words", {"text": found}, child.place)
+
+
+@element("node_container")
+def _container(world: World, child: Entity) -> Made:
+    return made(child, "ComposableNodeContainer", executable=required(child, "exec"), package=required(child, "pkg"),
+                composable_node_descriptions=_composable(child), **_of_node(child))  # fmt: skip
+
+
+@element("load_composable_node", "load_composable_nodes")
+def _load(_world: World, child: Entity) -> Made:
+    return made(child, "LoadComposableNodes", target_container=required(child, "target"), composable_node_descriptions=_composable(child))
+
+
+def _composable(parent: Entity) -> list[Made]:
+    found = []
+    for child in parent.named("composable_node"):
+        one = made(child, "ComposableNode", package=required(child, "pkg"), plugin=required(child, "plugin"), **_of_node(child))
+        one.arguments["condition"] = _condition(child)
+        found.append(one)
+    return found
+
+
+def _param(child: Entity) -> Made:
+    """`<param name value>`, one that holds others, or `<param from>`."""
+    if "from" in child.attributes:
+        return made(child, "ParameterFile", param_file=text(child, "from"), allow_substs=flag(child, "allow_substs", False))
+    inner = child.named("param")
+    if inner:
+        return made(child, "ParameterGroup", name=required(child, "name"), parameters=[_param(one) for one in inner])
+    return made(child, "Parameter", name=required(child, "name"), value=value_of(child))
+
+
+def value_of(child: Entity) -> Any:
+    """The value of a parameter: a text that is read as YAML once it is known, unless its type is said."""
+    found = child.attributes.get("value")
+    kind = child.attributes.get("type", "auto")
+    if found is None:
+        raise LaunchError("attribute", "value", f"<{child.name}> has no attribute `value`")
+    if not isinstance(found, str):
+        return found
+    separator = child.attributes.get("value-sep")
+    if separator:
+        return [_typed(part, kind, child) for part in found.split(separator)]
+    return _typed(found, kind, child)
+
+
+def _typed(found: str, kind: str, child: Entity) -> Any:
+    return Made("ParameterValue", {"value": parsed(found, child.place), "value_type": kind}, child.place)
+
+
+def yaml_value(source: str) -> Any:
+    """What a text is as YAML; the text itself when it is none."""
+    try:
+        return load_yaml(source, Loader)
+    except YamlError:
+        return source

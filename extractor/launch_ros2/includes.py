@@ -1,0 +1,128 @@
+"""Launch files that include others."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError
+from rosarch.extractor.xml_reader import XmlError
+
+from .actions import carries_out, visit
+from .context import Context
+from .expressions import Raised, Stopped, Undecided
+from .frontend import Entity, actions_of
+from .frontend_xml import read_xml
+from .frontend_yaml import read_yaml
+from .substitutions import perform
+from .values import Function, Made, ModuleFrame, Unknown
+
+if TYPE_CHECKING:
+    from .world import World
+
+MAX_DEPTH = 60
+MAX_INCLUDES = 20_000
+
+
+@carries_out("IncludeLaunchDescription")
+def _include(world: World, made: Made, context: Context) -> None:
+    state = world.state
+    source = made.get("launch_description_source")
+    if isinstance(source, Made) and source.kind == "LaunchDescription":
+        visit(world, source, context)
+        return
+    location = (
+        source.get("location", "launch_file_path", "launch_description") if isinstance(source, Made) and "Source" in source.kind else source
+    )
+    if isinstance(location, Made) and location.kind == "LaunchDescription":
+        visit(world, location, context)
+        return
+    path = perform(world, location, context)
+    place = state.here
+    if len(state.includes) >= MAX_INCLUDES:
+        raise LaunchError("size", path, f"more than {MAX_INCLUDES} includes, the rest is left out")
+    passed = _pass(world, made, context)
+    file = None if state.unknowns.is_open(path) else world.located(path)
+    entities = None if file is None else read(world, file, len(context.lines))
+    lines = (*context.lines, place)
+    state.includes.append(Include(path, file if entities is not None else None, lines, context.conditions, passes_all=True))
+    if file is None or entities is None:
+        return
+    declared, asked = len(state.declared), len(world.asked)
+    with context.included(file, place):
+        visit(world, entities, context)
+    world.here(place)
+    names = {argument.name for argument in state.declared[declared:]} | set(world.asked[asked:])
+    unused = [name for name in passed if name not in names]
+    if unused and names:
+        state.warn("unused-args", ", ".join(unused), f"{path} does not declare what is passed to it: {', '.join(unused)}")
+
+
+def _pass(world: World, made: Made, context: Context) -> dict[str, str]:
+    """Set the arguments that are passed, in their order: later ones see earlier ones."""
+    given = made.get("launch_arguments")
+    pairs = given.items() if isinstance(given, dict) else given if isinstance(given, (list, tuple)) else ()
+    found: dict[str, str] = {}
+    for pair in pairs:
+        if isinstance(pair, (list, tuple)) and len(pair) == 2:
+            name = perform(world, pair[0], context)
+            found[name] = context.configurations[name] = perform(world, pair[1], context)
+            world.state.passed.append(ArgumentPassed(name, found[name], made.place, made.place))
+    return found
+
+
+def read(world: World, file: str, depth: int = 0) -> Any:
+    """The actions of a launch file; None, with a report, when it cannot be read."""
+    state = world.state
+    if depth >= MAX_DEPTH:
+        state.report(LaunchError("cycle", file, f"includes nested more than {MAX_DEPTH} deep"))
+        return None
+    try:
+        found = _python(world, file) if file.endswith(".py") else _frontend(world, file)
+    except LaunchError as error:
+        state.report(error, fatal=error.kind not in ("outside", "size"))
+        return None
+    state.read.setdefault(file)
+    return found
+
+
+def _frontend(world: World, file: str) -> Any:
+    state = world.state
+    try:
+        root: Entity = state.files.parsed(file, read_yaml if file.endswith((".yaml", ".yml")) else read_xml)
+    except XmlError as error:
+        before, state.here = state.here, type(state.here)(file, error.line, error.column)
+        state.report(LaunchError("xml", file, error.message))
+        state.here = before
+        return None
+    return actions_of(world, root)
+
+
+def _python(world: World, file: str) -> Any:
+    """What `generate_launch_description` of a file returns, or as much of it as was made before interpretation stops."""
+    run = world.interpreter
+    text = world.state.files.read_text(file)
+    name = f"__launch__{os.path.abspath(file)}"
+    run.path, kept, depth, run.depth = [], run.path, run.depth, 0
+    module: ModuleFrame | None = None
+    try:
+        module = run.run_module(name, file, text, is_launch_file=True)
+        function = module.variables.get("generate_launch_description") or module.variables.get("generate_test_description")
+        if function is None:
+            raise LaunchError("python", file, f"{file} has no function generate_launch_description")
+        found = run.apply(function, [], {}) if isinstance(function, Function) else function
+        return found[0] if isinstance(found, tuple) and found else found
+    except SyntaxError as error:
+        place = type(world.state.here)(file, error.lineno or 1, error.offset or 1)
+        before, world.state.here = world.state.here, place
+        world.state.report(LaunchError("xml", file, f"not Python: {error.msg}"))
+        world.state.here = before
+        return None
+    except (Raised, Stopped, Undecided, RecursionError) as error:
+        place = (error.place if isinstance(error, Raised) else None) or world.state.here
+        reason = f"{error.kind}: {error.message}" if isinstance(error, Raised) else str(error) or "too much depends on what is not known"
+        run.misunderstood(place, f"not understood from here on: {reason}")
+        frame = module or run.modules.get(name)
+        return frame.described[-1] if frame and frame.described else Unknown(file, place)
+    finally:
+        run.path, run.depth = kept, depth

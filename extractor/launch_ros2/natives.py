@@ -1,0 +1,306 @@
+"""The functions and methods of Python's library, of ament_index and of launch that Python launch files may use.
+
+Each gets the interpreter first, then its arguments; `NOTHING` says that its value is not known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import PurePosixPath
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, METHODS
+from rosarch.extractor.launch.unknowns import is_known
+
+from .context import Context
+from .expressions import is_certain
+from .natives_files import FILE_METHODS, PATH_METHODS
+from .registry import NATIVES, native
+from .values import NOTHING, Bound, Class, Constructor, Either, Function, Instance, Made, Native, PathText, TextFile, Unknown
+
+if TYPE_CHECKING:
+    from .calls import Calls
+
+_Call = Callable[..., Any]
+
+
+def attribute(run: Calls, owner: Any, name: str) -> Any:
+    """`owner.name` for values of Python's and of launch; NOTHING when it is not known."""
+    if isinstance(owner, Native):
+        return _of_native(owner, name)
+    if isinstance(owner, (Unknown, Either, Constructor)) or owner is None:
+        return NOTHING
+    method = next((table.get(name) for kinds, table in _METHODS if isinstance(owner, kinds)), None)
+    if method is not None:
+        return Native(name, lambda run, *arguments, **named: method(run, owner, *arguments, **named))
+    if isinstance(owner, PathText):
+        return _of_path(owner, name)
+    if isinstance(owner, Made):
+        return _of_made(owner, name)
+    if isinstance(owner, Context):
+        return {"launch_configurations": owner.configurations, "environment": NATIVES["os.environ"]}.get(name, NOTHING)
+    if isinstance(owner, TextFile) and name == "name":
+        return owner.name
+    return _of_plain(owner, name)
+
+
+def _of_plain(owner: Any, name: str) -> Any:
+    method = METHODS.get(type(owner), {}).get(name)
+    if method is None:
+        return NOTHING
+
+    def call(_run: Calls, *arguments: Any, **named: Any) -> Any:
+        if isinstance(owner, str) and not is_known(owner):
+            return owner if name in ("lower", "upper", "strip") else NOTHING
+        if isinstance(owner, str) and name == "join":
+            return _joined(owner, *arguments)
+        if isinstance(owner, str) and not all(map(is_certain, (*arguments, *named.values()))):
+            return _formatted(owner, name, arguments, named)
+        if any(isinstance(item, (Made, Instance, Function, PathText)) for item in arguments) and isinstance(owner, str):
+            return NOTHING
+        found = method(owner, *arguments, **named)
+        return None if found is None else found
+
+    return Native(name, call)
+
+
+def _joined(separator: str, items: Any) -> Any:
+    known = isinstance(items, (list, tuple)) and all(isinstance(item, str) for item in items)
+    return METHODS[str]["join"](separator, items) if known else NOTHING
+
+
+def _formatted(text: str, name: str, arguments: tuple[Any, ...], named: dict[str, Any]) -> Any:
+    """`format` and `replace` take texts with unknown parts as they are."""
+    if name in ("format", "replace") and all(isinstance(item, str) for item in (*arguments, *named.values())):
+        return METHODS[str][name](text, *arguments, **named)
+    return NOTHING
+
+
+def _of_native(owner: Native, name: str) -> Any:
+    return NATIVES.get(f"{owner.name}.{name}", NOTHING)
+
+
+def _of_path(owner: PathText, name: str) -> Any:
+    path = PurePosixPath(owner.text)
+    if name == "parent":
+        return PathText(str(path.parent))
+    if name == "parents":
+        return [PathText(str(parent)) for parent in path.parents]
+    if name in ("name", "stem", "suffix"):
+        return str(getattr(path, name))
+    return list(path.parts) if name == "parts" else NOTHING
+
+
+def _of_made(owner: Made, name: str) -> Any:
+    if owner.kind == "LaunchDescription" and name == "entities":
+        return _entities(owner)
+    return owner.arguments.get(name, NOTHING)
+
+
+# -- lists, maps, sets --------------------------------------------------------------------------------------------------------
+
+
+def _append(run: Calls, owner: list[Any], item: Any) -> None:
+    owner.append(run.guarded(item))
+
+
+def _extend(run: Calls, owner: list[Any], items: Any) -> None:
+    owner.extend(run.guarded(item) for item in (items if isinstance(items, (list, tuple, set, dict)) else [items]))
+
+
+def _insert(run: Calls, owner: list[Any], index: Any, item: Any) -> None:
+    owner.insert(index if isinstance(index, int) else len(owner), run.guarded(item))
+
+
+def _update(run: Calls, owner: dict[Any, Any], other: Any = None, **named: Any) -> None:
+    pairs = other if isinstance(other, (list, tuple)) else (other or {}).items() if isinstance(other, dict) else ()
+    for key, value in (*pairs, *named.items()):
+        run.set_item(owner, key, value)
+
+
+def _setdefault(run: Calls, owner: dict[Any, Any], key: Any, default: Any = None) -> Any:
+    if key not in owner:
+        run.set_item(owner, key, default)
+    return owner[key]
+
+
+def _pop(_run: Calls, owner: Any, *key: Any) -> Any:
+    return owner.pop(*key) if all(map(is_certain, key)) else NOTHING
+
+
+def _copy(_run: Calls, owner: Any) -> Any:
+    return owner.copy()
+
+
+_LIST: dict[str, _Call] = {"append": _append, "extend": _extend, "insert": _insert, "pop": _pop, "copy": _copy}
+_LIST["sort"] = lambda _run, owner, **_named: owner.sort() if is_certain(owner) else None
+_LIST["reverse"] = lambda _run, owner: owner.reverse()
+_DICT: dict[str, _Call] = {"update": _update, "setdefault": _setdefault, "pop": _pop, "copy": _copy}
+_SET: dict[str, _Call] = {"add": lambda _run, owner, item: owner.add(item), "copy": _copy}
+
+
+# -- launch -------------------------------------------------------------------------------------------------------------------
+
+
+def _entities(owner: Made) -> list[Any]:
+    found = owner.arguments.get("initial_entities")
+    if not isinstance(found, list):
+        found = owner.arguments["initial_entities"] = list(found) if isinstance(found, (tuple, set)) else [] if found is None else [found]
+    return found
+
+
+def _add(run: Calls, owner: Made, item: Any, *_more: Any) -> Any:
+    if owner.kind != "LaunchDescription":
+        return NOTHING
+    _entities(owner).append(run.guarded(item))
+    return None
+
+
+def _perform(run: Calls, owner: Made, context: Any = None) -> Any:
+    from .substitutions import perform
+
+    return perform(run.world, owner, context) if isinstance(context, Context) else NOTHING
+
+
+def _evaluate(run: Calls, owner: Made, context: Any = None) -> Any:
+    from .conditions import holds
+
+    found = holds(run.world, owner, context) if isinstance(context, Context) else None
+    return NOTHING if found is None or not isinstance(found, bool) else found
+
+
+def _find(run: Calls, owner: Made, package: Any) -> Any:
+    return run.world.share(package) if isinstance(package, str) and owner.kind.startswith("FindPackage") else NOTHING
+
+
+_MADE: dict[str, _Call] = {"add_action": _add, "add_entity": _add, "perform": _perform, "evaluate": _evaluate, "find": _find}
+_MADE["describe"] = lambda _run, _owner: NOTHING
+
+
+def _perform_substitution(run: Calls, context: Context, substitution: Any) -> Any:
+    from .substitutions import perform
+
+    return perform(run.world, substitution, context)
+
+
+_CONTEXT: dict[str, _Call] = {"perform_substitution": _perform_substitution}
+
+
+@native("launch.utilities.perform_substitutions")
+def _perform_substitutions(run: Calls, context: Any, substitutions: Any) -> Any:
+    return _perform_substitution(run, context, substitutions) if isinstance(context, Context) else NOTHING
+
+
+@native("launch.utilities.normalize_to_list_of_substitutions")
+def _normalize(_run: Calls, substitutions: Any) -> Any:
+    return list(substitutions) if isinstance(substitutions, (list, tuple)) else [substitutions]
+
+
+@native("launch.LaunchContext")
+def _launch_context(run: Calls, **_named: Any) -> Any:
+    return Context(run.world.state.here.path, outside=run.world.environment)
+
+
+NATIVES["launch.launch_context.LaunchContext"] = NATIVES["launch.LaunchContext"]
+
+
+# -- Python's own -------------------------------------------------------------------------------------------------------------
+
+
+@native("str")
+def _str(run: Calls, value: Any = "") -> Any:
+    if isinstance(value, (Made, Instance, Function, Class)):
+        return NOTHING
+    return str(value) if not isinstance(value, (Unknown, Either, PathText)) and is_certain(value) else run.world.as_text(value)
+
+
+@native("print", "input", "sys.exit", "os.remove", "time.sleep", "launch.logging.get_logger")
+def _nothing(_run: Calls, *_arguments: Any, **_named: Any) -> Any:
+    return NOTHING
+
+
+_TYPES: dict[str, Any] = {
+    **{name: BUILTINS[name] for name in ("bool", "dict", "float", "int", "list", "set", "str", "tuple")},
+    "pathlib.Path": PathText,
+}
+
+
+@native("isinstance")
+def _isinstance(_run: Calls, value: Any, kinds: Any) -> Any:
+    if isinstance(value, (Unknown, Either)):
+        return NOTHING
+    return any(_is_of(value, kind) for kind in (kinds if isinstance(kinds, tuple) else (kinds,)))
+
+
+def _is_of(value: Any, kind: Any) -> bool:
+    kind = _TYPES.get(kind.name) if isinstance(kind, Native) else kind
+    if isinstance(kind, Constructor):
+        return isinstance(value, Made) and value.kind == kind.kind
+    if isinstance(kind, Class):
+        return isinstance(value, Instance) and value.of is kind
+    return kind in _TYPES.values() and isinstance(value, kind)
+
+
+@native("len")
+def _len(_run: Calls, value: Any) -> Any:
+    known = isinstance(value, (list, tuple, dict, set, range)) or (isinstance(value, str) and is_known(value))
+    return len(value) if known and not (isinstance(value, (list, tuple)) and any(isinstance(item, Either) for item in value)) else NOTHING
+
+
+def _items_of(name: str) -> _Call:
+    function = BUILTINS[name]
+
+    def call(run: Calls, *arguments: Any, **named: Any) -> Any:
+        if any(isinstance(item, (Unknown, Either, Made, Instance)) for item in arguments):
+            return NOTHING
+        key = named.pop("key", None)
+        if key is not None:
+            named["key"] = lambda item: run.apply(key, [item], {}) if isinstance(key, (Function, Bound, Native)) else key(item)
+        if name in ("sorted", "any", "all") and not all(map(is_certain, arguments)):
+            return list(arguments[0]) if name == "sorted" else NOTHING
+        return function(*arguments, **named)
+
+    return call
+
+
+for _name in ("list", "tuple", "set", "sorted", "reversed", "enumerate", "zip", "dict", "any", "all"):
+    native(_name)(_items_of(_name))
+
+
+@native("map", "filter")
+def _map(run: Calls, function: Any, items: Any) -> Any:
+    if not isinstance(items, (list, tuple)):
+        return NOTHING
+    return [run.apply(function, [item], {}) if isinstance(function, (Function, Bound, Native)) else function(item) for item in items]
+
+
+@native("getattr")
+def _getattr(run: Calls, owner: Any, name: Any, *default: Any) -> Any:
+    found = attribute(run, owner, name) if isinstance(name, str) else NOTHING
+    return default[0] if found is NOTHING and default else found
+
+
+@native("copy.copy", "copy.deepcopy")
+def _copied(_run: Calls, value: Any) -> Any:
+    return (
+        {key: _copied(_run, item) for key, item in value.items()}
+        if isinstance(value, dict)
+        else list(value)
+        if isinstance(value, list)
+        else value
+    )
+
+
+for _name, _value in MATH.items():
+    if callable(_value):
+        native(f"math.{_name}")(lambda _run, *arguments, _value=_value: _value(*arguments) if all(map(is_certain, arguments)) else NOTHING)
+
+_METHODS: tuple[tuple[Any, dict[str, _Call]], ...] = (
+    (list, _LIST),
+    (dict, _DICT),
+    (set, _SET),
+    (PathText, PATH_METHODS),
+    (TextFile, FILE_METHODS),
+    (Made, _MADE),
+    (Context, _CONTEXT),
+)

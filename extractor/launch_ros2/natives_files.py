@@ -1,0 +1,247 @@
+"""Files, paths, texts as values, the environment and the index of packages, for Python launch files."""
+
+from __future__ import annotations
+
+import copy
+import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from rosarch.extractor.launch.model import LaunchError
+from rosarch.extractor.launch.unknowns import is_known
+from rosarch.extractor.launch.yaml_values import Loader, YamlError
+
+from .expressions import Raised
+from .registry import native
+from .values import NOTHING, Either, Instance, Made, PathText, TextFile, Unknown
+
+if TYPE_CHECKING:
+    from .calls import Calls
+
+_Call = Callable[..., Any]
+_ALWAYS_SET = frozenset({"AMENT_PREFIX_PATH", "HOME", "HOSTNAME", "LANG", "PATH", "PWD", "PYTHONPATH", "ROS_DISTRO", "SHELL", "USER"})
+
+
+# -- files and paths ----------------------------------------------------------------------------------------------------------
+
+
+def _path(value: Any) -> str | None:
+    return value.text if isinstance(value, PathText) else value if isinstance(value, str) else None
+
+
+def _paths(values: tuple[Any, ...], run: Calls) -> list[str]:
+    return [path if (path := _path(value)) is not None else run.world.as_text(value) for value in values]
+
+
+@native("os.path.join")
+def _join(run: Calls, *parts: Any) -> Any:
+    if any(isinstance(part, (Made, Instance)) for part in parts):
+        return NOTHING
+    return os.path.join(*_paths(parts, run)) if parts else NOTHING
+
+
+def _of_text(function: Callable[[str], Any]) -> _Call:
+    def call(_run: Calls, path: Any, *_more: Any) -> Any:
+        text = _path(path)
+        return NOTHING if text is None else function(text)
+
+    return call
+
+
+_OF_TEXT: dict[str, Callable[[str], Any]] = {
+    "dirname": os.path.dirname,
+    "basename": os.path.basename,
+    "normpath": os.path.normpath,
+    "realpath": os.path.normpath,
+    "abspath": os.path.normpath,
+    "expanduser": str,
+    "split": os.path.split,
+    "splitext": os.path.splitext,
+    "isabs": os.path.isabs,
+}
+for _name, _function in _OF_TEXT.items():
+    native(f"os.path.{_name}")(_of_text(_function))
+
+
+def _there(run: Calls, path: Any, *_more: Any) -> Any:
+    """Whether there is such a file or folder; unknown for one that is elsewhere."""
+    text = _path(path)
+    if text is None or not is_known(text):
+        return NOTHING
+    world = run.world
+    if text in world.written or world.state.files.is_file(world.located(text)):
+        return True
+    below = any(text.startswith(folder) for folder in world.state.files.packages.packages.values())
+    return os.path.isdir(text) if below else NOTHING
+
+
+for _name in ("os.path.exists", "os.path.isfile", "os.path.isdir"):
+    native(_name)(_there)
+
+
+@native("pathlib.Path", "pathlib.PurePath", "pathlib.PosixPath")
+def _new_path(run: Calls, *parts: Any) -> Any:
+    return PathText("").joined(*_paths(parts, run)) if parts else PathText(".")
+
+
+def _same_path(_run: Calls, owner: PathText, *_more: Any, **_named: Any) -> PathText:
+    return PathText(os.path.normpath(owner.text))
+
+
+PATH_METHODS: dict[str, _Call] = {
+    **dict.fromkeys(("resolve", "absolute", "expanduser"), _same_path),
+    "joinpath": lambda run, owner, *parts: owner.joined(*_paths(parts, run)),
+    "as_posix": lambda _run, owner: owner.text,
+    "with_suffix": lambda _run, owner, suffix: PathText(os.path.splitext(owner.text)[0] + suffix),
+    "with_name": lambda _run, owner, name: PathText(os.path.join(os.path.dirname(owner.text), name)),
+    "read_text": lambda run, owner, *_more, **_named: _read_text(run, owner.text),
+    "open": lambda run, owner, *more, **named: _open(run, owner, *more, **named),
+    **dict.fromkeys(("exists", "is_file", "is_dir"), _there),
+}
+
+
+def _read_text(run: Calls, path: str) -> Any:
+    world = run.world
+    if path not in world.written and world.state.unknowns.is_open(path):
+        return world.state.unknowns.mark(f"$(file-content {world.state.unknowns.render(path)})", path)
+    try:
+        return world.source_of(path)
+    except LaunchError as error:
+        if error.kind == "file":
+            world.state.report(error)
+        return world.state.unknowns.mark(f"$(file-content {path})")
+
+
+@native("open")
+def _open(run: Calls, path: Any, mode: Any = "r", *_more: Any, **_named: Any) -> Any:
+    text = _path(path)
+    if text is None:
+        return NOTHING
+    if isinstance(mode, str) and "w" in mode:
+        return TextFile(text, "")
+    return TextFile(text, _read_text(run, text))
+
+
+def _read(_run: Calls, owner: TextFile, *_more: Any) -> Any:
+    return NOTHING if owner.text is None else owner.text
+
+
+def _write(_run: Calls, owner: TextFile, text: Any) -> None:
+    owner.text = owner.text + text if isinstance(text, str) and owner.text is not None else None
+
+
+FILE_METHODS: dict[str, _Call] = {
+    "read": _read,
+    "write": _write,
+    "readlines": lambda _run, owner: owner.text.splitlines(keepends=True) if owner.text is not None and is_known(owner.text) else NOTHING,
+    "close": lambda run, owner: run.close(owner),
+}
+
+
+@native("tempfile.NamedTemporaryFile", "tempfile.TemporaryFile")
+def _temporary(run: Calls, *_arguments: Any, **_named: Any) -> Any:
+    return TextFile(run.world.new_file(), "")
+
+
+@native("tempfile.mktemp", "tempfile.mkdtemp", "tempfile.gettempdir")
+def _temporary_name(run: Calls, *_arguments: Any, **_named: Any) -> Any:
+    return run.world.new_file()
+
+
+@native("glob.glob")
+def _glob(run: Calls, pattern: Any, **_named: Any) -> Any:
+    text = _path(pattern)
+    try:
+        return NOTHING if text is None or not is_known(text) else run.world.state.files.matching(text)
+    except LaunchError:
+        return NOTHING
+
+
+# -- texts as values ----------------------------------------------------------------------------------------------------------
+
+
+@native("yaml.safe_load", "yaml.load", "yaml.full_load")
+def _load(run: Calls, source: Any, *_more: Any, **_named: Any) -> Any:
+    text = source.text if isinstance(source, TextFile) else source
+    if not isinstance(text, str) or run.world.state.unknowns.is_open(text):
+        return NOTHING
+    try:
+        return copy.deepcopy(run.world.state.files.yaml(text, Loader)[0])
+    except YamlError as error:
+        raise Raised("YAMLError", error.message) from None
+
+
+@native("json.load", "json.loads")
+def _json(run: Calls, source: Any, **named: Any) -> Any:
+    return _load(run, source, **named)
+
+
+@native("yaml.dump", "yaml.safe_dump", "json.dumps", "json.dump")
+def _dump(run: Calls, data: Any, stream: Any = None, **_named: Any) -> Any:
+    plain = certain(run, data)
+    text = NOTHING if plain is NOTHING else yaml.safe_dump(plain, sort_keys=False, allow_unicode=True, width=1 << 20)
+    if isinstance(stream, TextFile):
+        stream.text = None if text is NOTHING else (stream.text or "") + text
+        return None
+    return text
+
+
+def certain(run: Calls, value: Any) -> Any:
+    """A value with texts for what is unknown in it; NOTHING when it cannot be written as a text."""
+    if isinstance(value, (Unknown, Either, PathText)):
+        return run.world.as_text(value)
+    if isinstance(value, dict):
+        return {certain(run, key): certain(run, item) for key, item in value.items() if item is not NOTHING}
+    if isinstance(value, (list, tuple)):
+        return [certain(run, item) for item in value]
+    return value if value is None or isinstance(value, (str, int, float)) else NOTHING
+
+
+# -- the environment and the index of packages --------------------------------------------------------------------------------
+
+
+def environment_item(run: Calls, name: Any) -> Any:
+    """`os.environ[name]`."""
+    if not isinstance(name, str) or not is_known(name):
+        return NOTHING
+    world = run.world
+    if name in world.environment:
+        return world.environment[name]
+    if name not in _ALWAYS_SET:
+        world.state.report(LaunchError("env", name, f"environment variable `{name}` is not set"))
+    return world.state.unknowns.mark(f"$(env {name})")
+
+
+@native("os.getenv", "os.environ.get", "os.environ.setdefault", "os.environ.pop")
+def _environment(run: Calls, name: Any, default: Any = None) -> Any:
+    if not isinstance(name, str) or not is_known(name):
+        return NOTHING
+    if name in run.world.environment:
+        return run.world.environment[name]
+    return run.world.state.unknowns.mark(f"$(env {name})") if name in _ALWAYS_SET and default is None else default
+
+
+native("os.environ")(lambda _run: NOTHING)
+
+
+@native("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
+def _share(run: Calls, package: Any = None, **named: Any) -> Any:
+    name = package if package is not None else named.get("package_name")
+    return run.world.share(run.world.as_text(name))
+
+
+@native("ament_index_python.packages.get_package_share_path", "ament_index_python.get_package_share_path")
+def _share_path(run: Calls, package: Any) -> Any:
+    return PathText(run.world.share(run.world.as_text(package)))
+
+
+@native("ament_index_python.packages.get_package_prefix", "ament_index_python.get_package_prefix")
+def _prefix(run: Calls, package: Any) -> Any:
+    return run.world.share(run.world.as_text(package))
+
+
+@native("ament_index_python.resources.has_resource", "ament_index_python.has_resource")
+def _has_resource(run: Calls, kind: Any, name: Any = None, **_named: Any) -> Any:
+    return True if kind == "packages" and isinstance(name, str) and run.world.state.files.packages.find(name) else NOTHING

@@ -1,0 +1,28 @@
+"""The functions that Python launch files may call, by their full names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from .values import Native
+
+_MODULES = """
+__future__ abc ament_index_python ament_index_python.packages ament_index_python.resources collections collections.abc copy dataclasses enum
+functools glob itertools json logging math os os.path pathlib platform random re shutil string subprocess sys tempfile textwrap time typing
+typing_extensions unittest uuid warnings yaml
+"""
+KNOWN_MODULES = frozenset(_MODULES.split())
+NATIVES: dict[str, Native] = {}
+_Call = Callable[..., Any]
+
+
+def native(*names: str) -> Callable[[_Call], _Call]:
+    """Register a function under its full names."""
+
+    def register(function: _Call) -> _Call:
+        for name in names:
+            NATIVES[name] = Native(name, function)
+        return function
+
+    return register

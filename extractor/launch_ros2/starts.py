@@ -1,0 +1,315 @@
+"""The actions that start something: nodes, containers and the components that are loaded into them."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.model import LaunchError, NodeStart, PackageNamed, ParamSetting, Place, ProgramNamed, Remap, exclusive
+from rosarch.extractor.launch.names import canonical, ns_join
+
+from .actions import carries_out, conditional, joined
+from .context import Context, Given
+from .frontend import yaml_value
+from .parameters import Setting, Unread, literal_names, sections_of, settings
+from .substitutions import perform
+from .values import Either, Instance, Made, Unknown
+
+if TYPE_CHECKING:
+    from .world import World
+
+_NODES = ("Node", "LifecycleNode", "ComposableNodeContainer")
+
+
+@dataclass
+class RosArguments:
+    """What `--ros-args` of a command line say: remappings, parameters, files of parameters; `plain` are the other words."""
+
+    plain: list[str]
+    remaps: list[Remap]
+    params: list[Given]
+    name: str | None = None
+    namespace: str | None = None
+
+
+@carries_out("Node", "LifecycleNode")
+def _node(world: World, made: Made, context: Context) -> None:
+    start_node(world, made, context)
+
+
+@carries_out("ComposableNodeContainer")
+def _container(world: World, made: Made, context: Context) -> None:
+    container = start_node(world, made, context)
+    load(world, made.get("composable_node_descriptions"), container.full_name, context)
+
+
+@carries_out("LoadComposableNodes")
+def _load(world: World, made: Made, context: Context) -> None:
+    load(world, made.get("composable_node_descriptions"), _target(world, made.get("target_container"), context), context)
+
+
+def _target(world: World, target: Any, context: Context) -> str:
+    """The name of a container, absolute."""
+    if isinstance(target, Instance):
+        target = target.made
+    if isinstance(target, Made) and target.kind in _NODES:
+        namespace = joined(context.namespace, perform(world, target.get("namespace"), context))
+        return ns_join(f"{namespace}/", perform(world, target.get("name"), context))
+    if isinstance(target, Either):
+        return world.as_text(Either(target.condition, _target(world, target.first, context), _target(world, target.second, context)))
+    name = perform(world, target, context)
+    return canonical(name if name.startswith("/") else f"{context.namespace}/{name}")
+
+
+def start_node(world: World, made: Made, context: Context) -> NodeStart:
+    """Start a node as a process."""
+    given = _ros_arguments(world, _words(world, made, context))
+    package, executable = perform(world, made.get("package"), context), perform(world, made.get("executable", "node_executable"), context)
+    name = perform(world, made.get("name", "node_name"), context) or given.name
+    namespace = joined(context.namespace, perform(world, made.get("namespace", "node_namespace"), context))
+    namespace = joined("", given.namespace) if given.namespace is not None else namespace
+    remaps = [*context.remaps, *_remaps(world, made, context), *given.remaps]
+    _refer(world, package, executable, made.place)
+    params = [*context.params, *_given(made), *given.params]
+    return _start(world, made, context, (package, executable, name, namespace), remaps, params, " ".join(map(shlex.quote, given.plain)))
+
+
+def load(world: World, descriptions: Any, container: str, context: Context) -> None:
+    """Load components into a container."""
+    if isinstance(descriptions, Either):
+        descriptions = [descriptions]
+    for one in descriptions if isinstance(descriptions, (list, tuple)) else [descriptions]:
+        _load_one(world, one, container, context)
+
+
+def _load_one(world: World, one: Any, container: str, context: Context) -> None:
+    if isinstance(one, Instance):
+        one = one.made
+    if isinstance(one, (list, tuple)):
+        load(world, one, container, context)
+    elif isinstance(one, Either):
+        from .conditions import contrary
+
+        for condition, item in ((one.condition, one.first), (contrary(one.condition), one.second)):
+            if not any(outer.excludes(condition) for outer in context.conditions):
+                with context.within(condition):
+                    _load_one(world, item, container, context)
+    elif isinstance(one, Unknown):
+        world.interpreter.misunderstood(one.place, f"what is loaded into {world.state.unknowns.render(container)} is not known: {one.text}")
+    elif isinstance(one, Made):
+        with conditional(world, one.arguments.get("condition"), context) as starts:
+            if starts:
+                _load_component(world, one, container, context)
+
+
+def _load_component(world: World, made: Made, container: str, context: Context) -> None:
+    world.here(made.place)
+    package, plugin = (perform(world, made.get(*names), context) for names in (("package",), ("plugin", "node_plugin")))
+    name = perform(world, made.get("name", "node_name"), context) or None
+    namespace = joined(context.namespace, perform(world, made.get("namespace", "node_namespace"), context))
+    remaps = [*context.remaps, *_remaps(world, made, context)]
+    if package and not world.state.unknowns.is_open(package):
+        world.references.append(PackageNamed(package, world.state.files.packages.find(package), made.place))
+    _start(world, made, context, (package, plugin, name, namespace), remaps, [*context.params, *_given(made)], "", container)
+
+
+def _start(
+    world: World,
+    made: Made,
+    context: Context,
+    names: tuple[str, str, str | None, str],
+    remaps: Iterable[Remap],
+    params: Iterable[Given],
+    args: str,
+    container: str | None = None,
+) -> NodeStart:
+    package, executable, name, namespace = names
+    lines = (*context.lines, made.place)
+    params = list(params)
+    called = name or _inferred(world, params, namespace, context) or executable.rpartition("::")[2]
+    started = NodeStart(
+        package=package,
+        type=executable,
+        name=name,
+        namespace=f"{namespace}/",
+        lines=lines,
+        remaps=tuple(_for_node(remaps, called, context)),
+        args=args,
+        respawn=made.arguments.get("respawn") is True,
+        output=made.arguments["output"] if isinstance(made.arguments.get("output"), str) else None,
+        environment=(),
+        conditions=context.conditions,
+        ros=2,
+        called=called,
+        container=container,
+    )
+    for given in params:
+        for found in settings(world, given, (started.full_name,), context):
+            _set(world, started, found, context)
+    _add(world, started)
+    return started
+
+
+def _set(world: World, started: NodeStart, found: Setting | Unread, context: Context) -> None:
+    if isinstance(found, Unread):
+        lines = (*context.lines, found.place)
+        world.state.unread.append(ParamSetting(started.full_name, None, lines, context.conditions, found.file))
+        return
+    conditions = (*context.conditions, *(one for one in found.conditions if one not in context.conditions))
+    plugins = world.described.get(found.value, ()) if isinstance(found.value, str) else ()
+    name = f"{started.full_name}/{found.name}"
+    lines = (*context.lines, found.place)
+    world.state.set_param(ParamSetting(name, found.value, lines, conditions, found.source, found.written, plugins))
+
+
+def _inferred(world: World, params: list[Given], namespace: str, context: Context) -> str | None:
+    """The name of a node that the launch file does not name, from a file of parameters that is for one node alone."""
+    for given in params:
+        if given.name is not None or given.node is not None or isinstance(given.value, (dict, Either, Unknown)):
+            continue
+        path = perform(world, given.value, context)
+        if world.state.unknowns.is_open(path) and path not in world.written:
+            continue
+        try:
+            names = literal_names(sections_of(world, path, None)[0])
+        except LaunchError:
+            continue  # reported where it is read
+        if len(names) == 1 and names[0].rpartition("/")[0] == namespace:
+            return names[0].rpartition("/")[2]
+    return None
+
+
+def _for_node(remaps: Iterable[Remap], called: str, context: Context) -> Iterator[Remap]:
+    """The remappings of a node: `node:from` is for the node of that name only."""
+    seen: set[str] = set()
+    for remap in remaps:
+        node, colon, source = remap.source.partition(":")
+        if colon and "/" not in node:
+            if node != called:
+                continue
+        else:
+            source = remap.source
+        conditions = tuple(one for one in remap.conditions if one not in context.conditions)
+        if source not in seen:  # the first rule that fits counts
+            yield Remap(canonical(_private(source)), canonical(_private(remap.target)), remap.place, conditions)
+            seen.update([source] if not conditions else [])
+
+
+def _private(name: str) -> str:
+    """`~/x` as ROS 1 writes it."""
+    return f"~{name[2:]}" if name.startswith("~/") else name
+
+
+def _add(world: World, started: NodeStart) -> None:
+    state = world.state
+    state.nodes.append(started)
+    if not started.name or state.unknowns.is_open(started.full_name):
+        return
+    others = state.named.setdefault(started.full_name, [])
+    other = next((other for other in others if not exclusive(started.conditions, other.conditions)), None)
+    if other is not None:
+        message = f"a second node `{started.full_name}`, the first is at {other.lines[-1]}"
+        state.report(LaunchError("duplicate-node", started.full_name, message), fatal=False)
+    others.append(started)
+
+
+def _refer(world: World, package: str, executable: str, place: Place) -> None:
+    if not package or world.state.unknowns.is_open(package):
+        return
+    packages = world.state.files.packages
+    folder = packages.find(package)
+    world.references.append(PackageNamed(package, folder, place))
+    if folder is not None and not world.state.unknowns.is_open(executable):
+        world.references.append(ProgramNamed(package, executable, os.path.basename(executable) in packages.names_in(folder), place))
+
+
+def _given(made: Made) -> list[Given]:
+    found = made.get("parameters")
+    items = found if isinstance(found, (list, tuple)) else [] if found is None else [found]
+    return [Given(item, item.place if isinstance(item, Made) else made.place) for item in items]
+
+
+def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
+    found = made.get("remappings")
+    remaps: list[Remap] = []
+    stack: list[tuple[Any, tuple[Any, ...]]] = [(item, ()) for item in reversed(_as_list(found))]
+    while stack:
+        item, conditions = stack.pop()
+        if isinstance(item, Either):
+            stack.append((item.first, (*conditions, item.condition)))
+        elif isinstance(item, (list, tuple)) and len(item) in (2, 3) and not isinstance(item[0], tuple):
+            place = item[2] if len(item) == 3 else made.place
+            remap = Remap(perform(world, item[0], context), perform(world, item[1], context), place, (*context.conditions, *conditions))
+            remaps.append(remap)
+            world.state.remaps.append(remap)
+    return remaps
+
+
+def _as_list(found: Any) -> list[Any]:
+    if isinstance(found, dict):
+        return list(found.items())
+    return list(found) if isinstance(found, (list, tuple)) else [] if found is None else [found]
+
+
+def _words(world: World, made: Made, context: Context) -> list[str]:
+    words: list[str] = []
+    for name in ("arguments", "ros_arguments"):
+        found = made.get(name)
+        if name == "ros_arguments" and found is not None:
+            words.append("--ros-args")
+        words.extend(_words_of(world, found, context))
+    return words
+
+
+def _words_of(world: World, found: Any, context: Context) -> list[str]:
+    """The words of a command line, or a part of one; in XML and YAML it is one text."""
+    if not (isinstance(found, Made) and found.kind == "Words"):
+        return [perform(world, item, context) for item in _as_list(found)]
+    text = perform(world, found.arguments["text"], context)
+    try:
+        return shlex.split(text)
+    except ValueError:
+        return [text]
+
+
+def _ros_arguments(world: World, words: list[str]) -> RosArguments:
+    found = RosArguments([], [], [])
+    rest, inside = list(words), False
+    while rest:
+        word = rest.pop(0)
+        if word in ("--ros-args", "--"):
+            inside = word == "--ros-args"
+        elif not inside:
+            found.plain.append(word)
+        elif word in ("-r", "--remap") and rest:
+            _remap(world, rest.pop(0), found)
+        elif word in ("-p", "--param") and rest:
+            name, _, value = rest.pop(0).partition(":=")
+            found.params.append(Given(yaml_value(value), world.state.here, name=name.rpartition(":")[2]))
+        elif word == "--params-file" and rest:
+            found.params.append(Given(rest.pop(0), world.state.here))
+    return found
+
+
+def _remap(world: World, rule: str, found: RosArguments) -> None:
+    source, _, target = rule.partition(":=")
+    if source.rpartition(":")[2] in ("__node", "__name"):
+        found.name = target
+    elif source.rpartition(":")[2] == "__ns":
+        found.namespace = target
+    else:
+        found.remaps.append(Remap(source, target, world.state.here))
+
+
+@carries_out("ExecuteProcess", "ExecuteLocal")
+def _process(world: World, made: Made, context: Context) -> None:
+    """A program; `ros2 run package executable` is a node."""
+    description = made.get("process_description")
+    source = description if isinstance(description, Made) else made
+    words = [*_words_of(world, source.get("cmd"), context), *_words_of(world, source.get("args"), context)]
+    if len(words) > 3 and os.path.basename(words[0]) == "ros2" and words[1] == "run":
+        node = Made("Node", {"package": words[2], "executable": words[3], "arguments": words[4:]}, made.place)
+        start_node(world, node, context)

@@ -1,0 +1,327 @@
+"""Substitutions: what they come to in a context. Parts that cannot be known stay as the source writes them."""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value
+from rosarch.extractor.launch.model import ArgumentUsed, LaunchError
+from rosarch.extractor.urdf.command import xacro_call
+
+from .context import Context
+from .values import NOTHING, Either, Instance, Made, Unknown
+
+if TYPE_CHECKING:
+    from .world import World
+
+MAX_TEXT = 1 << 20
+_Performer = Callable[["World", Made, Context], str]
+_PERFORMERS: dict[str, _Performer] = {}
+
+
+def performs(*kinds: str) -> Callable[[_Performer], _Performer]:
+    """Register the function for substitutions of these classes."""
+
+    def register(function: _Performer) -> _Performer:
+        for kind in kinds:
+            _PERFORMERS[kind] = function
+        return function
+
+    return register
+
+
+def perform(world: World, value: Any, context: Context) -> str:
+    """The text that a value comes to where launch takes substitutions: a text, a substitution, or a list of them."""
+    if isinstance(value, (list, tuple)):
+        text = "".join([perform(world, item, context) for item in value])
+    elif isinstance(value, Made):
+        performer = _PERFORMERS.get(value.kind)
+        text = performer(world, value, context) if performer else world.state.unknowns.mark(f"$({value.kind})", value.place)
+    elif isinstance(value, Instance):
+        text = _by_method(world, value, context)
+    elif isinstance(value, Either):
+        text = world.as_text(Either(value.condition, perform(world, value.first, context), perform(world, value.second, context)))
+    elif value is None or value is NOTHING:
+        text = ""
+    else:
+        text = world.as_text(value)
+    if len(text) > MAX_TEXT:
+        raise LaunchError("size", "text", f"a text of more than {MAX_TEXT >> 20} Mi characters after substitution")
+    world.state.spend(len(text))
+    return text
+
+
+def _by_method(world: World, value: Instance, context: Context) -> str:
+    """What a substitution of the workspace comes to; asked again with the same configurations, it is taken to say the same."""
+    key = id(value), frozenset(context.configurations.items())
+    if key not in world.performed:
+        found = world.interpreter.apply(world.interpreter.member_of(value, "perform"), [context], {})
+        world.performed[key] = value, world.as_text(found)
+    return world.performed[key][1]
+
+
+def _rendered(world: World, text: str) -> str:
+    return world.state.unknowns.render(text)
+
+
+def _mark(world: World, text: str, *identity: str) -> str:
+    return world.state.unknowns.mark(text, *identity)
+
+
+def _is_open(world: World, *texts: str) -> bool:
+    return any(map(world.state.unknowns.is_open, texts))
+
+
+@performs("TextSubstitution")
+def _text(world: World, made: Made, context: Context) -> str:
+    return perform(world, made.get("text"), context)
+
+
+@performs("LaunchConfiguration")
+def _configuration(world: World, made: Made, context: Context) -> str:
+    name = perform(world, made.get("variable_name"), context)
+    world.asked.append(name)
+    world.references.append(ArgumentUsed(name, world.state.here))
+    if name in context.configurations:
+        return context.configurations[name]
+    if "default" in made.arguments and made.arguments["default"] is not None:
+        return perform(world, made.arguments["default"], context)
+    if not _is_open(world, name):
+        world.state.report(LaunchError("arg", name, f"launch configuration `{name}` is not set"))
+    return _mark(world, f"$(var {_rendered(world, name)})", context.file)
+
+
+@performs("EnvironmentVariable")
+def _environment(world: World, made: Made, context: Context) -> str:
+    name = perform(world, made.get("name"), context)
+    value = context.variable(name)
+    if value is not None:
+        return value
+    if made.arguments.get("default_value") is not None:
+        return perform(world, made.arguments["default_value"], context)
+    if not _is_open(world, name):
+        world.state.report(LaunchError("env", name, f"environment variable `{name}` is not set"))
+    return _mark(world, f"$(env {_rendered(world, name)})")
+
+
+@performs("FindPackageShare", "FindPackagePrefix")
+def _package(world: World, made: Made, context: Context) -> str:
+    return world.share(perform(world, made.get("package"), context))
+
+
+@performs("PathJoinSubstitution")
+def _path(world: World, made: Made, context: Context) -> str:
+    parts = made.get("substitutions")
+    parts = parts if isinstance(parts, (list, tuple)) else [parts]
+    texts = [perform(world, part, context) for part in parts]
+    return os.path.join(*texts) if texts else ""
+
+
+@performs("PathSubstitution")
+def _plain_path(world: World, made: Made, context: Context) -> str:
+    return perform(world, made.get("path"), context)
+
+
+@performs("StringJoinSubstitution")
+def _join(world: World, made: Made, context: Context) -> str:
+    delimiter = perform(world, made.get("delimiter"), context)
+    return delimiter.join(perform(world, part, context) for part in made.get("substitutions") or ())
+
+
+@performs("ThisLaunchFileDir")
+def _folder(_world: World, _made: Made, context: Context) -> str:
+    return os.path.dirname(os.path.abspath(context.file))
+
+
+@performs("ThisLaunchFile")
+def _file(_world: World, _made: Made, context: Context) -> str:
+    return os.path.abspath(context.file)
+
+
+@performs("AnonName")
+def _anonymous(world: World, made: Made, context: Context) -> str:
+    name = perform(world, made.get("name"), context)
+    key = f"anon{name}"
+    if key not in context.configurations:
+        context.configurations[key] = world.state.unknowns.fresh(_rendered(world, name))
+    return context.configurations[key]
+
+
+@performs("ExecutableInPackage")
+def _executable(world: World, made: Made, context: Context) -> str:
+    names = [_rendered(world, perform(world, made.get(name), context)) for name in ("executable", "package")]
+    return _mark(world, f"$(exec-in-pkg {' '.join(names)})")
+
+
+@performs("FindExecutable")
+def _program(world: World, made: Made, context: Context) -> str:
+    return perform(world, made.get("name"), context)
+
+
+@performs("FileContent")
+def _content(world: World, made: Made, context: Context) -> str:
+    path = perform(world, made.get("path"), context)
+    if _is_open(world, path) and path not in world.written:
+        return _mark(world, f"$(file-content {_rendered(world, path)})")
+    try:
+        return world.source_of(path)
+    except LaunchError as error:
+        world.state.report(error)
+        return _mark(world, f"$(file-content {path})")
+
+
+@performs("Command")
+def _command(world: World, made: Made, context: Context) -> str:
+    """What a command prints: it is not run. rosarch evaluates xacro files itself."""
+    from rosarch.extractor.launch.commands import words_of
+    from rosarch.extractor.launch.descriptions import evaluated
+
+    command = perform(world, made.get("command"), context)
+    unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
+    try:
+        words = words_of(command)
+        call = xacro_call(words)
+    except LaunchError:
+        return unknown
+    if call is None or _is_open(world, call.file) or not world.state.files.is_file(call.file):
+        return unknown
+    try:
+        printed, plugins = evaluated(world.state, call)
+    except LaunchError:
+        return unknown
+    if printed is None:
+        return unknown
+    world.described[printed] = plugins
+    return printed
+
+
+@performs("PythonExpression")
+def _expression(world: World, made: Made, context: Context) -> str:
+    text = perform(world, made.get("expression"), context)
+    evaluator = Evaluator if "\\" in text else _WithUnknowns  # an escape could pose as an unknown
+    try:
+        value = evaluator(_no_name, {}).evaluate(text)
+    except EvalFailed as error:
+        if _is_open(world, text):  # the unknown may be a part of the expression itself
+            return _mark(world, f"$(eval {_rendered(world, text)})", text)
+        raise LaunchError("eval", text, f"the expression `{_rendered(world, text)}` fails: {error}") from None
+    except (Unsupported, UnknownInvolved):
+        value = NOTHING
+    if value is not NOTHING and is_known_value(value) and not isinstance(value, set):
+        return str(value)
+    return value if isinstance(value, str) else _mark(world, f"$(eval {_rendered(world, text)})", text)
+
+
+class _WithUnknowns(Evaluator):
+    """Evaluates expressions whose texts may have unknown parts."""
+
+    def _constant(self, node: ast.Constant) -> Any:
+        return node.value
+
+
+def _no_name(name: str) -> Any:
+    raise KeyError(name)
+
+
+def _boolean(world: World, text: str) -> bool | None:
+    """A text as a Boolean; None when it is not known."""
+    if _is_open(world, text):
+        return None
+    lowered = text.strip().lower()
+    if lowered in ("true", "1"):
+        return True
+    if lowered in ("false", "0"):
+        return False
+    raise LaunchError("condition", text, f"`{text}` is not true or false")
+
+
+def _told(world: World, found: bool | None, name: str, *texts: str) -> str:
+    if found is None:
+        return _mark(world, f"$({name} {' '.join(_rendered(world, text) for text in texts)})", *texts)
+    return "true" if found else "false"
+
+
+@performs("NotSubstitution")
+def _not(world: World, made: Made, context: Context) -> str:
+    text = perform(world, made.get("value"), context)
+    found = _boolean(world, text)
+    return _told(world, None if found is None else not found, "not", text)
+
+
+@performs("BooleanSubstitution")
+def _bool(world: World, made: Made, context: Context) -> str:
+    text = perform(world, made.get("value"), context)
+    return _told(world, _boolean(world, text), "bool", text)
+
+
+@performs("AndSubstitution", "OrSubstitution", "AllSubstitution", "AnySubstitution")
+def _both(world: World, made: Made, context: Context) -> str:
+    parts = [*made.arguments.values(), *made.rest]
+    texts = [perform(world, part, context) for part in parts]
+    values = [_boolean(world, text) for text in texts]
+    wanted = made.kind[:2] in ("Or", "An") and made.kind not in ("AndSubstitution",)
+    found = wanted if wanted in values else None if None in values else not wanted
+    return _told(world, found, made.kind.removesuffix("Substitution").lower(), *texts)
+
+
+@performs("EqualsSubstitution", "NotEqualsSubstitution")
+def _equals(world: World, made: Made, context: Context) -> str:
+    texts = [perform(world, made.arguments.get(side), context) for side in ("left", "right")]
+    left, right = texts
+    name = "equals" if made.kind == "EqualsSubstitution" else "not-equals"
+    if left != right and _is_open(world, left, right):
+        return _told(world, None, name, left, right)
+    return _told(world, (left == right or _same_value(left, right)) is (name == "equals"), name)
+
+
+def _same_value(left: str, right: str) -> bool:
+    """Whether Booleans or numbers have the same value, which is what counts for launch."""
+    if {left.lower(), right.lower()} <= {"true", "false", "1", "0"} and "" not in (left, right):
+        return (left.lower() in ("true", "1")) == (right.lower() in ("true", "1"))
+    try:
+        return float(left) == float(right)
+    except ValueError:
+        return False
+
+
+@performs("IfElseSubstitution")
+def _if(world: World, made: Made, context: Context) -> str:
+    test = perform(world, made.get("condition"), context)
+    found = _boolean(world, test)
+    values = [perform(world, made.arguments.get(name), context) for name in ("if_value", "else_value")]
+    if found is None and values[0] != values[1]:
+        return _mark(world, f"$(if {' '.join(_rendered(world, text) for text in (test, *values))})", test)
+    return values[0] if found or found is None else values[1]
+
+
+@performs("ForEachVar", "ForLoopIndex")
+def _loop(world: World, made: Made, context: Context) -> str:
+    name = perform(world, made.get("name"), context)
+    if name in context.loop:
+        return world.as_text(context.loop[name])
+    default = made.arguments.get("default_value")
+    return perform(world, default, context) if default is not None else _mark(world, f"$(for-var {_rendered(world, name)})")
+
+
+@performs("Parameter")
+def _parameter(world: World, made: Made, context: Context) -> str:
+    name = perform(world, made.get("name"), context)
+    found = next((given.value for given in reversed(context.params) if given.name == name), None)
+    return (
+        _mark(world, f"$(param {_rendered(world, name)})")
+        if found is None or isinstance(found, Unknown)
+        else perform(world, found, context)
+    )
+
+
+@performs("ParameterFile")
+def _parameter_file(world: World, made: Made, context: Context) -> str:
+    return perform(world, made.get("param_file"), context)
+
+
+@performs("ParameterValue")
+def _parameter_value(world: World, made: Made, context: Context) -> str:
+    return perform(world, made.get("value"), context)

@@ -1,0 +1,194 @@
+"""The values of launch files besides Python's own: actions and substitutions, unknowns, alternatives, functions and classes."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rosarch.extractor.launch.model import Condition, Place
+
+
+@dataclass(eq=False)
+class Made:
+    """An object of a class of launch or launch_ros (`kind`), with the arguments it was made with and where."""
+
+    kind: str
+    arguments: dict[str, Any]
+    place: Place
+    rest: tuple[Any, ...] = ()
+
+    def get(self, *names: str) -> Any:
+        """The first of these arguments that was given."""
+        return next((self.arguments[name] for name in names if self.arguments.get(name) is not None), None)
+
+
+@dataclass(frozen=True, eq=False)
+class Unknown:
+    """A value that cannot be told; `text` is how the source writes it, `reason` why."""
+
+    text: str
+    place: Place
+    reason: str = ""
+
+
+class Nothing:
+    """What is there when an alternative is not: no value at all."""
+
+
+NOTHING = Nothing()
+
+
+@dataclass(frozen=True, eq=False)
+class Either:
+    """`first` when the condition holds, else `second`: which cannot be told."""
+
+    condition: Condition
+    first: Any
+    second: Any
+
+
+@dataclass(eq=False)
+class Frame:
+    """The names of a module, function or class. `above` is the frame that a function was defined in."""
+
+    variables: dict[str, Any]
+    module: ModuleFrame
+    above: Frame | None = None
+    conditions: int = 0
+    returns: list[tuple[Condition, Any]] = field(default_factory=list)
+    shared: set[str] = field(default_factory=set)
+    yielded: list[Any] | None = None
+
+
+@dataclass(eq=False)
+class ModuleFrame:
+    """A module that was run: its file, its name and its names. `described` are the launch descriptions made in it."""
+
+    name: str
+    file: str
+    is_launch_file: bool = False
+    variables: dict[str, Any] = field(default_factory=dict)
+    described: list[Made] = field(default_factory=list)
+
+
+@dataclass(frozen=True, eq=False)
+class Function:
+    """A function of a launch file, or a lambda, with the values of its defaults."""
+
+    node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
+    frame: Frame
+    defaults: tuple[Any, ...]
+    named_defaults: dict[str, Any]
+    owner: Class | None = None
+
+
+@dataclass(eq=False)
+class Class:
+    """A class of a launch file; `bases` are classes, constructors of launch, or unknown."""
+
+    name: str
+    bases: tuple[Any, ...]
+    members: dict[str, Any]
+    fields: tuple[str, ...] = ()
+
+    def find(self, name: str) -> Any:
+        """A member of the class or of those above it; KeyError when there is none."""
+        if name in self.members:
+            return self.members[name]
+        for base in self.bases:
+            if isinstance(base, Class):
+                try:
+                    return base.find(name)
+                except KeyError:
+                    continue
+        raise KeyError(name)
+
+    def constructors(self) -> list[Constructor]:
+        """The classes of launch that this one is derived from."""
+        found = [base for base in self.bases if isinstance(base, Constructor)]
+        return found or [one for base in self.bases if isinstance(base, Class) for one in base.constructors()]
+
+
+@dataclass(eq=False)
+class Instance:
+    """An object of a class of a launch file; `made` is what it is for launch, once its base was initialised."""
+
+    of: Class
+    attributes: dict[str, Any] = field(default_factory=dict)
+    made: Made | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Constructor:
+    """A class of launch or launch_ros."""
+
+    kind: str
+
+
+@dataclass(frozen=True, eq=False)
+class Native:
+    """A function that is known here. It gets the interpreter, and the arguments."""
+
+    name: str
+    call: Callable[..., Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Bound:
+    """A function together with the object it is called on."""
+
+    function: Function
+    owner: Any
+
+
+@dataclass(frozen=True, eq=False)
+class Super:
+    """`super()` in a method of `of`."""
+
+    of: Class
+    instance: Instance
+
+
+@dataclass(frozen=True, eq=False)
+class Module:
+    """A module by its name: one that is known here, or (`frame`) one of the workspace."""
+
+    name: str
+    frame: ModuleFrame | None = None
+
+
+@dataclass(frozen=True)
+class PathText:
+    """A `pathlib.Path`."""
+
+    text: str
+
+    def joined(self, *parts: str) -> PathText:
+        """A path below this one."""
+        return PathText(str(Path(self.text, *parts)))
+
+
+@dataclass(eq=False)
+class TextFile:
+    """An open file: its text as far as it was read or written, None when that is not known."""
+
+    name: str
+    text: str | None
+    position: int = 0
+
+
+def _known_classes() -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    for line in (Path(__file__).parent / "api.txt").read_text(encoding="utf-8").splitlines():
+        if line and not line.startswith("#"):
+            module, name, *parameters = line.split()
+            yield module, name, tuple(parameters)
+
+
+CLASSES = {name: parameters for _, name, parameters in _known_classes()}
+"""The classes of launch with the names of their parameters."""
+MODULES: dict[str, list[str]] = {}
+for _module, _name, _parameters in _known_classes():
+    MODULES.setdefault(_module, []).append(_name)

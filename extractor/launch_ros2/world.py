@@ -1,0 +1,113 @@
+"""What all parts of a composition share: files, packages, unknowns, the interpreter, files that launch files write."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rosarch.extractor.launch.model import LaunchError, Place, Reference
+from rosarch.extractor.launch.state import State
+from rosarch.extractor.launch.yaml_values import KeyLines
+from rosarch.extractor.urdf.plugins import SimulatorPlugin
+
+from .interpreter import Interpreter
+from .values import Either, PathText, Unknown
+
+if TYPE_CHECKING:
+    from .parameters import Section
+
+_KNOWN = Path(__file__).parent / "known"
+_KNOWN_NAMES = frozenset(path.stem for path in _KNOWN.glob("*.txt"))
+
+
+class World:
+    """One composition in progress."""
+
+    def __init__(self, state: State, environment: Mapping[str, str]) -> None:
+        self.state = state
+        self.environment = environment
+        self.interpreter = Interpreter(self)
+        self.written: dict[str, str] = {}
+        self.described: dict[str, tuple[SimulatorPlugin, ...]] = {}
+        self.origins: dict[str, str] = {}
+        self.parameter_texts: dict[str, tuple[list[Section], KeyLines]] = {}
+        self.performed: dict[tuple[int, frozenset[tuple[str, str]]], tuple[Any, str]] = {}
+        self.references: list[Reference] = []
+        self.asked: list[str] = []
+        self.temporary = 0
+
+    def as_text(self, value: Any) -> str:
+        """A value as a text, or a part of one; an unknown as what the source writes for it."""
+        if isinstance(value, str):
+            return value
+        if isinstance(value, PathText):
+            return value.text
+        if isinstance(value, Either):
+            first, second = self.as_text(value.first), self.as_text(value.second)
+            if first == second:
+                return first
+            shown = [self.state.unknowns.render(text) for text in (first, second)]
+            return self.state.unknowns.mark(f"$({value.condition.text} ? {shown[0]} : {shown[1]})", value.condition.key)
+        if isinstance(value, Unknown):
+            return self.state.unknowns.mark(f"$({value.text})", value.place.path)
+        return str(value)
+
+    def share(self, package: str) -> str:
+        """The folder of a package, where its `share` is from; a mark when it is not on the package path."""
+        state = self.state
+        if state.unknowns.is_open(package):
+            return state.unknowns.mark(f"$(find-pkg-share {state.unknowns.render(package)})", package)
+        folder = state.files.packages.find(package)
+        if folder is not None:
+            return folder
+        state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
+        return state.unknowns.mark(f"$(find-pkg-share {package})")
+
+    def new_file(self, suffix: str = "") -> str:
+        """The name of a temporary file."""
+        self.temporary += 1
+        return self.state.unknowns.mark(f"$(temporary file {self.temporary}{suffix})", self.temporary)
+
+    def source_of(self, path: str) -> str:
+        """The text of a file, one that was written meanwhile included.
+
+        Raises:
+            LaunchError: it cannot be read.
+        """
+        if path in self.written:
+            return self.written[path]
+        return self.state.files.read_text(self.located(path))
+
+    def located(self, path: str) -> str:
+        """Where a file lies in the sources that is installed at `path`: packages may install it from elsewhere in their folder."""
+        files = self.state.files
+        if files.is_file(path) or self.state.unknowns.is_open(path):
+            return path
+        folder = next((folder for folder in files.packages.packages.values() if path.startswith(folder + os.sep)), None)
+        if folder is None:
+            return path
+        words = os.path.relpath(path, folder).split(os.sep)[-2:]
+        found = list(files.packages.paths_in(folder).get(words[-1], ()))
+        if len(found) > 1:
+            found = [other for other in found if other.split(os.sep)[-2:] == words]
+        return found[0] if len(found) == 1 else path
+
+    def module_source(self, name: str, beside: str) -> tuple[str, str] | None:
+        """File and text of a module of the workspace, of the folder of the launch file, or of those that rosarch knows."""
+        words = name.split(".")
+        folder = self.state.files.packages.find(words[0])
+        for root in [os.path.dirname(beside), *([folder, os.path.join(folder, "src")] if folder else [])]:
+            base = os.path.join(root, *words)
+            for path in (f"{base}.py", os.path.join(base, "__init__.py")):
+                if self.state.files.is_file(path):
+                    try:
+                        return path, self.state.files.read_text(path)
+                    except LaunchError:
+                        continue
+        return (name, (_KNOWN / f"{name}.txt").read_text(encoding="utf-8")) if name in _KNOWN_NAMES else None
+
+    def here(self, place: Place) -> None:
+        """Make `place` the one that reports are about."""
+        self.state.here = place

@@ -1,0 +1,171 @@
+"""Actions: scopes, conditions, includes, containers, parameters of all nodes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from ros2_launch_builder import HEAD, composed, described, names, params, problems
+
+
+def test_groups_keep_what_they_change(tmp_path: Path) -> None:
+    entities = """DeclareLaunchArgument('a', default_value='1'),
+      GroupAction([PushRosNamespace('g'), SetLaunchConfiguration('a', '2'), SetRemap('x', 'y'), SetParameter('p', 1), node('in')]),
+      GroupAction([SetLaunchConfiguration('a', '3')], scoped=False),
+      GroupAction([node('alone', parameters=[{'b': LaunchConfiguration('b')}])], forwarding=False, launch_configurations={'b': 'kept'}),
+      node('out', parameters=[{'a': LaunchConfiguration('a')}])"""
+    found = described(tmp_path, entities)
+    assert names(found) == ["/g/in", "/alone", "/out"]
+    assert [(remap.source, remap.target) for remap in found.nodes[0].remaps] == [("x", "y")]
+    assert found.nodes[2].remaps == ()
+    assert params(found) == {"/g/in/p": 1, "/alone/b": "kept", "/out/a": 3}
+
+
+def test_namespaces(tmp_path: Path) -> None:
+    entities = "PushRosNamespace('a'), PushRosNamespace('b'), node('n'), node('m', namespace='c'), node('o', namespace='/abs')"
+    assert names(described(tmp_path, entities)) == ["/a/b/n", "/a/b/c/m", "/abs/o"]
+
+
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("IfCondition(LaunchConfiguration('yes'))", ["/n"]),
+        ("UnlessCondition('1')", []),
+        ("IfCondition(PythonExpression([\"'\", LaunchConfiguration('yes'), \"' == 'true' and not \", 'False']))", ["/n"]),
+        ("IfCondition(AndSubstitution(LaunchConfiguration('yes'), NotSubstitution('true')))", []),
+        ("IfCondition(EqualsSubstitution(LaunchConfiguration('yes'), 'true'))", ["/n"]),
+        ("IfCondition(IfElseSubstitution(LaunchConfiguration('yes'), 'false', 'true'))", []),
+        ("LaunchConfigurationEquals('yes', 'true')", ["/n"]),
+        ("LaunchConfigurationNotEquals('yes', 'true')", []),
+        ("IfCondition(EnvironmentVariable('FLAG', default_value='false'))", []),
+        ("UnlessCondition(EnvironmentVariable('FLAG'))", ["/n unless $(env FLAG)"]),
+        ("IfCondition(OrSubstitution(EnvironmentVariable('FLAG'), 'true'))", ["/n"]),
+        ("IfCondition(PythonExpression([\"'\", EnvironmentVariable('FLAG'), \"' == 'x'\"]))", ["/n if $(eval '$(env FLAG)' == 'x')"]),
+    ],
+)
+def test_conditions(tmp_path: Path, condition: str, expected: list[str]) -> None:
+    found = described(tmp_path, f"DeclareLaunchArgument('yes', default_value='true'), node('n', condition={condition})")
+    assert names(found) == expected
+
+
+def test_an_include_changes_its_includer(tmp_path: Path) -> None:
+    inner = (
+        HEAD
+        + """def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('x', default_value='0'), DeclareLaunchArgument('mine', default_value='set'),
+      node('in', parameters=[{'x': LaunchConfiguration('x'), 'outer': LaunchConfiguration('outer')}])])
+"""
+    )
+    main = (
+        HEAD
+        + """def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('outer', default_value='o'),
+      IncludeLaunchDescription(PythonLaunchDescriptionSource([ThisLaunchFileDir(), '/inner.launch.py']),
+                               launch_arguments={'x': '5', 'wrong': '1'}.items()),
+      node('after', parameters=[{'mine': LaunchConfiguration('mine')}])])
+"""
+    )
+    found = composed(tmp_path, {"main.launch.py": main, "inner.launch.py": inner})
+    assert params(found) == {"/in/x": 5, "/in/outer": "o", "/after/mine": "set"}
+    assert [str(line).rpartition("/")[2] for line in found.nodes[0].lines] == ["main.launch.py:20", "inner.launch.py:16"]
+    assert problems(found, tmp_path) == ["main.launch.py:20:7: inner.launch.py does not declare what is passed to it: wrong"]
+
+
+def test_arguments_that_are_wrong(tmp_path: Path) -> None:
+    entities = "DeclareLaunchArgument('must'), DeclareLaunchArgument('c', default_value='d', choices=['a', 'b']), node(LaunchConfiguration('never'))"
+    found = described(tmp_path, entities)
+    assert [problem.partition(": ")[2] for problem in problems(found, tmp_path)] == [
+        "argument `must` must be passed, it has no default",
+        "argument `c` is `d`, but must be one of a, b",
+        "launch configuration `never` is not set",
+    ]
+    assert names(found) == ["/$(var never)"]
+
+
+def test_includes_that_are_not_there(tmp_path: Path) -> None:
+    include = "IncludeLaunchDescription(PythonLaunchDescriptionSource({}))"
+    entities = ", ".join(include.format(path) for path in ("[FindPackageShare('gone'), '/launch/x.launch.py']", "'/no/such.launch.py'"))
+    found = described(tmp_path, entities)
+    assert [include.file for include in found.includes] == [None, None]
+    assert found.includes[0].text == "$(find-pkg-share gone)/launch/x.launch.py"
+    assert [problem.kind for problem in found.problems] == ["package", "file"]
+
+
+def test_a_file_that_includes_itself(tmp_path: Path) -> None:
+    found = described(tmp_path, "node('n'), IncludeLaunchDescription(PythonLaunchDescriptionSource(__file__))")
+    assert len(found.nodes) == 61
+    assert [problem.kind for problem in found.problems if problem.kind != "duplicate-node"] == ["cycle"]
+
+
+def test_containers(tmp_path: Path) -> None:
+    entities = """ComposableNodeContainer(name='box', namespace='b', package='rclcpp_components', executable='component_container',
+        composable_node_descriptions=[ComposableNode(package='here', plugin='here::One', name='one', parameters=[{'a': 1}],
+                                                     remappings=[('x', 'y')])]),
+      PushRosNamespace('ns'),
+      LoadComposableNodes(target_container='box', composable_node_descriptions=[
+        ComposableNode(package='here', plugin='here::Two', condition=IfCondition('false')), ComposableNode(package='here', plugin='here::Three')]),
+      LoadComposableNodes(target_container='/b/box', composable_node_descriptions=[ComposableNode(package='here', plugin='here::Four')])"""
+    found = described(tmp_path, entities)
+    assert [(node.full_name, node.type, node.name, node.container) for node in found.nodes] == [
+        ("/b/box", "component_container", "box", None),
+        ("/one", "here::One", "one", "/b/box"),
+        ("/ns/Three", "here::Three", None, "/ns/box"),
+        ("/ns/Four", "here::Four", None, "/b/box"),
+    ]
+    assert params(found) == {"/one/a": 1}
+
+
+def test_events_and_timers_start_what_they_hold(tmp_path: Path) -> None:
+    before = "first = node('first')"
+    entities = """first, TimerAction(period=3.0, actions=[node('timed')]),
+      RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[node('next')])),
+      RegisterEventHandler(OnProcessExit(target_action=first, on_exit=lambda event, context: [node('called')])),
+      RegisterEventHandler(OnShutdown(on_shutdown=[node('never')])),
+      ExecuteProcess(cmd=['ros2', 'run', 'here', 'tool', '--ros-args', '-r', '__node:=ran']), ExecuteProcess(cmd=['gz', 'sim'])"""
+    assert names(described(tmp_path, entities, before)) == ["/first", "/timed", "/next", "/called", "/ran"]
+
+
+def test_loops_of_launch(tmp_path: Path) -> None:
+    before = "def each(name='', pose={}):\n    return [node(name, parameters=[pose])]"
+    entities = "ForEach('{name: a, pose: {x: 1.5}};{name: b}', function=each), ForLoop('2', function=lambda i: [node(f'n{i}')])"
+    found = described(tmp_path, entities, before)
+    assert names(found) == ["/a", "/b", "/n0", "/n1"]
+    assert params(found) == {"/a/x": 1.5}
+
+
+def test_parameters_for_all_nodes(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + """def generate_launch_description():
+    path = PathJoinSubstitution([FindPackageShare('here'), 'p.yaml'])
+    return LaunchDescription([SetUseSimTime(True), SetParametersFromFile(path), SetParameter('s', value='text'),
+      node('n', namespace='a', parameters=[{'own': ParameterValue(TextSubstitution(text='1'), value_type=str), 'all': 3}])])
+"""
+    )
+    yaml = "/**:\n  ros__parameters: {all: 1, any: 2}\na/n:\n  ros__parameters: {exact: 3}\na:\n  m: {ros__parameters: {no: 4}}\n/*/n:\n  ros__parameters: {star: 5}\n/*:\n  ros__parameters: {no: 6}\n"
+    found = composed(tmp_path, {"main.launch.py": main, "p.yaml": yaml})
+    own = {"use_sim_time": True, "all": 3, "any": 2, "exact": 3, "star": 5, "s": "text", "own": "1"}
+    assert params(found) == {f"/a/n/{name}": value for name, value in own.items()}
+    written = {setting.name: setting.written for setting in found.params}
+    assert (written["/a/n/exact"], written["/a/n/s"]) != (None, None)
+    assert str(written["/a/n/exact"]).endswith("here/p.yaml:4")
+
+
+def test_a_file_for_one_node_tells_its_name(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + """def generate_launch_description():
+    path = os.path.join(get_package_share_directory('here'), 'config', 'p.yaml')
+    return LaunchDescription([Node(package='here', executable='run', parameters=[path]), node('other', parameters=['/no/such.yaml'])])
+"""
+    )
+    found = composed(tmp_path, {"main.launch.py": main, "other/config/p.yaml": "driver:\n  ros__parameters: {port: x}\n"})
+    assert [(node.name, node.called) for node in found.nodes] == [(None, "driver"), ("other", "other")]
+    assert params(found) == {"/driver/port": "x"}
+    assert [(setting.name, setting.source) for setting in found.unread] == [("/other", "/no/such.yaml")]
+
+
+def test_two_nodes_of_one_name(tmp_path: Path) -> None:
+    found = described(tmp_path, "node('n'), node('n'), Node(package='here', executable='run'), Node(package='here', executable='run')")
+    assert [problem.kind for problem in found.problems] == ["duplicate-node"]
+    assert found.refusal is None

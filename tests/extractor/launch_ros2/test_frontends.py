@@ -1,0 +1,123 @@
+"""Launch files of ROS 2 in XML and YAML, and which version of ROS a launch file is for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from ros2_launch_builder import HEAD, MANIFEST, composed, names, params, problems, xml
+
+from rosarch.extractor.launch import Files, PackagePath, launch_files, ros_version, top_level
+
+
+def test_xml(tmp_path: Path) -> None:
+    content = """<arg name="a" default="1"><choice value="1"/><choice value="2"/></arg><let name="b" value="$(eval '$(var a) + 1')"/>
+<group><push-ros-namespace namespace="g"/><set_remap from="x" to="y"/>
+<node pkg="here" exec="run" name="n" args="-d &quot;a b&quot; --ros-args -r c:=d" if="$(var a)">
+  <param name="b" value="$(var b)"/><param name="s" value="1" type="str"/><param from="$(find-pkg-share here)/p.yaml"/>
+  <param name="deep"><param name="er" value="[1, 2]"/></param><remap from="~/in" to="/out"/><env name="E" value="1"/></node></group>
+<include file="$(dirname)/other.xml"><arg name="z" value="$(var b)"/></include>
+<node_container pkg="rclcpp_components" exec="component_container" name="box" namespace="">
+  <composable_node pkg="here" plugin="here::One" name="one"><param name="p" value="v"/></composable_node></node_container>
+<load_composable_node target="/box"><composable_node pkg="here" plugin="here::Two" unless="true"/></load_composable_node>
+<executable cmd="ros2 run here tool"/><node pkg="here" exec="run" name="$(anon x)"/>"""
+    other = '<launch><arg name="z"/><node pkg="here" exec="run" name="o"><param name="z" value="$(var z)"/></node></launch>'
+    found = xml(tmp_path, content, other_xml=other, p_yaml="/g/n:\n  ros__parameters: {f: 2.5}\n")
+    assert problems(found, tmp_path) == []
+    assert names(found) == ["/g/n", "/o", "/box", "/one", "/tool", "/$(anon x)"]
+    (first, *_rest) = found.nodes
+    assert first.args == "-d 'a b'"
+    assert [(remap.source, remap.target) for remap in first.remaps] == [("x", "y"), ("~in", "/out"), ("c", "d")]
+    assert params(found) == {"/g/n/b": 2, "/g/n/s": "1", "/g/n/f": 2.5, "/g/n/deep.er": [1, 2], "/o/z": 2, "/one/p": "v"}
+
+
+def test_yaml(tmp_path: Path) -> None:
+    text = """launch:
+- arg: {name: a, default: 'n'}
+- group:
+    - push_ros_namespace: {namespace: g}
+    - node:
+        pkg: here
+        exec: run
+        name: $(var a)
+        param:
+          - {name: k, value: 3}
+          - {name: list, value: [1, 2]}
+        remap:
+          - {from: x, to: y}
+        if: true
+- include:
+    file: $(find-pkg-share here)/other.launch.yaml
+    arg:
+      - {name: z, value: $(var a)}
+"""
+    other = "launch:\n- arg: {name: z}\n- node: {pkg: here, exec: run, name: o, param: [{name: z, value: $(var z)}]}\n"
+    found = composed(tmp_path, {"main.launch.yaml": text, "other.launch.yaml": other})
+    assert problems(found, tmp_path) == []
+    assert names(found) == ["/g/n", "/o"]
+    assert [(remap.source, remap.target) for remap in found.nodes[0].remaps] == [("x", "y")]
+    assert params(found) == {"/g/n/k": 3, "/g/n/list": [1, 2], "/o/z": "n"}
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ('<node pkg="here"/>', "main.launch.xml:2:1: <node> has no attribute `exec`"),
+        ('<node exec="$(var x" pkg="p"/>', "main.launch.xml:2:1: `$(` is not closed: $(var x"),
+        ('<node exec="$(nope x)" pkg="p"/>', "main.launch.xml:2:1: unknown substitution $(nope)"),
+        ('<thing exec="1"/>', "main.launch.xml:2:1: unknown element <thing> in <launch>"),
+        ('<let name="a" value="$(eval 1 +)"/>', "main.launch.xml:2:1: the expression `1 +` fails: invalid syntax"),
+        ('<group if="maybe"><let name="a" value="1"/></group>', "main.launch.xml:2:1: if: `maybe` is not true or false"),
+        ('<let name="a" value="1"><', "main.launch.xml:2:26: broken XML: not well-formed (invalid token)"),
+    ],
+)
+def test_bad_xml(tmp_path: Path, content: str, said: str) -> None:
+    assert problems(xml(tmp_path, content), tmp_path) == [said]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("launch: [", "main.launch.yaml:1:10: while parsing a flow node expected the node content, but found '<stream end>'"),
+        ("- a", "main.launch.yaml:1:1: a launch file in YAML is a map with the key `launch`"),
+        ("launch:\n- nope: {}\n", "main.launch.yaml:2:3: unknown element <nope> in <launch>"),
+    ],
+)
+def test_bad_yaml(tmp_path: Path, text: str, said: str) -> None:
+    assert problems(composed(tmp_path, {"main.launch.yaml": text}), tmp_path) == [said]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "version"),
+    [
+        ("a.launch.py", "", 2),
+        ("a.launch.yaml", "", 2),
+        ("a.launch", '<launch><node pkg="p" type="t" name="n"/></launch>', 1),
+        ("a.launch", '<launch><node pkg="p" exec="t" name="n"/></launch>', 2),
+        ("a.launch.xml", '<launch><arg name="a" default="$(find p)/x"/></launch>', 1),
+        ("a.launch.xml", '<launch><include file="x"/></launch>', 2),
+        ("none.launch", "", 2),
+    ],
+)
+def test_the_version_of_ros(tmp_path: Path, name: str, text: str, version: int) -> None:
+    (tmp_path / "package.xml").write_text(MANIFEST.format("here"))
+    if text or name.endswith((".py", ".yaml")):
+        (tmp_path / name).write_text(text)
+    assert ros_version(tmp_path / name) == version
+
+
+def test_files_that_no_other_includes(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + "def generate_launch_description():\n    path = os.path.join(get_package_share_directory('here'), 'launch', 'part.launch.py')\n"
+    )
+    main += (
+        "    return LaunchDescription([IncludeLaunchDescription(PythonLaunchDescriptionSource(path), condition=IfCondition('false'))])\n"
+    )
+    empty = "def generate_launch_description():\n    return None\n"
+    files = {"launch/main_launch.py": main, "launch/part.launch.py": empty, "launch/test_x_launch.py": empty, "test/y_launch.py": empty}
+    composed(tmp_path, {**files, "launch/no_launch.py": "x = 1\n", "launch/z.launch.xml": "<launch/>", "util.py": empty})
+    found = [path.replace(f"{tmp_path}/here/", "") for path in launch_files(tmp_path)]
+    assert found == ["launch/main_launch.py", "launch/part.launch.py", "launch/z.launch.xml"]
+    top = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])))
+    assert [path.rpartition("/")[2] for path in top] == ["main_launch.py", "z.launch.xml"]

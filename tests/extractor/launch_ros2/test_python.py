@@ -1,0 +1,172 @@
+"""Python launch files: what is interpreted, and what stays unknown."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from ros2_launch_builder import HEAD, composed, described, names, params, problems
+
+
+def test_a_node_with_all_that_it_is_given(tmp_path: Path) -> None:
+    entities = """Node(package='here', executable='run', name='n', namespace='ns', arguments=['-x', LaunchConfiguration('a')],
+      remappings=[('in', 'out'), ('~/p', '/q')], parameters=[{'k': 1, 'deep': {'er': [1, 2]}, 's': LaunchConfiguration('a')}])"""
+    found = described(tmp_path, f"DeclareLaunchArgument('a', default_value='true'), {entities}")
+    (node,) = found.nodes
+    assert (node.package, node.type, node.full_name, node.args, node.ros) == ("here", "run", "/ns/n", "-x true", 2)
+    assert [(remap.source, remap.target) for remap in node.remaps] == [("in", "out"), ("~p", "/q")]
+    assert params(found) == {"/ns/n/k": 1, "/ns/n/deep.er": [1, 2], "/ns/n/s": True}
+    assert problems(found, tmp_path) == []
+
+
+def test_ros_arguments(tmp_path: Path) -> None:
+    words = "['--flag', '--ros-args', '-r', 'n:a:=b', '-r', 'other:c:=d', '-r', '__ns:=/x', '-r', '__node:=n', '-p', 'k:=2', '--', 'last']"
+    found = described(tmp_path, f"Node(package='here', executable='run', arguments={words})")
+    (node,) = found.nodes
+    assert (node.full_name, node.args) == ("/x/n", "--flag last")
+    assert [(remap.source, remap.target) for remap in node.remaps] == [("a", "b")]
+    assert params(found) == {"/x/n/k": 2}
+
+
+@pytest.mark.parametrize(
+    ("before", "entities", "expected"),
+    [
+        ("ld = []\nfor i in range(2):\n    ld.append(node(f'n{i}'))", "*ld", ["/n0", "/n1"]),
+        ("made = [node('n' + str(i)) for i in (1, 2, 3) if i != 2]", "*made", ["/n1", "/n3"]),
+        ("def make(name, *rest, prefix='p', **more):\n    return node(prefix + name, **more)", "make('a'), make('b', prefix='q', namespace='x')", ["/pa", "/x/qb"]),
+        ("pair = {'a': 1, 'b': 2}", "*[node(key) for key, value in pair.items() if value > 1]", ["/b"]),
+        ("x = 'a' if len([1]) == 1 else 'b'", "node(x), node('%s_%d' % (x, 3)), node('{}.{n}'.format(x, n=4).replace('.', '_'))", ["/a", "/a_3", "/a_4"]),
+        ("first, *rest = ['a', 'b', 'c']", "node(first), node(rest[-1])", ["/a", "/c"]),
+        ("n = 0\nwhile n < 3:\n    n += 1\n    if n == 2:\n        break", "node(f'n{n}')", ["/n2"]),
+        ("try:\n    x = {}['k']\nexcept KeyError:\n    x = 'caught'", "node(x)", ["/caught"]),
+        ("names = sorted(['b', 'a'], key=lambda s: s)\nlast = list(map(lambda s: s.upper(), names))", "*[node(x) for x in last]", ["/A", "/B"]),
+        ("class C:\n    kind = 'k'\n    def __init__(self, n):\n        self.n = n\n    @property\n    def name(self):\n        return self.kind + self.n", "node(C('x').name)", ["/kx"]),
+        ("p = Path(__file__).parent / 'a.b'", "node(p.stem), node(os.path.splitext(p.name)[0])", ["/a", "/a"]),
+        ("def numbers():\n    yield 'a'\n    yield from ['b']", "*[node(x) for x in numbers()]", ["/a", "/b"]),
+    ],
+)  # fmt: skip
+def test_python_as_engineers_write_it(tmp_path: Path, before: str, entities: str, expected: list[str]) -> None:
+    found = described(tmp_path, entities, before)
+    assert names(found) == expected
+    assert not [problem for problem in found.problems if problem.kind != "duplicate-node"]
+
+
+def test_an_undecided_branch_gives_both_alternatives(tmp_path: Path) -> None:
+    before = """ld = LaunchDescription()
+which = 'x'
+if os.environ['MODEL'] == 'a':
+    which = 'y'
+    ld.add_action(node('only_a'))
+else:
+    ld.add_action(node('other'))
+ld.add_action(node('both', parameters=[{'p': which, 'model': 'm_' + os.environ['MODEL']}]))
+return ld"""
+    found = described(tmp_path, "", before)
+    assert names(found) == [
+        "/only_a if os.environ['MODEL'] == 'a'",
+        "/other unless os.environ['MODEL'] == 'a'".replace("unless", "unless"),
+        "/both",
+    ]
+    assert params(found) == {"/both/p": "$(os.environ['MODEL'] == 'a' ? y : x)", "/both/model": "m_$(env MODEL)"}
+    assert problems(found, tmp_path)[0] == "launch/main.launch.py:21:8: environment variable `MODEL` is not set"
+    known = described(tmp_path, "", before, environment={"MODEL": "a"})
+    assert names(known) == ["/only_a", "/both"]
+    assert params(known) == {"/both/p": "y", "/both/model": "m_a"}
+
+
+def test_an_undecided_return(tmp_path: Path) -> None:
+    before = "if os.path.exists('/elsewhere'):\n    return LaunchDescription([node('early')])\nother = node('late')"
+    found = described(tmp_path, "other", before)
+    assert names(found) == ["/early if os.path.exists('/elsewhere')", "/late unless os.path.exists('/elsewhere')"]
+
+
+def test_an_opaque_function_sees_the_context(tmp_path: Path) -> None:
+    before = """def setup(context, suffix):
+    name = LaunchConfiguration('name').perform(context) + context.launch_configurations['name'] + suffix
+    count = int(context.perform_substitution(LaunchConfiguration('count')))
+    nodes = [node(f'{name}{i}') for i in range(count)]
+    if IfCondition(LaunchConfiguration('more')).evaluate(context):
+        nodes.append(node('more'))
+    return nodes"""
+    arguments = "DeclareLaunchArgument('name', default_value='n'), DeclareLaunchArgument('count', default_value='2'), DeclareLaunchArgument('more', default_value='true')"
+    found = described(tmp_path, f"{arguments}, OpaqueFunction(function=setup, args=['_'])", before, {"count": "1"})
+    assert names(found) == ["/nn_0", "/more"]
+
+
+def test_a_substitution_of_the_workspace(tmp_path: Path) -> None:
+    helper = """from launch import Substitution
+from launch.utilities import perform_substitutions
+
+class Upper(Substitution):
+    def __init__(self, text):
+        super().__init__()
+        self.text = text
+
+    def perform(self, context):
+        return perform_substitutions(context, [self.text]).upper()
+"""
+    main = (
+        HEAD
+        + "from here.tools import Upper\ndef generate_launch_description():\n    return LaunchDescription([node(Upper(TextSubstitution(text='abc')))])\n"
+    )
+    found = composed(tmp_path, {"main.launch.py": main, "here/__init__.py": "", "here/tools.py": helper})
+    assert names(found) == ["/ABC"]
+
+
+def test_a_rewritten_file_of_parameters(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + """from nav2_common.launch import RewrittenYaml, LaunchConfigAsBool, ReplaceString, HasNodeParams
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('here'), 'p.yaml')
+    plain = ReplaceString(source_file=path, replacements={'NAME': 'named'})
+    rewritten = RewrittenYaml(source_file=plain, root_key=LaunchConfiguration('ns'), convert_types=True,
+        param_rewrites={'use_sim_time': LaunchConfigAsBool('sim'), 'n.ros__parameters.deep.er': '0.5', 'n.ros__parameters.fresh': 'x'},
+        value_rewrites={'THIS': 'that'})
+    return LaunchDescription([
+        DeclareLaunchArgument('sim', default_value='1'), DeclareLaunchArgument('ns', default_value='robot'),
+        node('n', namespace='robot', parameters=[ParameterFile(rewritten, allow_substs=True)],
+             condition=IfCondition(HasNodeParams(path, 'n')))])
+"""
+    )
+    yaml = "n:\n  ros__parameters:\n    use_sim_time: false\n    who: NAME\n    deep: {er: 1.0, list: [THIS, 3]}\n    arg: $(var ns)\n"
+    found = composed(tmp_path, {"main.launch.py": main, "p.yaml": yaml})
+    assert problems(found, tmp_path) == []
+    assert params(found) == {
+        "/robot/n/use_sim_time": True, "/robot/n/who": "named", "/robot/n/deep.er": 0.5, "/robot/n/deep.list": ["that", 3],
+        "/robot/n/arg": "robot", "/robot/n/fresh": "x",
+    }  # fmt: skip
+
+
+def test_a_file_that_is_read_and_one_that_is_not_there(tmp_path: Path) -> None:
+    before = """with open(os.path.join(get_package_share_directory('here'), 'v.yaml')) as f:
+    values = yaml.safe_load(f)['/**']['ros__parameters']
+with open(os.path.join(get_package_share_directory('gone'), 'r.urdf')) as f:
+    robot = f.read()"""
+    text = HEAD + "def generate_launch_description():\n" + "".join(f"    {line}\n" for line in before.splitlines())
+    text += "    return LaunchDescription([node('n', parameters=[values, {'robot_description': robot}])])\n"
+    found = composed(tmp_path, {"main.launch.py": text, "v.yaml": "/**:\n  ros__parameters: {a: 1, b: {c: x}}\n"})
+    assert params(found) == {"/n/a": 1, "/n/b.c": "x", "/n/robot_description": "$(file-content $(find-pkg-share gone)/r.urdf)"}
+    assert problems(found, tmp_path) == ["main.launch.py:21:28: package `gone` is not on the package path"]
+
+
+@pytest.mark.parametrize(
+    ("text", "nodes", "said"),
+    [
+        ("x = (\n", [], ["main.launch.py:1:5: not Python: '(' was never closed"]),
+        ("print 'two'\n", [], ["main.launch.py:1:1: not Python: Missing parentheses in call to 'print'. Did you mean print(...)?"]),
+        ("x = 1\n", [], ["main.launch.py:1:1: main.launch.py has no function generate_launch_description"]),
+        (HEAD + "def generate_launch_description():\n    ld = LaunchDescription([node('a')])\n    [][3]\n    ld.add_action(node('b'))\n    return ld\n", ["/a"],
+         ["main.launch.py:20:5: not understood from here on: IndexError: list index out of range"]),
+        (HEAD + "import elsewhere\ndef generate_launch_description():\n    return LaunchDescription([node('a'), elsewhere.make(1), node('b')])\n", ["/a", "/b"],
+         ["main.launch.py:20:42: what `elsewhere.make(1)` starts is not known"]),
+        (HEAD + "def generate_launch_description():\n    return generate_launch_description()\n", [],
+         ["main.launch.py:18:1: what `calls nested too deeply` starts is not known"]),
+        (HEAD + "def generate_launch_description():\n    while True:\n        pass\n", [],
+         ["main.launch.py:1:1: not understood from here on: a loop with too many rounds", "main.launch.py:1:1: what `main.launch.py` starts is not known"]),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_interpreted(tmp_path: Path, text: str, nodes: list[str], said: list[str]) -> None:
+    found = composed(tmp_path, {"main.launch.py": text})
+    assert names(found) == nodes
+    assert problems(found, tmp_path) == said
