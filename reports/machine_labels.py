@@ -252,8 +252,9 @@ def _folded(machine: StateMachine, guard: str, sent: str, same: Sequence[Transit
 
 
 def places_of(rows: Iterable[Row]) -> tuple[str, ...]:
-    """The places of rows, each once."""
-    return tuple(dict.fromkeys(place for row in rows for place in row.at.split()))
+    """The places of rows, each once; first those where the state changes."""
+    ordered = sorted(rows, key=lambda row: row.kind != "transitions")
+    return tuple(dict.fromkeys(place for row in ordered for place in row.at.split()))
 
 
 def _effect(transition: Transition) -> object:

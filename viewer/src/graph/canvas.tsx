@@ -55,7 +55,7 @@ export function GraphCanvas(props: Props) {
       class="graph"
       role="application"
       aria-label={label}
-      tabIndex={0}
+      tabindex={0}
       onClick={(event) => act(event.target, false)}
       onDblClick={(event) => act(event.target, true)}
       onKeyDown={(event) => {

@@ -86,7 +86,7 @@ function FrameShape({ frame, at }: { frame: Frame; at: Rectangle | undefined }) 
         class="frame-title"
         data-group={frame.label}
         role="button"
-        tabIndex={0}
+        tabindex={0}
         aria-label={`Close the group ${frame.label}`}
       >
         <rect class="hit" width={Math.min(at.width, 24 + frame.label.length * 8)} height="26" />
@@ -114,7 +114,7 @@ function BoxShape({ box, at, ports, pale, selected }: ShapeProps & { box: Box; p
       class={`box ${box.isGroup ? "group" : origin} ${pale ? "pale" : ""} ${selected ? "selected" : ""}`}
       data-id={box.id}
       role="button"
-      tabIndex={0}
+      tabindex={0}
       aria-label={`${box.isGroup ? "Group" : "Node"} ${box.label}`}
       aria-pressed={selected}
     >
@@ -162,7 +162,7 @@ function ConnectorShape({ connector, at, pale, selected }: ShapeProps & { connec
       class={`connector kind-${connector.kind} ${connector.oneSided ? "one-sided" : ""} ${pale ? "pale" : ""} ${selected ? "selected" : ""}`}
       data-id={connector.id}
       role="button"
-      tabIndex={0}
+      tabindex={0}
       aria-label={`${connector.kind} ${lines.join(", ")}`}
       aria-pressed={selected}
     >

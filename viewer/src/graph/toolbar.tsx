@@ -1,4 +1,5 @@
 /** The controls of the graph. Each choice is kept in the address. */
+import { useEffect, useRef } from "preact/hooks";
 import type { System } from "../data";
 import { Filter, Toggle } from "../parts/controls";
 import { CONNECTOR_KINDS, CONNECTOR_LABELS, Sign } from "../parts/kinds";
@@ -16,8 +17,25 @@ function View({ options }: { options: GraphOptions }) {
       {text}
     </label>
   );
+  const menu = useRef<HTMLDetailsElement>(null);
+  const close = () => {
+    if (menu.current) menu.current.open = false;
+  };
+  useEffect(() => {
+    const outside = (event: PointerEvent) =>
+      event.target instanceof Node && !menu.current?.contains(event.target) && close();
+    addEventListener("pointerdown", outside);
+    return () => removeEventListener("pointerdown", outside);
+  }, []);
   return (
-    <details class="menu">
+    <details
+      class="menu"
+      ref={menu}
+      onKeyDown={(event) => event.key === "Escape" && close()}
+      onFocusOut={(event) =>
+        event.relatedTarget instanceof Node && !menu.current?.contains(event.relatedTarget) && close()
+      }
+    >
       <summary>View</summary>
       <div>
         <label>

@@ -200,5 +200,5 @@ function Effects({ texts, effects, x, y }: { texts: TextLine[][]; effects: Effec
 /** What makes a part of a drawing a button. */
 function action(label: string, act: () => void) {
   const onKeyDown = (event: KeyboardEvent) => event.key === "Enter" && act();
-  return { role: "button" as const, tabIndex: 0, "aria-label": label, onClick: act, onKeyDown };
+  return { role: "button" as const, tabindex: 0, "aria-label": label, onClick: act, onKeyDown };
 }

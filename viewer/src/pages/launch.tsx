@@ -47,13 +47,12 @@ function File({ file, system }: { file: LaunchFile; system: System }) {
           <Name text={file.file ?? file.text} strong />
           {file.file === null && <span class="tag bad">not there</span>}
           {file.cut && <span class="tag">not told again</span>}
-          {file.at && (
-            <span class="muted">
-              {" "}
-              included at <Source at={file.at} />
-            </span>
-          )}
         </summary>
+        {file.at && (
+          <div class="muted included">
+            included at <Source at={file.at} />
+          </div>
+        )}
         {entries.length > 0 && (
           <ul class="tree">
             {entries.map(({ key, item }) => (

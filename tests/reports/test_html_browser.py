@@ -1,0 +1,321 @@
+"""The report in a real browser: every page and control, by mouse and keyboard, light and dark, narrow, with hostile names."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+playwright = pytest.importorskip("playwright.sync_api")
+axe = pytest.importorskip("axe_playwright_python.sync_playwright")
+expect = playwright.expect
+
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+pytestmark = pytest.mark.skipif(BROWSER is None, reason="needs Chromium")
+
+HOSTILE = "</script><img src=x onerror=window.pwned=1>\"'`${window.pwned=2}{{3}}&lt;\u202e"
+LONG = "/" + "a" * 10_000
+NODE = """\
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+ros::Publisher pub;
+bool seen_ = false;
+void onText(const std_msgs::String::ConstPtr& text)
+{{
+  if (text->data == "{bad}") {{ seen_ = true; pub.publish(text); }}
+}}
+int main(int argc, char** argv)
+{{
+  ros::init(argc, argv, "hostile");
+  ros::NodeHandle nh;
+  std::string name;
+  ros::param::param<std::string>("~{bad}", name, "{bad}");
+  ros::Subscriber sub = nh.subscribe("{bad}", 1, onText);
+  pub = nh.advertise<std_msgs::String>("{long}", 10);
+  ros::spin();
+}}
+"""
+
+
+def hostile_package(folder: Path) -> None:
+    from xml.sax.saxutils import quoteattr
+
+    folder.mkdir()
+    (folder / "package.xml").write_text(
+        '<package format="2"><name>hostile</name><version>1.0.0</version><description>d</description>'
+        '<maintainer email="m@example.com">m</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>\n'
+    )
+    (folder / "CMakeLists.txt").write_text(
+        "project(hostile)\nfind_package(catkin)\ncatkin_package()\nadd_executable(hostile hostile.cpp)\n"
+    )
+    (folder / "hostile.cpp").write_text(NODE.format(bad=HOSTILE.replace('"', '\\"'), long=LONG))
+    name = quoteattr(HOSTILE)
+    (folder / "hostile.launch").write_text(
+        f'<launch><node name="h" pkg="hostile" type="hostile"><param name="k" value={name}/></node>'
+        f"<node name={quoteattr(LONG[1:])} pkg={name} type={name}/><include file={name}/></launch>\n"
+    )
+
+
+@pytest.fixture(scope="module")
+def report(examples: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The address of a report on a workspace with mistakes, state machines, chains, and names that nobody means well with."""
+    from rosarch.cli.main import main
+
+    workspace = tmp_path_factory.mktemp("browser") / "workspace"
+    for example in ("delivery_robot", "docking_states"):
+        shutil.copytree(examples / example / "src", workspace / example)
+    hostile_package(workspace / "hostile")
+    out = workspace.parent / "report.html"
+    assert main(["report", str(workspace), "--chains", "-o", str(out), "--source-url", "https://example.org/{path}#L{line}"]) == 0
+    return out.as_uri()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with playwright.sync_playwright() as started:
+        browser = started.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+class Reader:
+    """A page, and all that it should not do."""
+
+    def __init__(self, page: Any, address: str) -> None:
+        self.page, self.address = page, address
+        self.wrong: list[str] = []
+        page.set_default_timeout(10_000)
+        page.on("console", lambda message: self.wrong.append(message.text))
+        page.on("pageerror", lambda error: self.wrong.append(str(error)))
+        page.on("dialog", lambda dialog: self.wrong.append(dialog.message))
+        page.on("request", lambda request: request.url.startswith(("file:", "blob:")) or self.wrong.append(request.url))
+
+    def open(self, where: str) -> Any:
+        self.page.goto(f"{self.address}#/{where}")
+        expect(self.page.locator("h1").first).to_be_attached()
+        if where.startswith("graph"):
+            expect(self.page.locator(".stage[aria-busy=false] svg.graph .box").first).to_be_attached(timeout=60_000)
+        return self.page
+
+    def check(self) -> None:
+        assert self.page.evaluate("window.pwned") is None
+        assert self.wrong == []
+
+
+@pytest.fixture
+def reader(browser: Any, report: str, request: pytest.FixtureRequest) -> Iterator[Reader]:
+    options = {"viewport": {"width": 1280, "height": 800}} | getattr(request, "param", {})
+    context = browser.new_context(**options)
+    reader = Reader(context.new_page(), report)
+    yield reader
+    reader.check()
+    context.close()
+
+
+DELIVERY = "delivery_robot/delivery_bringup/launch/delivery.launch"
+PAGES = (
+    "", "components", "component/delivery_robot/courier", "component/auto_docking/docking", "component/hostile/hostile", "component/no/such",
+    "findings", f"graph?system={DELIVERY}", "graph?system=hostile/hostile.launch&implicit=1&kinds=topic,service,action,tf", "launch",
+    "launch?system=hostile/hostile.launch", f"timing?system={DELIVERY}", "nowhere",
+)  # fmt: skip
+THEMES = [{"color_scheme": "light"}, {"color_scheme": "dark"}]
+
+
+@pytest.mark.parametrize("reader", THEMES, indirect=True, ids=["light", "dark"])
+def test_every_page_is_accessible(reader: Reader) -> None:
+    for where in PAGES:
+        page = reader.open(where)
+        if where.endswith("docking"):
+            expect(page.locator("svg.machine")).to_be_visible()
+        page.evaluate("for (const fold of [...document.querySelectorAll('main details')].slice(0, 4)) fold.open = true")
+        found = axe.Axe().run(page).response["violations"]
+        serious = {
+            each["id"]: [node["html"][:160] for node in each["nodes"][:3]] for each in found if each["impact"] in ("serious", "critical")
+        }
+        assert serious == {}, where
+
+
+@pytest.mark.parametrize("reader", [{"viewport": {"width": 360, "height": 740}}], indirect=True, ids=["narrow"])
+def test_narrow_windows_show_everything(reader: Reader) -> None:
+    for where in PAGES:
+        page = reader.open(where)
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), where
+    page = reader.open(f"graph?system={DELIVERY}")
+    page.locator(".box", has_text="/courier").click()
+    panel = page.get_by_role("complementary").bounding_box()
+    assert panel["x"] >= 0 and panel["x"] + panel["width"] <= 360
+
+
+def test_graph_shows_ports_connectors_and_details(reader: Reader) -> None:
+    page = reader.open(f"graph?system={DELIVERY}")
+    courier = page.locator(".box", has_text="/courier")
+    assert courier.locator(".port").count() == 5
+    assert courier.locator(".port.hollow").count() == 3
+    expect(page.locator(".connector.kind-service.one-sided", has_text="/open_box").first).to_be_attached()
+    page.locator(".connector", has_text="/battery").hover()
+    expect(page.get_by_role("tooltip")).to_contain_text("std_msgs/Float32")
+    expect(page.get_by_role("tooltip")).to_contain_text("courier.cpp:18")
+    assert page.locator(".box.lit").count() == 2
+    courier.click()
+    details = page.get_by_role("complementary")
+    expect(details).to_contain_text("sensor_msgs/BatteryState")
+    assert "at=node" in page.url
+    details.get_by_role("button", name="Only what is near").click()
+    expect(page.locator(".box", has_text="/obstacle_detector")).to_have_count(0)
+    page.reload()
+    expect(page.locator(".box.selected", has_text="/courier")).to_have_count(1)
+    page.get_by_label("How many connectors away").select_option("3")
+    page.get_by_role("button", name="Show all").click()
+    expect(page.locator(".box", has_text="/obstacle_detector")).to_have_count(1)
+    details.get_by_role("link", name="Open component").click()
+    expect(page.get_by_role("heading", level=1)).to_have_text("courier")
+
+
+def test_graph_controls(reader: Reader) -> None:
+    page = reader.open(f"graph?system={DELIVERY}")
+    boxes, connectors = page.locator(".box"), page.locator(".connector")
+    page.get_by_role("button", name="services").click()
+    expect(page.locator(".connector.kind-service")).to_have_count(0)
+    page.get_by_text("View", exact=True).click()
+    page.get_by_label("Connectors with a sender or a receiver only").uncheck()
+    expect(page.locator(".one-sided")).to_have_count(0)
+    page.get_by_label("Only nodes with findings").check()
+    expect(page.locator(".box:not(:has(.flag))")).to_have_count(0)
+    page.get_by_label("Only nodes with findings").uncheck()
+    page.get_by_label("Group nodes by").select_option("package")
+    frame = page.locator(".frame-title", has_text="delivery_robot")
+    frame.press("Enter")
+    expect(page.locator(".box.group")).to_have_count(1)
+    page.locator(".box.group").click()
+    page.get_by_role("button", name="Open the group").click()
+    expect(frame).to_be_visible()
+    page.get_by_label("Find name, type, package").fill("std_msgs/Float32")
+    expect(page.locator(".connector:not(.pale)")).to_have_count(1)
+    page.get_by_role("button", name="only these").click()
+    expect(boxes).to_have_count(2)
+    assert connectors.count() >= 1
+    before = page.locator("svg.graph > g").get_attribute("transform")
+    for name in ("Zoom in", "Zoom out", "Fit"):
+        page.get_by_role("button", name=name).click()
+    page.mouse.move(640, 500)
+    page.mouse.wheel(0, -300)
+    page.mouse.down()
+    page.mouse.move(700, 550)
+    page.mouse.up()
+    assert page.locator("svg.graph > g").get_attribute("transform") != before
+    page.get_by_role("combobox", name="System", exact=True).select_option("hostile/hostile.launch")
+    expect(page.locator(".stage[aria-busy=false] svg.graph")).to_be_visible()
+
+
+def test_keyboard_alone_leads_everywhere(reader: Reader) -> None:
+    page = reader.open("")
+    keys = page.keyboard
+    keys.press("Tab")
+    expect(page.locator(":focus")).to_have_text("Skip to content")
+    for _ in range(3):
+        keys.press("Tab")
+    expect(page.locator(":focus")).to_have_text("Graph")
+    keys.press("Enter")
+    expect(page.locator(".stage[aria-busy=false] svg.graph .box").first).to_be_attached(timeout=60_000)
+    page.locator("svg.graph").focus()
+    scene = page.locator("svg.graph > g")
+    seen = []
+    for key in ("+", "-", "ArrowLeft", "ArrowDown", "0"):
+        keys.press(key)
+        seen.append(scene.get_attribute("transform"))
+    assert len(set(seen)) >= 4
+    keys.press("Tab")
+    assert page.locator(":focus").get_attribute("data-id")
+    keys.press(" ")
+    expect(page.locator(".selected")).to_have_count(1)
+    keys.press("Escape")
+    expect(page.locator(".selected")).to_have_count(0)
+    page.locator(".box", has_text="/courier").focus()
+    keys.press("Enter")
+    expect(page.get_by_role("heading", level=1)).to_have_text("courier")
+    page.locator("#ports .place").first.focus()
+    keys.press("Enter")
+    dialog = page.get_by_role("dialog")
+    expect(dialog).to_contain_text("advertise")
+    keys.press("Escape")
+    expect(dialog).to_be_hidden()
+
+
+def test_findings_lead_to_the_source(reader: Reader) -> None:
+    page = reader.open("findings")
+    page.get_by_role("button", name="warnings").click()
+    page.get_by_role("button", name="notes").click()
+    assert page.locator(".finding.warning, .finding.note").count() == 0
+    page.get_by_label("Check", exact=True).select_option("topic-type-mismatch")
+    page.get_by_label("Filter by text").fill("battery")
+    expect(page.locator(".finding")).to_have_count(1)
+    page.reload()
+    page.locator(".finding > summary").click()
+    expect(page.locator(".finding mark").first).to_have_text("nh_.subscribe")
+    expect(page.locator(".hint")).to_contain_text("Use one message type")
+    link = page.locator(".finding a.place").first
+    assert link.get_attribute("href") == "https://example.org/delivery_robot/delivery_robot/src/courier.cpp#L18"
+    link.click()
+    expect(page.get_by_role("dialog")).to_contain_text("battery_sub_")
+    page.get_by_role("button", name="Close").click()
+    page.get_by_label("System", exact=True).select_option(DELIVERY)
+    page.get_by_label("Check", exact=True).select_option("")
+    page.get_by_label("Filter by text").fill("no such thing")
+    expect(page.locator(".finding")).to_have_count(0)
+
+
+def test_state_machines_lead_to_the_source(reader: Reader) -> None:
+    page = reader.open("component/auto_docking/docking")
+    machine = page.locator("svg.machine")
+    expect(machine.locator(".state .title")).to_have_text(["IDLE", "SEARCHING", "APPROACHING", "FAILED", "DOCKED", "any state"])
+    beacon = machine.locator(".effect", has_text="beacon").first
+    expect(beacon.locator("text")).to_have_text(["beacon", "[beacon->point.x < range_]", "→ ~state"])
+    beacon.press("Enter")
+    expect(page.get_by_role("dialog")).to_contain_text("docking.cpp:51")
+    page.get_by_role("button", name="Close").click()
+    page.get_by_text("Transitions as a table").click()
+    expect(page.get_by_role("table").filter(has_text="stays").first).to_be_visible()
+
+
+def test_chains_are_found_and_lit(reader: Reader) -> None:
+    page = reader.open(f"timing?system={DELIVERY}")
+    page.get_by_label("What passes through").select_option(label="/drive /battery")
+    page.get_by_label("has an influence on").select_option(label="/courier /battery")
+    expect(page.locator(".chain > li")).to_have_count(1)
+    page.get_by_label("Filter by topic").fill("battery")
+    expect(page.get_by_role("region", name="Rates of topics").locator("tbody tr")).to_have_count(1)
+    page.get_by_role("link", name="Show it in the graph").click()
+    expect(page.locator(".box.lit")).to_have_count(2, timeout=60_000)
+    page.get_by_role("button", name="Clear").click()
+    expect(page.locator(".lit")).to_have_count(0)
+
+
+def test_themes_can_be_chosen_and_pages_printed(reader: Reader) -> None:
+    page = reader.open("component/auto_docking/docking")
+    background = "getComputedStyle(document.body).backgroundColor"
+    light = page.evaluate(background)
+    page.locator("button.theme").click()
+    assert page.evaluate(background) == light
+    page.locator("button.theme").click()
+    assert page.evaluate(background) != light
+    page.reload()
+    assert page.evaluate(background) != light
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.locator("main details:not([open], .proof)").count() == 0
+    page.emulate_media(media="print")
+    expect(page.locator("header.top")).to_be_hidden()
+    assert page.evaluate(background) == "rgb(255, 255, 255)"
+    assert len(page.pdf()) > 10_000
+
+
+def test_hostile_names_are_texts(reader: Reader) -> None:
+    page = reader.open("component/hostile/hostile")
+    expect(page.locator("#ports")).to_contain_text("</script><img src=x onerror=window.pwned=1>")
+    assert page.locator("main img").count() == 0
+    assert all(box["height"] < 400 for box in (row.bounding_box() for row in page.locator("#ports tr").all()))
+    page = reader.open("graph?system=hostile/hostile.launch")
+    expect(page.locator(".box", has_text="</script>")).to_have_count(1)
+    assert max(box.bounding_box()["width"] for box in page.locator(".box").all()) < 600
