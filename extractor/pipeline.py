@@ -255,6 +255,7 @@ def _component_facts(component: Component, root: Path, outcomes: Sequence[Outcom
         own["component_class"] = {(component.entry_class,)}
     if component.plugin_name or component.base_class:
         own["component_plugin"] = {(component.plugin_name or component.entry_class or component.name, component.base_class or "")}
+    own["component_executable"] = {(name,) for name in component.executables}
     for together, outcome in outcomes:
         for source in together:
             if source.is_relative_to(root):

@@ -52,7 +52,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
 
 def _name(model: ComponentModel) -> str:
     """The name that launch files know a component by."""
-    return model.plugin.name if model.plugin else model.component
+    return model.types[0]
 
 
 def _known(**fields: Any) -> dict[str, Any]:

@@ -69,7 +69,8 @@ class ComponentModel:
     """One component.
 
     `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads,
-    `loads_any` the base classes of those whose names are not known, and `traits` what only matters in a system.
+    `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
+    name, and `traits` what only matters in a system.
     """
 
     system: str
@@ -86,6 +87,12 @@ class ComponentModel:
     loads: tuple[str, ...] = ()
     loads_any: tuple[str, ...] = ()
     traits: tuple[Trait, ...] = ()
+    executables: tuple[str, ...] = ()
+
+    @property
+    def types(self) -> tuple[str, ...]:
+        """What launch files know the component as: the name of a class that is loaded, names of programs."""
+        return (*([self.plugin.name] if self.plugin else []), *self.executables) or (self.component,)
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
@@ -111,6 +118,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         tuple(sorted({name for _, name in relations["plugin_load"]})),
         tuple(sorted({base for _, base in relations["plugin_load_any"]})),
         traits(relations, ids, places, variable_names(relations)),
+        tuple(sorted(name for (name,) in relations["component_executable"])),
     )
 
 
@@ -216,6 +224,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "params": list(map(parameter_json, model.params)),
         **_behavior_json(model.behavior),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
+        **({"executables": list(model.executables)} if model.executables else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
         **({"loads_any": list(model.loads_any)} if model.loads_any else {}),
     }

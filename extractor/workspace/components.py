@@ -33,12 +33,14 @@ def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
 
 
 def programs(workspace: Workspace) -> frozenset[tuple[str, str]]:
-    """Package and name of each executable, tests too."""
+    """Package and name of each program that is built or installed, tests too."""
     return frozenset(
-        (package.name, target.output_name)
+        (package.name, name)
         for package in workspace.packages
-        for target in package.targets
-        if target.kind in (EXECUTABLE, TEST)
+        for name in (
+            *(target.output_name for target in package.targets if target.kind in (EXECUTABLE, TEST)),
+            *(installed.name for installed in (*package.programs, *package.entry_points)),
+        )
     )
 
 

@@ -50,7 +50,8 @@ def model_rows(model: ComponentModel) -> Rows:
     """The rows of a component that was analysed."""
     writer = _Writer()
     component = f"{model.package}/{model.component}"
-    writer.add("interface", component, model.package, model.plugin.name if model.plugin else model.component, model.kind, "source")
+    for type_ in model.types:
+        writer.add("interface", component, model.package, type_, model.kind, "source")
     if model.plugin and model.plugin.base:
         writer.add("interface_base", component, model.plugin.base)
     for name in model.loads:

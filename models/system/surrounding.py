@@ -167,11 +167,12 @@ class _Needed:
 
     def is_needed(self, component: Component) -> bool:
         """Whether a node is started from this executable, or with an argument that names this class."""
-        return (component.package, component.name) in self.executables or component.plugin_name in self.words
+        names = (component.plugin_name, *(component.executables or (component.name,)))
+        return any((component.package, name) in self.executables for name in names) or component.plugin_name in self.words
 
     def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
         """The components of the library that are started, and those that these load, unless they are among `models`."""
-        own = {(model.package, model.plugin.name if model.plugin else model.component) for model in models}
+        own = {(model.package, type_) for model in models for type_ in model.types}
         found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
         found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
         found += [library.find(None, file) for file in sorted(self.plugins)]

@@ -21,7 +21,7 @@ NAMES = (
     "loop_condition", "silent_condition", "switch_case",
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
     "settled_local", "timer_callback", "sends_once", "always_sends_once",
-    "component_plugin", "plugin_load", "plugin_load_any",
+    "component_plugin", "component_executable", "plugin_load", "plugin_load_any",
 )  # fmt: skip
 FIELDS = [
     "system",
