@@ -39,7 +39,8 @@ def programs(workspace: Workspace) -> frozenset[tuple[str, str]]:
         for package in workspace.packages
         for name in (
             *(target.output_name for target in package.targets if target.kind in (EXECUTABLE, TEST)),
-            *(installed.name for installed in (*package.programs, *package.entry_points)),
+            *(program.name for program in package.programs),
+            *(point.name for point in package.entry_points),
         )
     )
 
