@@ -17,6 +17,7 @@ COMMANDS = {
     "launch": "launch",
     "check": "check",
     "report": "report",
+    "serve": "serve",
     "corpus": "corpus",
     "library": "library:app",
     "score": "score",
@@ -47,6 +48,7 @@ SUMMARIES = {
     "check": "Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit"
     " together.",
     "report": "Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings.",
+    "serve": "Serve the report on this machine only, and make it anew whenever sources or rules are saved. Ends with Ctrl-C.",
     "corpus": "Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has"
     " findings.",
     "verify": "Say whether temporal properties hold in the system that launch files start, whatever comes from outside.",

@@ -38,7 +38,7 @@ def watch(
     from rosarch.models.own_rules import own_files
     from rosarch.models.rule_sets import rule_history
 
-    saves = _saves([question.folder, *(files or ()), *(question.own or ())])
+    batches = saves([question.folder, *(files or ()), *(question.own or ())])
     before: Tables | None = None
     while True:
         try:
@@ -51,7 +51,7 @@ def watch(
                 live = LiveRules(components, history, scratch, jobs=question.jobs)
                 wanted = _Wanted(relations or [], own_files(rules.own))
                 before = _report(live, wanted, before, [])
-                for saved in saves:
+                for saved in batches:
                     if any(path.suffix != ".dl" for path in saved):
                         break
                     before = _report(live, wanted, before, saved)
@@ -61,7 +61,7 @@ def watch(
             if before is None:
                 raise
             _tell(f"rosarch: error: {error}")
-            if next(saves, None) is None:
+            if next(batches, None) is None:
                 return
 
 
@@ -76,13 +76,13 @@ class _Wanted:
         return chosen_relations(relations, self.names, self.files) or [r.name for r in relations.values() if r.is_output]
 
 
-def _saves(paths: Sequence[Path]) -> Iterator[list[Path]]:
+def saves(paths: Sequence[Path]) -> Iterator[list[Path]]:
     """What is saved below some paths or in rosarch's rules, a batch at a time, until Ctrl-C."""
     try:
         from watchfiles import DefaultFilter
         from watchfiles import watch as changes
     except ImportError as error:
-        raise InputError(f"watch needs {error.name}: pip install '.[interactive]' in the checkout of rosarch") from None
+        raise InputError(f"this needs {error.name}: pip install '.[interactive]' in the checkout of rosarch") from None
     from rosarch.extractor.manifest import rules_folder
 
     for path in paths:

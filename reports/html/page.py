@@ -14,17 +14,21 @@ from typing import Any
 _PARTS = ("report.js", "layout.js", "report.css")
 
 
-def page_text(document: Mapping[str, Any], *, live: bool = False) -> str:
-    """The whole page. A `live` one may ask the server that it comes from for news."""
-    program, layout, styles = (static_text(name) for name in _PARTS)
-    policy = content_security_policy(program, layout, styles, live=live)
+def page_text(document: Mapping[str, Any]) -> str:
+    """The whole page."""
+    return _page(str(document["title"]), json.dumps(document, ensure_ascii=False, separators=(",", ":")), _policy(live=False))
+
+
+def live_page(title: str) -> tuple[str, str]:
+    """A page that asks the server that it comes from for the document, and the policy that it goes by."""
+    policy = _policy(live=True)
+    return _page(title, "", policy), policy
+
+
+def _page(title: str, document: str, policy: str) -> str:
+    program, layout, styles = map(static_text, _PARTS)
     return _PAGE.format(
-        policy=escape(policy),
-        title=escape(str(document["title"])),
-        styles=styles,
-        data=packed(json.dumps(document, ensure_ascii=False, separators=(",", ":"))),
-        layout=packed(layout),
-        program=program,
+        policy=escape(policy), title=escape(title), styles=styles, data=packed(document), layout=packed(layout), program=program
     )
 
 
@@ -51,8 +55,9 @@ _PAGE = """\
 """
 
 
-def content_security_policy(program: str, layout: str, styles: str, *, live: bool) -> str:
+def _policy(*, live: bool) -> str:
     """Only what the page brings with it may run: told by hashes. Nothing may be loaded."""
+    program, layout, styles = map(static_text, _PARTS)
     scripts = " ".join(_hash(text) for text in (program, layout))
     rules = {
         "default-src": "'none'",

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+import sys
+import urllib.error
+import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -319,3 +323,28 @@ def test_hostile_names_are_texts(reader: Reader) -> None:
     page = reader.open("graph?system=hostile/hostile.launch")
     expect(page.locator(".box", has_text="</script>")).to_have_count(1)
     assert max(box.bounding_box()["width"] for box in page.locator(".box").all()) < 600
+
+
+def test_served_reports_follow_what_is_saved(browser: Any, examples: Path, tmp_path: Path) -> None:
+    pytest.importorskip("watchfiles")
+    workspace = shutil.copytree(examples / "mobile_base", tmp_path / "workspace")
+    command = [sys.executable, "-m", "rosarch.cli", "serve", str(workspace), "--port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as serving:
+        try:
+            address = serving.stdout.readline().strip()  # type: ignore[union-attr]
+            page = browser.new_page()
+            page.goto(f"{address}#/component/base_driver/base_driver")
+            expect(page.locator("#ports")).to_contain_text("wheel_ticks", timeout=60_000)
+            source = workspace / "src/base_driver/src/base_driver.cpp"
+            text = source.read_text()
+            source.write_text(text.replace('"wheel_ticks"', '"encoder_ticks"'))
+            expect(page.locator("#ports")).to_contain_text("encoder_ticks", timeout=60_000)
+            (workspace / ".rosarch.yml").write_text("nonsense: 1\n")
+            expect(page.get_by_role("alert")).to_contain_text("unknown setting `nonsense`", timeout=60_000)
+            expect(page.locator("#ports")).to_contain_text("encoder_ticks")
+            request = urllib.request.Request(address, headers={"Host": "elsewhere.example"})
+            with pytest.raises(urllib.error.HTTPError, match="403"):
+                urllib.request.urlopen(request)
+            page.close()
+        finally:
+            serving.terminate()

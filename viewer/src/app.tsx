@@ -23,7 +23,7 @@ const PAGES = [
   ["timing", "Rates and chains"],
 ] as const;
 
-export function App({ report }: { report: Report }) {
+export function App({ report, error }: { report: Report; error: string | null }) {
   const route = useRoute();
   const [place, showSource] = useState<Place | null>(null);
   const shared = useMemo(() => ({ report, showSource }), [report]);
@@ -39,6 +39,11 @@ export function App({ report }: { report: Report }) {
         Skip to content
       </a>
       <Header at={at} report={report} />
+      {error && (
+        <p class="alert" role="alert">
+          Not up to date: {error}
+        </p>
+      )}
       <main id="main" tabIndex={-1} class={at === "graph" ? "wide" : ""} key={route.path.join("/")}>
         <Page route={route} />
       </main>

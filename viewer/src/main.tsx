@@ -1,14 +1,19 @@
 import { render } from "preact";
 import { App } from "./app";
 import { type ReportDocument, unpack } from "./data";
+import { follow } from "./live";
 import { indexed } from "./model";
 
 async function start() {
   const place = document.getElementById("app");
   if (!place) return;
-  const report = JSON.parse(await unpack("document")) as ReportDocument;
-  place.replaceChildren();
-  render(<App report={indexed(report)} />, place);
+  const show = (text: string, error: string | null) => {
+    place.querySelector(".loading")?.remove();
+    render(<App report={indexed(JSON.parse(text) as ReportDocument)} error={error} />, place);
+  };
+  const text = await unpack("document");
+  if (text) show(text, null);
+  else await follow(show);
 }
 
 start().catch((error: unknown) => {

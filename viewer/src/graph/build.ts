@@ -71,7 +71,7 @@ export function buildGraph(system: System, options: GraphOptions, findingsOf: Fi
   const ends = connectors.flatMap((connector) => {
     const sources = connector.sources.filter(([node]) => boxOf.has(node));
     const sinks = connector.sinks.filter(([node]) => boxOf.has(node));
-    return sources.length + sinks.length ? pieces({ connector, sources, sinks }, boxOf, boxes, hidden) : [];
+    return sources.length + sinks.length ? pieces({ connector, sources, sinks }, boxOf, boxes, options, hidden) : [];
   });
   const focused = options.focus ? nodesNamed(system, options.focus) : null;
   const isNear = ({ sources, sinks }: Piece) =>
@@ -95,15 +95,30 @@ interface Piece extends Ends {
 }
 
 /**
- * What a connector is drawn as: itself, when it meets nodes only. Where closed groups are among its ends, it is part of bundles,
- * one for each pair of boxes.
+ * What a connector is drawn as: itself, or with others that join the same boxes. Where closed groups are among its ends, it is part of
+ * bundles, one for each pair of boxes.
  */
-function pieces(ends: Ends, boxOf: Map<number, string>, boxes: Map<string, Box>, hidden: Map<string, number>): Piece[] {
+function pieces(
+  ends: Ends,
+  boxOf: Map<number, string>,
+  boxes: Map<string, Box>,
+  options: GraphOptions,
+  hidden: Map<string, number>,
+): Piece[] {
   const { connector } = ends;
   const byBox = (list: End[]) => [...grouped(list, ([node]) => boxOf.get(node) ?? "")];
   const [from, to] = [byBox(ends.sources), byBox(ends.sinks)];
-  if (![...from, ...to].some(([box]) => boxes.get(box)?.isGroup))
-    return [{ ...ends, id: `connector:${connector.kind}:${connector.name}` }];
+  const hasGroup = [...from, ...to].some(([box]) => boxes.get(box)?.isGroup);
+  if (!hasGroup && !options.bundled) return [{ ...ends, id: `connector:${connector.kind}:${connector.name}` }];
+  if (!hasGroup) {
+    const side = (list: [string, End[]][]) =>
+      list
+        .map(([box]) => box)
+        .sort()
+        .join();
+    const oneSided = !connector.sources.length || !connector.sinks.length;
+    return [{ ...ends, id: `bundle:${connector.kind}:${side(from)}>${side(to)}${oneSided ? "" : "!"}` }];
+  }
   const bundle = (source: string, sink: string, sources: End[], sinks: End[]): Piece => ({
     connector,
     sources,
@@ -264,7 +279,7 @@ function connect(
         const node = system.nodes[at] as SystemNode;
         const port = node.ports[number] as SystemPort;
         const box = boxOf.get(at) as string;
-        const own = graph.boxes.get(box)?.isGroup ? "" : port.id;
+        const own = connectors.length > 1 || graph.boxes.get(box)?.isGroup ? "" : port.id;
         const key = `${box} ${own} ${out}`;
         const conditional = Boolean(port.conditional || node.conditions.length);
         const known = links.get(key);

@@ -20,8 +20,8 @@ const CLOSEST = 3;
 const FARTHEST = 0.02;
 const READABLE = 1;
 const STEP = 60;
-/** Below this scale texts cannot be read, and are left out. */
-const LEGIBLE = 0.35;
+/** Below this scale texts cannot be read: names of nodes grow, others are left out. */
+const LEGIBLE = 0.5;
 
 export function useCamera(svg: RefObject<SVGSVGElement>, scene: RefObject<SVGGElement>, whole: Rectangle): Camera {
   const view = useRef<View>({ x: 0, y: 0, scale: 1 });
@@ -30,6 +30,7 @@ export function useCamera(svg: RefObject<SVGSVGElement>, scene: RefObject<SVGGEl
     const { x, y, scale } = view.current;
     scene.current?.setAttribute("transform", `translate(${x} ${y}) scale(${scale})`);
     svg.current?.classList.toggle("far", scale < LEGIBLE);
+    svg.current?.style.setProperty("--far", String(LEGIBLE / scale));
   }, [svg, scene]);
 
   const zoomAt = useCallback(

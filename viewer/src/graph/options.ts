@@ -11,6 +11,8 @@ export interface GraphOptions {
   implicit: boolean;
   /** Connectors with a sender or a receiver only. */
   oneSided: boolean;
+  /** Whether connectors that join the same nodes are drawn as one. */
+  bundled: boolean;
   filter: string;
   /** Whether what the filter does not match is left out, rather than shown paler. */
   only: boolean;
@@ -29,6 +31,7 @@ export interface GraphOptions {
 
 /** Systems with more nodes than this are shown with groups closed at first. */
 export const MANY_NODES = 48;
+const MANY_CONNECTORS = 40;
 const SHOWN_AT_FIRST: readonly ConnectorKind[] = ["topic", "service", "action"];
 
 export function readOptions(params: URLSearchParams, system: System): GraphOptions {
@@ -42,6 +45,7 @@ export function readOptions(params: URLSearchParams, system: System): GraphOptio
     ),
     implicit: params.has("implicit"),
     oneSided: !params.has("joined"),
+    bundled: (params.get("bundle") ?? (isLarge(system) ? "1" : "0")) === "1",
     filter: params.get("filter") ?? "",
     only: params.has("only"),
     findings: params.has("findings"),
@@ -54,6 +58,10 @@ export function readOptions(params: URLSearchParams, system: System): GraphOptio
     from: params.get("from") ?? "",
     to: params.get("to") ?? "",
   };
+}
+
+function isLarge(system: System): boolean {
+  return system.connectors.length > MANY_CONNECTORS;
 }
 
 function listed(params: URLSearchParams, name: string, otherwise: readonly string[]): string[] {

@@ -50,6 +50,14 @@ function View({ options }: { options: GraphOptions }) {
             <option value="none">not at all</option>
           </select>
         </label>
+        <label>
+          <input
+            type="checkbox"
+            checked={options.bundled}
+            onChange={() => setParams({ bundle: options.bundled ? "0" : "1" })}
+          />
+          Connectors between the same nodes as one
+        </label>
         {box("findings", options.findings, false, "Only nodes with findings")}
         {box("joined", options.oneSided, true, "Connectors with a sender or a receiver only")}
         {box("implicit", options.implicit, false, "Connectors that only libraries make")}
