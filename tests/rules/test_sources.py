@@ -1,6 +1,7 @@
 """Sources of `sources/` that say in comments what is expected of them: one extraction for all, each a component of its own.
 
-A file `<rule file>_<what>.cpp`, or a package of `packages/`, is about that file of `rules/core`. Those of `hints/` are told hints.
+A file `<rule file>_<what>.cpp`, or a package of `packages/`, is about that file of `rules/core`, or about checks of the systems that the
+launch files of the package start. Those of `hints/` are told hints.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.cli.questions import Reading
+from rosarch.cli.rules_test import systems_of
 from rosarch.expectations.alone import Alone
 from rosarch.expectations.cases import find_cases
 from rosarch.expectations.run import FileOutcome, Running, run_cases
@@ -26,7 +29,8 @@ def outcomes() -> dict[str, FileOutcome]:
     """What became of each file."""
     found = {}
     for folder, rules in FOLDERS.items():
-        how = Running(rules, partial(Alone, rules=rules, engine="embedded"), jobs=1)
+        systems = systems_of(rules, Reading(jobs=1)) if folder == "packages" else partial(Alone, rules=rules, engine="embedded")
+        how = Running(rules, systems, jobs=1)
         files = [file for case in run_cases(find_cases([HERE / folder]).cases, how) for file in case.files]
         found.update({str(file.path.relative_to(HERE)): file for file in files})
     return found
