@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import datalog_errors, evaluate, heading, load_rules, shorten
+from rosarch.cli.derivations import datalog_errors, evaluate, heading, shorten
 from rosarch.cli.errors import InputError
 from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit_lines
@@ -37,8 +37,7 @@ def explain(
 
     layout = Layout(depth=depth or None, rules=show_rules, shorten=shorten)
     with datalog_errors():
-        rules = question.rules()
-        program = load_rules(rules, systems=question.systems)
+        rules, program = question.asked_by(goal)
         check_goal(program, goal)
         texts = []
         with question.asked(rules) as components:
@@ -66,8 +65,7 @@ def why_not(
     from rosarch.datalog.prover import check_goal
 
     with datalog_errors():
-        rules = question.rules()
-        program = load_rules(rules, systems=question.systems)
+        rules, program = question.asked_by(goal)
         check_goal(program, goal)
         with question.asked(rules) as components:
             if len(components) > 1:

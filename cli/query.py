@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.derivations import Profiled, check_profile, datalog_errors, evaluate, heading, load_rules
+from rosarch.cli.derivations import Profiled, check_profile, datalog_errors, evaluate, heading
 from rosarch.cli.options import ModelFormat
 from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit, emit_lines
@@ -30,8 +30,7 @@ def query(
 
     check_profile(profile, question.engine)
     with datalog_errors():
-        rules = question.rules()
-        program = load_rules(rules, systems=question.systems)
+        rules, program = question.asked_by(text)
         check_query(program, text)
         with question.asked(rules) as components:
             answers = []

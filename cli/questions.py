@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_type_hints
 
-from rosarch.cli.derivations import Component, selected
+from rosarch.cli.derivations import Component, load_rules, selected
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import load_analysis
 from rosarch.cli.options import (
@@ -33,6 +33,7 @@ from rosarch.cli.terminal import show_diagnostics
 from rosarch.extractor.limits import SOURCE_SECONDS
 
 if TYPE_CHECKING:
+    from rosarch.datalog import Program
     from rosarch.models.analysis import Analysis
     from rosarch.models.rule_choice import RuleSet
     from rosarch.models.selection import SelectedComponent
@@ -100,6 +101,13 @@ class Question(Reading):
     def systems(self) -> bool:
         """Whether it is about systems."""
         return bool(self.launches)
+
+    def asked_by(self, text: str) -> tuple[RuleSet, Program]:
+        """The rules that a query or row is about, and the program of them."""
+        from rosarch.models.flow_rules import rules_for
+
+        rules = rules_for(self.rules(), text, systems=self.systems)
+        return rules, load_rules(rules, systems=self.systems)
 
     @contextmanager
     def asked(self, rules: RuleSet) -> Iterator[Sequence[SelectedComponent]]:

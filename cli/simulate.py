@@ -23,7 +23,7 @@ class RunFormat(str, Enum):
     timeline = "timeline"
 
 
-@asks("own", "variants", "settings")
+@asks()
 def simulate(
     question: SystemQuestion,
     scenario: ScenarioFile = None,

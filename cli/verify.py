@@ -50,7 +50,7 @@ PropertyFile = Annotated[
 ]
 
 
-@asks("own", "variants", "settings")
+@asks()
 def verify(
     question: SystemQuestion,
     properties: PropertyFile,

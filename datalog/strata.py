@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from .errors import Location, Report
+from .graphs import strongly_connected
 from .syntax import Aggregate, Argument, Atom, Clause, Literal, Negation, children
 
 
@@ -64,40 +65,8 @@ def reachable(start: Iterable[str], edges: Mapping[str, Iterable[str]]) -> set[s
 
 
 def components(graph: Mapping[str, Iterable[str]]) -> list[list[str]]:
-    """Strongly connected components, each after the ones it reads (Tarjan's algorithm, without recursion)."""
-    index: dict[str, int] = {}
-    low: dict[str, int] = {}
-    stack: list[str] = []
-    on_stack: set[str] = set()
-    result: list[list[str]] = []
-    for root in graph:
-        if root in index:
-            continue
-        work: list[tuple[str, Iterator[str]]] = [(root, iter(sorted(graph[root])))]
-        index[root] = low[root] = len(index)
-        stack.append(root)
-        on_stack.add(root)
-        while work:
-            node, successors = work[-1]
-            for successor in successors:
-                if successor not in index:
-                    index[successor] = low[successor] = len(index)
-                    stack.append(successor)
-                    on_stack.add(successor)
-                    work.append((successor, iter(sorted(graph[successor]))))
-                    break
-                if successor in on_stack:
-                    low[node] = min(low[node], index[successor])
-            else:
-                work.pop()
-                if work:
-                    low[work[-1][0]] = min(low[work[-1][0]], low[node])
-                if low[node] == index[node]:
-                    at = stack.index(node)
-                    result.append(stack[at:])
-                    on_stack.difference_update(stack[at:])
-                    del stack[at:]
-    return result
+    """Strongly connected components, each after the ones it reads."""
+    return list(strongly_connected(graph, lambda name: sorted(graph[name])))
 
 
 def check_stratified(found: Dependencies, strata: Sequence[Sequence[str]], report: Report) -> None:

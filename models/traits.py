@@ -8,6 +8,14 @@ from typing import Any
 
 from rosarch.models.places import Place
 
+# of the flow of data, which has to be asked for
+FLOW_TRAITS = {
+    "flows_told": ("text",),
+    "port_flow": ("port", "port", "text", "text"),
+    "flow_variable": ("port", "port", "variable"),
+    "flow_filter": ("port", "port", "variable"),
+    "flow_always": ("port", "port", "text"),
+}
 # relations of components and what their columns are; of systems they are called `interface_...` and begin with the component
 TRAITS = {
     "sent_at_start": ("port", "place"),
@@ -33,11 +41,7 @@ TRAITS = {
     "asks_for": ("place", "variable", "text"),
     "ignores": ("port", "variable", "text"),
     "answers_in": ("port", "port", "variable", "text"),
-    "flows_told": ("text",),
-    "port_flow": ("port", "port", "text", "text"),
-    "flow_variable": ("port", "port", "variable"),
-    "flow_filter": ("port", "port", "variable"),
-    "flow_always": ("port", "port", "text"),
+    **FLOW_TRAITS,
 }
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
+from rosarch.datalog.graphs import strongly_connected
 from rosarch.verification import ltl
 from rosarch.verification.automaton import Automaton, automaton
 from rosarch.verification.ltl import Formula
@@ -127,7 +128,8 @@ class _Search:
                     waiting.append(other)
             if len(self.reached) > self.most:
                 raise TooManyStates
-        accepting = [component for component in _components(self.reached, self.edges) if self._accepts(component)]
+        components = map(set, strongly_connected(self.reached, lambda product: [other for _, other in self.edges[product]]))
+        accepting = [component for component in components if self._accepts(component)]
         if not accepting:
             return None
         home = {product: component for component in accepting for product in component}
@@ -197,40 +199,3 @@ def _backwards(before: Mapping[Product, tuple[Product, int]], start: Product, en
         found.append(index)
         if end == start:
             return found[::-1]
-
-
-def _components(states: Mapping[Product, object], edges: Mapping[Product, Sequence[tuple[int, Product]]]) -> Iterator[set[Product]]:
-    """The strongly connected components (Tarjan's algorithm, without recursion)."""
-    number: dict[Product, int] = {}
-    low: dict[Product, int] = {}
-    stack: list[Product] = []
-    on_stack: set[Product] = set()
-    for root in states:
-        if root in number:
-            continue
-        number[root] = low[root] = len(number)
-        stack.append(root)
-        on_stack.add(root)
-        work = [(root, iter(edges[root]))]
-        while work:
-            product, rest = work[-1]
-            for _, other in rest:
-                if other not in number:
-                    number[other] = low[other] = len(number)
-                    stack.append(other)
-                    on_stack.add(other)
-                    work.append((other, iter(edges[other])))
-                    break
-                if other in on_stack:
-                    low[product] = min(low[product], number[other])
-            else:
-                work.pop()
-                if work:
-                    low[work[-1][0]] = min(low[work[-1][0]], low[product])
-                if low[product] == number[product]:
-                    component: set[Product] = set()
-                    while product not in component:
-                        member = stack.pop()
-                        on_stack.discard(member)
-                        component.add(member)
-                    yield component

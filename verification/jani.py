@@ -38,7 +38,7 @@ def jani(system: TransitionSystem, formula: Formula | None = None, name: str = "
             "name": number.name,
             "type": {"kind": "bounded", "base": "int", "lower-bound": 0, "upper-bound": max(number.high, 1)},
             "initial-value": number.initial,
-            "comment": f"{number.text} ({', '.join(f'{value}: {text}' for value, text in enumerate(number.names))})",
+            "comment": number.told,
         }
         for number in system.numbers
     ]

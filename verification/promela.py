@@ -58,9 +58,8 @@ def _goto(system: TransitionSystem, runs: Automaton, nodes: Sequence[int], copy:
 
 
 def _declaration(number: Number) -> str:
-    names = ", ".join(f"{value}: {name}" for value, name in enumerate(number.names))
     type_ = "bool" if number.high == 1 else "byte" if number.high < 256 else "int"
-    return f"{type_} {number.name} = {number.initial}; /* {_comment(number.text)}{_comment(f' ({names})') if names else ''} */"
+    return f"{type_} {number.name} = {number.initial}; /* {_comment(number.told)} */"
 
 
 def _comment(text: str) -> str:

@@ -6,11 +6,11 @@ import math
 import re
 import shutil
 import subprocess
-import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from rosarch.datalog.scratch import scratch_folder
 from rosarch.verification.checkers import CheckerError, Found
 from rosarch.verification.explorer import Lasso
 from rosarch.verification.ltl import Formula
@@ -38,7 +38,7 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
     Raises:
         CheckerError: it cannot, or does not come to an end.
     """
-    with tempfile.TemporaryDirectory(prefix="rosarch-spin-") as folder:
+    with scratch_folder() as folder:
         _compile(system, [formula], folder, timeout, memory)
         found = _claim(0, folder, timeout, memory)
         return found if found.holds else replace(found, lasso=_trail(_run(["spin", "-t", "-B", "model.pml"], folder, timeout)))
@@ -46,21 +46,21 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
 
 def check_all(system: TransitionSystem, formulas: Sequence[Formula], *, timeout: float, memory: int) -> list[Found]:
     """Let SPIN check several properties of one model, without the runs that violate them."""
-    with tempfile.TemporaryDirectory(prefix="rosarch-spin-") as folder:
+    with scratch_folder() as folder:
         _compile(system, formulas, folder, timeout, memory)
         return [_claim(index, folder, timeout, memory) for index in range(len(formulas))]
 
 
-def _compile(system: TransitionSystem, formulas: Sequence[Formula], folder: str, timeout: float, memory: int) -> None:
+def _compile(system: TransitionSystem, formulas: Sequence[Formula], folder: Path, timeout: float, memory: int) -> None:
     claims = {f"property {index}": formula for index, formula in enumerate(formulas)}
-    (Path(folder) / "model.pml").write_text(promela(system, claims), "utf-8")
+    (folder / "model.pml").write_text(promela(system, claims), "utf-8")
     _run(["spin", "-a", "model.pml"], folder, timeout)
     valuations = math.prod(number.high + 1 for number in system.numbers)
     effort = "-O0" if valuations < _FEW else "-O2"
     _run(["gcc", effort, "-w", f"-DMEMLIM={memory}", "-DNOFAIR", "-DNOREDUCE", "-DNOSTUTTER", "-o", "pan", "pan.c"], folder, timeout)
 
 
-def _claim(index: int, folder: str, timeout: float, memory: int) -> Found:
+def _claim(index: int, folder: Path, timeout: float, memory: int) -> Found:
     for depth in (_SHORT, memory * _PER_MIB):
         report = _run(["./pan", "-a", f"-m{depth}", "-N", f"claim{index}"], folder, timeout)
         if _TOO_DEEP not in report:
@@ -75,7 +75,7 @@ def _claim(index: int, folder: str, timeout: float, memory: int) -> Found:
     return Found(True, count, None)
 
 
-def _run(command: list[str], folder: str, timeout: float) -> str:
+def _run(command: list[str], folder: Path, timeout: float) -> str:
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=timeout, check=False)
     except subprocess.TimeoutExpired:

@@ -6,10 +6,9 @@ import importlib
 import importlib.util
 import multiprocessing
 import resource
-import tempfile
 from multiprocessing.connection import Connection
-from pathlib import Path
 
+from rosarch.datalog.scratch import scratch_folder
 from rosarch.verification.checkers import CheckerError, Found
 from rosarch.verification.ltl import Formula
 from rosarch.verification.prism import prism, query
@@ -55,8 +54,8 @@ def _work(answer: Connection, text: str, asked: str, memory: int) -> None:
     stormpy = importlib.import_module("stormpy")
     resource.setrlimit(resource.RLIMIT_DATA, (memory << 20, memory << 20))
     try:
-        with tempfile.TemporaryDirectory(prefix="rosarch-storm-") as folder:
-            path = Path(folder) / "model.prism"
+        with scratch_folder() as folder:
+            path = folder / "model.prism"
             path.write_text(text, "utf-8")
             program = stormpy.parse_prism_program(str(path))
             formulas = stormpy.parse_properties(asked, program)

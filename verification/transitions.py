@@ -44,6 +44,12 @@ class Number:
     text: str
     names: tuple[str, ...] = ()
 
+    @property
+    def told(self) -> str:
+        """What it and its values stand for."""
+        names = ", ".join(f"{value}: {name}" for value, name in enumerate(self.names))
+        return f"{self.text} ({names})" if names else self.text
+
 
 @dataclass(frozen=True)
 class Transition:

@@ -14,7 +14,17 @@ from rosarch.models.traits import TRAITS
 
 HERE = Path(__file__).parent / "traits"
 COUNTS = ("answers_most", "round_sends", "round_always", "sent_untimed", "synchronised")  # `tests/rules/sources/flows_*.cpp` has them
-MODES = ("begins_in", "moves_on", "moves_freely", "asks_for", "ignores", "answers_in", "waits_for", "provides_after", "sends_in_burst")  # and `tests/rules/packages/` these
+MODES = (
+    "begins_in",
+    "moves_on",
+    "moves_freely",
+    "asks_for",
+    "ignores",
+    "answers_in",
+    "waits_for",
+    "provides_after",
+    "sends_in_burst",
+)  # and `tests/rules/packages/` these
 NODES = sorted(HERE.glob("*.cpp"))
 
 CMAKE = """cmake_minimum_required(VERSION 2.8.3)

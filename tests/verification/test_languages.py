@@ -32,3 +32,16 @@ def test_storm_reads_the_same_from_prism_and_jani(name: str, tmp_path: Path) -> 
     from_jani = stormpy.build_model(model)
     assert (from_prism.nr_states, from_prism.nr_transitions) == (from_jani.nr_states, from_jani.nr_transitions)
     assert len(properties) == 1
+
+
+@pytest.mark.parametrize("language", ["prism", "jani", "promela"])
+def test_what_variables_stand_for_is_told(language: str) -> None:
+    data = load(Path(__file__).parent / "systems" / "handshake.yml")
+    system = system_of(data["nodes"])
+    item = read_properties(data["properties"], "f", system)[0]
+    transitions = model_for(system, item.formula, Inputs())
+    text = "".join(text for _, text in files(language, transitions, item))
+    assert [number.told for number in transitions.numbers if number.told not in text] == []
+    assert any(number.names for number in transitions.numbers)
+    assert any(not number.names for number in transitions.numbers)
+    assert " ()" not in text
