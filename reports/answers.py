@@ -119,8 +119,8 @@ def rates_text(system: str, rates: Sequence[TopicRate]) -> str:
     width = max((len(rate.topic) for rate in rates), default=0)
     lines = [f"rates in {system}"]
     for rate in rates:
-        told = [*rate.senders, *(f"({reason})" for reason in rate.reasons)]
-        lines.append(f"  {rate.topic:{width}}  {_interval(rate)}  {', '.join(told)}".rstrip())
+        why = f" ({'; '.join(rate.reasons)})" if rate.reasons else ""
+        lines.append(f"  {rate.topic:{width}}  {_interval(rate)}  {', '.join(rate.senders)}{why}".rstrip())
     return "\n".join(lines) + "\n"
 
 

@@ -74,7 +74,7 @@ def test_as_if_each_had_them(program: Program, seed: int) -> None:
         own = {name: rows - shared[name] for name, rows in facts.items()}
         beside = program.evaluate({name: list(rows) if seed % 2 else rows for name, rows in own.items()}, common=common)
         alone = program.evaluate({name: own[name] | shared[name] for name in own})
-        assert {name: beside.rows(name) for name in beside.names()} == {name: alone.rows(name) for name in alone.names()}
+        assert beside.all_rows() == alone.all_rows()
     assert common.rows == shared
 
 

@@ -1,4 +1,4 @@
-"""Small systems whose figures are known by reckoning."""
+"""Small systems whose figures are known by reckoning, and whose rates are those that the rules derive."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from hand_made import system_of
+from intervals import derived, facts, inputs, outside
 
 from rosarch.composition.scenario import ScenarioError, read_scenario
 from rosarch.models.places import Place
@@ -35,9 +36,24 @@ def loop(topic: str, hz: float | None, **more: Any) -> dict[str, Any]:
     }
 
 
-def run(nodes: dict[str, Any], scenario: str = "{}", *, duration: float = 10.0, seed: int = 1) -> Record:
-    system = system_of(nodes)
-    return simulate(system, read_scenario(scenario, "s.yml", system), seed=seed, duration=duration)
+def gate(trigger: str) -> dict[str, Any]:
+    """A node that passes on what it receives once it is open; what comes through the port `trigger` opens it."""
+    return relay(
+        "/a", "/b", when="open_",
+        state_variables=[{"name": "Gate::open_", "type": "bool", "initial": "false", "at": "gate.h:4"}],
+        transitions=[{"variable": "Gate::open_", "trigger": [trigger], "value": "true", "at": "gate.cpp:5"}],
+    )  # fmt: skip
+
+
+def run(
+    nodes: dict[str, Any], scenario: str = "{}", *, duration: float = 10.0, seed: int = 1, serving: dict[str, Any] | None = None
+) -> Record:
+    """A run that keeps to the intervals of the rules."""
+    system = system_of(nodes, serving=serving)
+    told = read_scenario(scenario, "s.yml", system)
+    record = simulate(system, told, seed=seed, duration=duration)
+    assert outside(derived({**facts(nodes, serving), **inputs(told.inputs.entries, duration)}), record) == []
+    return record
 
 
 def number(record: Record, topic: str) -> int:
@@ -96,13 +112,9 @@ def test_a_node_does_one_thing_after_another() -> None:
 
 
 def test_state_decides() -> None:
-    gate = relay(
-        "/a", "/b", when="open_",
-        state_variables=[{"name": "Gate::open_", "type": "bool", "initial": "false", "at": "gate.h:4"}],
-        transitions=[{"variable": "Gate::open_", "trigger": ["p3"], "value": "true", "at": "gate.cpp:5"}],
-    )  # fmt: skip
-    gate["ports"].append(port("p3", "subscriber", "/open"))
-    record = run({"gate": gate}, "inputs: [{topic: /a, every: 0.5, from: 0.25}, {topic: /open, at: 5}]")
+    node = gate("p3")
+    node["ports"].append(port("p3", "subscriber", "/open"))
+    record = run({"gate": node}, "inputs: [{topic: /a, every: 0.5, from: 0.25}, {topic: /open, at: 5}]")
     assert (number(record, "/a"), number(record, "/b")) == (20, 10)
     assert [(event.subject, event.detail) for event in record.events if event.kind == "changed"] == [("open_", "false -> true")]
 
@@ -152,10 +164,8 @@ def test_a_loop_sends_what_it_has_kept() -> None:
 
 def test_messages_wait_for_the_loop_that_serves_them() -> None:
     """Ten come in a cycle of 0.1 s, the queue holds five: the newest five are handled in the next, at most 0.05 s after they came."""
-    system = system_of({"node": relay("/a", "/b", queue=5)}, serving={"node": (Place("node.cpp", 20, 1), 10.0)})
-    record = simulate(
-        system, read_scenario("inputs: [{topic: /a, every: 0.01}]\nexecution: {node: 0}", "s.yml", system), seed=1, duration=10
-    )
+    scenario = "inputs: [{topic: /a, every: 0.01}]\nexecution: {node: 0}"
+    record = run({"node": relay("/a", "/b", queue=5)}, scenario, serving={"node": (Place("node.cpp", 20, 1), 10.0)})
     assert abs(number(record, "/b") - 500) <= 5
     assert abs(record.dropped["/node", "/a"] - 500) <= 5
     figures = latencies(record)["/a", "/b"]
@@ -216,11 +226,6 @@ def test_what_never_ends_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     ],
 )  # fmt: skip
 def test_scenarios_with_mistakes(scenario: str, message: str) -> None:
-    node = relay(
-        "/a", "/b", when="open_",
-        state_variables=[{"name": "Gate::open_", "type": "bool", "initial": "false", "at": "gate.h:4"}],
-        transitions=[{"variable": "Gate::open_", "trigger": ["p1"], "value": "true", "at": "gate.cpp:5"}],
-    )  # fmt: skip
     with pytest.raises(ScenarioError) as error:
-        read_scenario(scenario, "s.yml", system_of({"relay": node}))
+        read_scenario(scenario, "s.yml", system_of({"relay": gate("p1")}))
     assert str(error.value) == message
