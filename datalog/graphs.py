@@ -37,7 +37,7 @@ def strongly_connected(nodes: Iterable[Node], successors: Callable[[Node], Itera
                 if work:
                     low[work[-1][0]] = min(low[work[-1][0]], low[node])
                 if low[node] == index[node]:
-                    component = []
+                    component: list[Node] = []
                     while not component or component[-1] != node:
                         component.append(stack.pop())
                     on_stack.difference_update(component)
