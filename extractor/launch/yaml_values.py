@@ -43,6 +43,23 @@ class Loader(BoundedLoader):
             raise yaml.constructor.ConstructorError(None, None, f"more than {_MAX_MERGED} merged keys", node.start_mark)
 
 
+class RepeatedKeysLoader(Loader):
+    """The loader of files in which a key may stand several times: their maps are one."""
+
+    def flatten_mapping(self, node: yaml.MappingNode) -> None:
+        super().flatten_mapping(node)
+        kept: dict[str, yaml.MappingNode] = {}
+        pairs = []
+        for key, value in node.value:
+            if isinstance(key, yaml.ScalarNode) and isinstance(value, yaml.MappingNode):
+                if key.value in kept:
+                    kept[key.value].value = [*kept[key.value].value, *value.value]
+                    continue
+                kept[key.value] = value
+            pairs.append((key, value))
+        node.value = pairs
+
+
 class RosparamLoader(Loader):
     """The loader of rosparam, with its angles and binaries."""
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch.state import YAML_COST
-from rosarch.extractor.launch.yaml_values import KeyLines, Loader, YamlError
+from rosarch.extractor.launch.yaml_values import KeyLines, RepeatedKeysLoader, YamlError
 
 from .conditions import contrary
 from .context import Context, Given
@@ -173,7 +173,7 @@ def sections_of(world: World, path: str, context: Context | None) -> tuple[list[
     if text not in world.parameter_texts:
         world.state.spend(YAML_COST * len(text))
         try:
-            data, lines = world.state.files.yaml(text, Loader)
+            data, lines = world.state.files.yaml(text, RepeatedKeysLoader)
         except YamlError as error:
             raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
         world.parameter_texts[text] = (list(_sections("", data, ())) if isinstance(data, dict) else [], lines)
@@ -211,6 +211,8 @@ def _leaves(prefix: str, values: Mapping[Any, Any], keys: tuple[str, ...]) -> It
             yield name, value, (*keys, str(key))
 
 
-def literal_names(sections: list[Section]) -> list[str]:
-    """The names of nodes, without wildcards, that sections are for."""
-    return [section.pattern for section in sections if "*" not in section.pattern]
+def likely_name(sections: list[Section], namespace: str, known: tuple[str, ...]) -> str | None:
+    """The name of a node that a launch file does not name: that of the one that a file is for; of several, one that is among `known`."""
+    last = dict.fromkeys(section.pattern.rpartition("/")[2] for section in sections if "*" not in section.pattern.rpartition("/")[2])
+    names = [name for name in last if any(matcher(section.pattern).fullmatch(f"{namespace}/{name}") for section in sections)]
+    return names[0] if len(names) == 1 else next((name for name in known if name in names), None)

@@ -14,7 +14,7 @@ from rosarch.extractor.launch.names import canonical, ns_join
 from .actions import carries_out, conditional, joined
 from .context import Context, Given
 from .frontend import yaml_value
-from .parameters import Setting, Unread, literal_names, sections_of, settings
+from .parameters import Setting, Unread, likely_name, sections_of, settings
 from .substitutions import perform
 from .values import Either, Instance, Made, Unknown
 
@@ -52,7 +52,7 @@ def _load(world: World, made: Made, context: Context) -> None:
 
 
 def _target(world: World, target: Any, context: Context) -> str:
-    """The name of a container, absolute."""
+    """The name of a container, absolute: a relative one is below the root, in whatever namespace launch is."""
     if isinstance(target, Instance):
         target = target.made
     if isinstance(target, Made) and target.kind in _NODES:
@@ -61,7 +61,7 @@ def _target(world: World, target: Any, context: Context) -> str:
     if isinstance(target, Either):
         return world.as_text(Either(target.condition, _target(world, target.first, context), _target(world, target.second, context)))
     name = perform(world, target, context)
-    return canonical(name if name.startswith("/") else f"{context.namespace}/{name}")
+    return canonical(name if name.startswith("/") else f"/{name}")
 
 
 def start_node(world: World, made: Made, context: Context) -> NodeStart:
@@ -129,7 +129,7 @@ def _start(
     package, executable, name, namespace = names
     lines = (*context.lines, made.place)
     params = list(params)
-    called = name or _inferred(world, params, namespace, context) or executable.rpartition("::")[2]
+    called = name or _inferred(world, params, namespace, (executable, package), context) or executable.rpartition("::")[2]
     started = NodeStart(
         package=package,
         type=executable,
@@ -165,8 +165,8 @@ def _set(world: World, started: NodeStart, found: Setting | Unread, context: Con
     world.state.set_param(ParamSetting(name, found.value, lines, conditions, found.source, found.written, plugins))
 
 
-def _inferred(world: World, params: list[Given], namespace: str, context: Context) -> str | None:
-    """The name of a node that the launch file does not name, from a file of parameters that is for one node alone."""
+def _inferred(world: World, params: list[Given], namespace: str, known: tuple[str, ...], context: Context) -> str | None:
+    """The name of a node that the launch file does not name, from the files of parameters that it is given."""
     for given in params:
         if given.name is not None or given.node is not None or isinstance(given.value, (dict, Either, Unknown)):
             continue
@@ -174,11 +174,11 @@ def _inferred(world: World, params: list[Given], namespace: str, context: Contex
         if world.state.unknowns.is_open(path) and path not in world.written:
             continue
         try:
-            names = literal_names(sections_of(world, path, None)[0])
+            name = likely_name(sections_of(world, path, None)[0], namespace, known)
         except LaunchError:
             continue  # reported where it is read
-        if len(names) == 1 and names[0].rpartition("/")[0] == namespace:
-            return names[0].rpartition("/")[2]
+        if name is not None:
+            return name
     return None
 
 

@@ -109,7 +109,7 @@ def test_containers(tmp_path: Path) -> None:
     assert [(node.full_name, node.type, node.name, node.container) for node in found.nodes] == [
         ("/b/box", "component_container", "box", None),
         ("/one", "here::One", "one", "/b/box"),
-        ("/ns/Three", "here::Three", None, "/ns/box"),
+        ("/ns/Three", "here::Three", None, "/box"),
         ("/ns/Four", "here::Four", None, "/b/box"),
     ]
     assert params(found) == {"/one/a": 1}
