@@ -54,8 +54,8 @@ def _include(world: World, made: Made, context: Context) -> None:
     world.here(place)
     names = {argument.name for argument in state.declared[declared:]} | set(world.asked[asked:])
     unused = [name for name in passed if name not in names]
-    if unused and names:
-        state.warn("unused-args", ", ".join(unused), f"{path} does not declare what is passed to it: {', '.join(unused)}")
+    for name in unused if names else ():
+        state.warn("unused-argument", name, f"{path} neither declares nor uses the argument `{name}` that is passed to it")
 
 
 def _pass(world: World, made: Made, context: Context) -> dict[str, str]:
