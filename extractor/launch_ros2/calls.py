@@ -209,12 +209,14 @@ class Calls(Expressions):
             if frame.module.is_launch_file:
                 self.world.here(self.place(node, frame))
             found = function.call(self, *arguments, **named)
-            return self.unknown(node, frame) if found is NOTHING else found
+            if found is NOTHING:
+                return self.unknown(node, frame)
+            return found if isinstance(found, dict) else self.weighed(found)
         if callable(function) and not isinstance(function, (Unknown, Either)):
             if not all(map(self._plain, (*arguments, *named.values()))):
                 return self.unknown(node, frame)
             wrapped = {name: self._callable(value) for name, value in named.items()}
-            return function(*map(self._callable, arguments), **wrapped)
+            return self.weighed(function(*map(self._callable, arguments), **wrapped))
         return self.unknown(node, frame)
 
     def _plain(self, value: Any) -> bool:

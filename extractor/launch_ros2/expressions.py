@@ -16,9 +16,9 @@ from rosarch.extractor.launch.unknowns import cleaned, is_known
 
 from .values import NOTHING, Either, Frame, Function, Instance, Made, PathText, Unknown
 
-MAX_STEPS = 2_000_000
+MAX_STEPS = 5_000_000
 _SIZE_COST = 64
-_MAKING = (ast.BinOp, ast.Call, ast.JoinedStr, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)  # what may make something large
+_MAKING = (ast.BinOp, ast.JoinedStr, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)  # what may make something large
 _TEXTS = (str, Unknown, Either)
 
 
@@ -67,13 +67,17 @@ class Expressions:
             return self.unknown(node, frame, f"{type(node).__name__} is not interpreted")
         try:
             found = method(node, frame)
-            if isinstance(node, _MAKING) and isinstance(found, (str, list, dict, tuple, set, int)):
-                self.step(size_of(found) // _SIZE_COST)
-            return found
+            return self.weighed(found) if isinstance(node, _MAKING) else found
         except TooLarge as error:
             return self.unknown(node, frame, str(error))
         except PYTHON_ERRORS as error:
             raise Raised(type(error).__name__, str(error), self.place(node, frame)) from None
+
+    def weighed(self, value: Any) -> Any:
+        """A value that was made, its size counted as work."""
+        if isinstance(value, (str, list, dict, tuple, set, int)):
+            self.step(size_of(value) // _SIZE_COST)
+        return value
 
     def truth(self, value: Any) -> bool | None:
         """Whether a value counts as true; None when that is not known."""

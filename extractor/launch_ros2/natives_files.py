@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from .calls import Calls
 
 _Call = Callable[..., Any]
+_DUMPER = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 _ALWAYS_SET = frozenset({"AMENT_PREFIX_PATH", "HOME", "HOSTNAME", "LANG", "PATH", "PWD", "PYTHONPATH", "ROS_DISTRO", "SHELL", "USER"})
 
 
@@ -181,7 +182,7 @@ def _json(run: Calls, source: Any, **named: Any) -> Any:
 @native("yaml.dump", "yaml.safe_dump", "json.dumps", "json.dump")
 def _dump(run: Calls, data: Any, stream: Any = None, **_named: Any) -> Any:
     plain = certain(run, data)
-    text = NOTHING if plain is NOTHING else yaml.safe_dump(plain, sort_keys=False, allow_unicode=True, width=1 << 20)
+    text = NOTHING if plain is NOTHING else yaml.dump(plain, Dumper=_DUMPER, sort_keys=False, allow_unicode=True, width=1 << 20)
     if isinstance(stream, TextFile):
         stream.text = None if text is NOTHING else (stream.text or "") + text
         return None
