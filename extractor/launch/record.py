@@ -39,6 +39,7 @@ def record(composition: Composition) -> dict[str, Any]:
 
 
 def _node(node: NodeStart) -> dict[str, Any]:
+    container = {} if node.container is None else {"container": node.container}
     return {
         "package": node.package,
         "type": node.type,
@@ -51,6 +52,7 @@ def _node(node: NodeStart) -> dict[str, Any]:
         "machine": node.machine,
         "output": node.output,
         "launch_prefix": node.launch_prefix,
+        **container,
     }
 
 

@@ -68,7 +68,9 @@ def test_an_include_changes_its_includer(tmp_path: Path) -> None:
     found = composed(tmp_path, {"main.launch.py": main, "inner.launch.py": inner})
     assert params(found) == {"/in/x": 5, "/in/outer": "o", "/after/mine": "set"}
     assert [str(line).rpartition("/")[2] for line in found.nodes[0].lines] == ["main.launch.py:20", "inner.launch.py:16"]
-    assert problems(found, tmp_path) == ["main.launch.py:20:7: inner.launch.py neither declares nor uses the argument `wrong` that is passed to it"]
+    assert problems(found, tmp_path) == [
+        "main.launch.py:20:7: inner.launch.py neither declares nor uses the argument `wrong` that is passed to it"
+    ]
 
 
 def test_arguments_that_are_wrong(tmp_path: Path) -> None:
