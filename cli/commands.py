@@ -26,6 +26,7 @@ COMMANDS = {
     "simulate": "simulate",
     "observe": "observe",
     "compare": "compare",
+    "probe": "probe",
     "doctor": "doctor",
     "ask": "ask",
     "query": "query",
@@ -56,6 +57,7 @@ SUMMARIES = {
     "observe": "Tell what a recording or a live graph shows of the system that launch files start, and what of that the sources do not"
     " say.",
     "compare": "Count, for each kind of element, what is predicted of a system and what a recording or a live graph shows of it.",
+    "probe": "Run a node by itself, put messages in that its model tells of, and say which reactions and transitions it really has.",
     "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
     "ask": "Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what; how often.",
     "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",

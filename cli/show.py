@@ -34,7 +34,7 @@ def ports(
 ) -> None:
     """List the topics, services, actions and transforms of each node and nodelet below DIR."""
     start = time.perf_counter()
-    models = _models(question, node)
+    models = asked_models(question, node)
     if output_format is Format.json:
         from rosarch.reports.json_models import ports_text
 
@@ -59,7 +59,7 @@ def behavior(
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
 ) -> None:
     """List what each node and nodelet below DIR does: its reactions, timed loops, state variables and their transitions."""
-    models = _models(question, node)
+    models = asked_models(question, node)
     if output_format is Format.json:
         from rosarch.reports.json_models import behaviors_text
 
@@ -93,7 +93,7 @@ def machine(
     joint: Annotated[bool, typer.Option("--joint", help="Do so even where every combination of their values can occur.")] = False,
 ) -> None:
     """Show the state machines of each node and nodelet below DIR: states are the values of its state variables."""
-    models = _models(question, node)
+    models = asked_models(question, node)
     if len(models) != 1 and output_format not in (MachineFormat.text, MachineFormat.json):
         names = ", ".join(f"{model.package}/{model.component}" for model in models)
         raise InputError(f"{question.folder}: {len(models)} components; choose one for {output_format.value}: {names}")
@@ -110,7 +110,7 @@ app.command("graph")(graph)
 app.command("includes")(includes)
 
 
-def _models(question: Question, node: str | None) -> tuple[ComponentModel, ...]:
+def asked_models(question: Question, node: str | None) -> tuple[ComponentModel, ...]:
     """The components to show; what was not understood goes to stderr."""
     rules = question.rules()
     analysis = _only(question, rules, node) if node and not question.packages else None

@@ -38,7 +38,7 @@ class Process:
         code = self._process.poll()
         if code is None:
             return None
-        return f"killed by {signal.Signals(-code).name}" if code < 0 else f"exited with {code}"
+        return f"was killed by {signal.Signals(-code).name}" if code < 0 else f"exited with {code}"
 
     def stop(self, patience: float = 2.0) -> None:
         """Ask all of its group to end, then make them."""

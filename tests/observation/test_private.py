@@ -53,7 +53,7 @@ def test_a_node_that_ends_at_once_is_told(tmp_path: Path) -> None:
     with private_graph() as graph:
         with pytest.raises(StartError, match=r"^/broken exited with 3: no map$"):
             graph.start(Start(script(tmp_path / "broken", "#!/bin/sh\necho no map\nexit 3\n"), "/broken"))
-        with pytest.raises(StartError, match=r"^/crashed killed by SIGSEGV$"):
+        with pytest.raises(StartError, match=r"^/crashed was killed by SIGSEGV$"):
             graph.start(Start(script(tmp_path / "crashed", "#!/bin/sh\nkill -SEGV $$\n"), "/crashed"))
         with pytest.raises(StartError, match=r"gone: No such file or directory$"):
             graph.start(Start((str(tmp_path / "gone"),), "/gone"))

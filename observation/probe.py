@@ -1,0 +1,190 @@
+"""Experiments with a real node, in a private graph: what it does is compared with what its model says that it does."""
+
+from __future__ import annotations
+
+import time
+from collections import defaultdict
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from itertools import pairwise
+from statistics import median
+
+from rosarch.models.machine.reactions import Row
+from rosarch.observation.peer import ANY, Heard, MessageType, Peer
+from rosarch.observation.plan import Experiment, Plan, Stimulus
+from rosarch.observation.private import PrivateGraph, Start, StartError, private_graph
+from rosarch.observation.processes import Process, wait_until
+from rosarch.observation.rpc import CallError
+from rosarch.observation.subject import Subject
+
+CONFIRMED, REFUTED, UNREACHED = "confirmed", "refuted", "not reached"
+_PATIENCE = 0.25
+"""Seconds that something may take besides the rounds of loops."""
+_GRACE = 0.1
+"""So long after an input, what was sent before it may still come."""
+_TRIES = 3
+"""What is not confirmed is tried again: only what never is counts."""
+_PERIODS = 20
+_LONGEST_MEASURE = 4.0
+_LINKS = 5.0
+NAME = "/rosarch_probe"
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of a row of the model: confirmed, refuted or not reached, and why."""
+
+    row: Row
+    verdict: str
+    reason: str = ""
+
+
+@dataclass
+class Measured:
+    """Seconds from an input to the first message on an output, by their ports, and of responses of services; sendings a second by loop."""
+
+    latencies: dict[tuple[str, str], list[float]] = field(default_factory=lambda: defaultdict(list))
+    responses: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
+    rates: dict[tuple[Row, str], float] = field(default_factory=dict)
+
+    def add(self, other: Measured) -> None:
+        """What was measured elsewhere, too."""
+        for pair, seconds in other.latencies.items():
+            self.latencies[pair] += seconds
+        for port, seconds in other.responses.items():
+            self.responses[port] += seconds
+        self.rates.update(other.rates)
+
+
+@dataclass(frozen=True)
+class Results:
+    """Verdicts on all rows of a model, and what was measured meanwhile."""
+
+    verdicts: tuple[Verdict, ...]
+    measured: Measured
+
+
+class _ProbeError(Exception):
+    """An experiment that could not be made; the text says why."""
+
+
+def probe(subject: Subject, plan: Plan, command: Sequence[str], seconds: float, jobs: int) -> Results:
+    """Make the experiments of a plan with the node that a command starts, several at a time, within a time limit."""
+    end = time.monotonic() + seconds
+    measured = Measured()
+    verdicts = []
+    with ThreadPoolExecutor(jobs) as pool:
+        for verdict, found in pool.map(lambda experiment: _tried(subject, experiment, command, end), plan.experiments):
+            verdicts.append(verdict)
+            measured.add(found)
+    left = [Verdict(row, UNREACHED, reason) for row, reason in plan.unreached]
+    return Results((*verdicts, *left), measured)
+
+
+def _tried(subject: Subject, experiment: Experiment, command: Sequence[str], end: float) -> tuple[Verdict, Measured]:
+    """An experiment, again while it does not confirm."""
+    verdict, measured = Verdict(experiment.row, UNREACHED, "the time limit was over"), Measured()
+    for _ in range(_TRIES):
+        if verdict.verdict == CONFIRMED or time.monotonic() > end:
+            break
+        verdict = _verdict(subject, experiment, command, measured)
+    return verdict, measured
+
+
+def _verdict(subject: Subject, experiment: Experiment, command: Sequence[str], measured: Measured) -> Verdict:
+    row = experiment.row
+    try:
+        with private_graph() as graph, _Trial(subject, graph, command, measured) as trial:
+            for stimulus in experiment.stimuli[:-1]:
+                seen = trial.give(stimulus)
+                if not stimulus.expected.fits(seen):
+                    return Verdict(row, UNREACHED, f"on the way, {trial.told(stimulus)} made it send {_names(subject, seen)}")
+            last = experiment.stimuli[-1]
+            seen = trial.give(last)
+            if not last.expected.fits(seen):
+                told = f"{trial.told(last)} made it send {_names(subject, seen)}"
+                return Verdict(row, REFUTED if experiment.otherwise.fits(seen) else UNREACHED, told)
+            if row.kind == "periodic":
+                trial.measure(row)
+            return Verdict(row, CONFIRMED)
+    except (_ProbeError, StartError, CallError) as error:
+        return Verdict(row, UNREACHED, str(error))
+
+
+def _names(subject: Subject, ports: frozenset[str]) -> str:
+    return " and ".join(sorted(subject.places[port].name for port in ports)) or "nothing"
+
+
+class _Trial:
+    """A node that runs for one experiment, and the peer that puts messages in and reads what it sends."""
+
+    def __init__(self, subject: Subject, graph: PrivateGraph, command: Sequence[str], measured: Measured) -> None:
+        self._subject = subject
+        self._graph = graph
+        self._measured = measured
+        self._command = tuple(command)
+        self._heard: dict[str, list[float]] = defaultdict(list)
+        self._before: frozenset[str] = frozenset()
+        self._timed = frozenset(port for row in subject.document.get("periodic") or () for port in row["publishes"])
+        self._peer = Peer(graph.master.uri, NAME)
+        self._process: Process | None = None
+
+    def __enter__(self) -> _Trial:
+        for place in self._subject.outlets:
+            self._peer.subscribe(place.name, self._listener(place.port))
+        topics = [place for place in self._subject.inlets if not place.service]
+        for place in topics:
+            self._peer.advertise(place.name, MessageType(place.type, ANY))
+        self._process = self._graph.start(Start(self._command, self._subject.name))
+        if not wait_until(lambda: all(self._peer.readers(place.name) for place in topics), _LINKS):
+            left = " and ".join(place.name for place in topics if not self._peer.readers(place.name))
+            raise _ProbeError(f"it does not read {left}")
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._peer.__exit__()
+
+    def _listener(self, port: str) -> Heard:
+        return lambda _sender, at, _message: self._heard[port].append(at)
+
+    def give(self, stimulus: Stimulus) -> frozenset[str]:
+        """Put something in, and wait; the ports that something came through."""
+        begin = time.monotonic()
+        given = stimulus.given
+        if given is not None:
+            place, message = self._subject.places[given.port], self._subject.message(given)
+            if place.service:
+                self._peer.call(place.name, message)
+                self._measured.responses[given.port].append(time.monotonic() - begin)
+            else:
+                begin = self._peer.publish(place.name, message)
+        periods = [1 / hz for hz in self._subject.machine.loops.values() if hz]
+        time.sleep(_PATIENCE + stimulus.rounds * max(periods, default=0.0))
+        if self._process is not None and self._process.ended is not None:
+            raise _ProbeError(f"after {self.told(stimulus)} it {self._process.ended}")
+        late = {port: [at for at in list(times) if at >= begin] for port, times in self._heard.items()}
+        seen = {port for port, times in late.items() if times}
+        trailing = {p for p in seen & self._before - stimulus.expected.may if max(late[p]) < begin + _GRACE}
+        seen -= trailing
+        if given is not None:
+            for port in seen - (self._before & self._timed):
+                self._measured.latencies[given.port, port].append(min(late[port]) - begin)
+        self._before = frozenset(seen)
+        return self._before
+
+    def measure(self, row: Row) -> None:
+        """How often something is sent through the ports of a timed loop."""
+        entry = self._subject.document["periodic"][row.index]
+        hz = entry.get("hz")
+        begin = time.monotonic()
+        time.sleep(min(_LONGEST_MEASURE, _PERIODS / hz) if hz else 1.0)
+        for port in entry["publishes"]:
+            times = [at for at in list(self._heard[port]) if at >= begin]
+            intervals = [after - before for before, after in pairwise(times)]
+            if intervals:
+                self._measured.rates[row, port] = 1 / median(intervals)
+
+    def told(self, stimulus: Stimulus) -> str:
+        """A stimulus for people."""
+        return self._subject.told(stimulus.given) if stimulus.given else "waiting"

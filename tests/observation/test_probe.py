@@ -1,0 +1,69 @@
+"""Experiments with real nodes: what they do is confirmed, and where they do something else the model is refuted."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from nodes import EXAMPLES, build, needs_ros
+
+DOCKING = "docking_states/src/auto_docking"
+CANCELLED = "  state_ = State::IDLE;\n  publishState();"
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """The node of the example, and one that does not stop when it is cancelled and crashes when it is charged."""
+    folder = tmp_path_factory.mktemp("nodes")
+    text = (EXAMPLES / DOCKING / "src" / "docking.cpp").read_text()
+    assert CANCELLED in text
+    other = text.replace(CANCELLED, "  publishState();").replace("    state_ = State::DOCKED;\n", "    ::abort();\n")
+    (folder / "other.cpp").write_text(other)
+    docking, changed = build(folder, [f"{DOCKING}/src/docking.cpp", str(folder / "other.cpp")], f"{DOCKING}/include")
+    return {"docking": docking, "other": changed}
+
+
+def probed(rosarch: Callable, program: Path) -> tuple[int, dict]:
+    outcome = rosarch("probe", EXAMPLES / "docking_states", "docking", "--executable", program, "--format", "json")
+    return outcome.code, json.loads(outcome.out)
+
+
+@needs_ros
+def test_what_the_node_does_is_confirmed(rosarch: Callable, built: dict[str, Path]) -> None:
+    code, found = probed(rosarch, built["docking"])
+    verdicts = [each["verdict"] for each in found["verdicts"]]
+    assert (code, verdicts.count("refuted")) == (0, 0)
+    assert verdicts.count("confirmed") >= 0.9 * 12
+    (rate,) = found["rates"]
+    assert rate["measured"] == pytest.approx(rate["predicted"], rel=0.05)
+    (response,) = (time for time in found["times"] if (time["from"], time["to"]) == ("/docking/cancel", "response"))
+    assert 0 < response["least"] <= response["median"] <= response["p99"]
+    assert found["node"] == "/docking"
+
+
+@needs_ros
+def test_what_the_node_does_otherwise_is_refuted(rosarch: Callable, built: dict[str, Path]) -> None:
+    code, found = probed(rosarch, built["other"])
+    verdicts = {(each["kind"], each["at"].rpartition(":")[2]): each for each in found["verdicts"]}
+    assert code == 1
+    assert verdicts["transitions", "40"]["verdict"] == "refuted"
+    assert verdicts["transitions", "40"]["reason"] == "/docking/cancel made it send /cmd_vel and /docking/state"
+    assert verdicts["transitions", "71"]["reason"] == "after /charging with charging->data it was killed by SIGABRT"
+    assert [each["at"] for each in found["verdicts"] if each["verdict"] == "refuted"] == ["src/auto_docking/src/docking.cpp:40"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("docking",), "auto_docking/docking is not built below {folder}; name the executable with --executable"),
+        (("docking", "--executable", "gone"), "gone: no executable"),
+        (("dockin", "--plan"), "no node or nodelet dockin, did you mean `docking`?"),
+    ],
+)
+def test_what_cannot_be_probed(arguments: tuple[str, ...], message: str, rosarch: Callable) -> None:
+    folder = EXAMPLES / "docking_states"
+    outcome = rosarch("probe", folder, *arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert outcome.err.splitlines()[-1] == f"rosarch: error: {message.format(folder=folder)}"
