@@ -16,11 +16,9 @@ from rosarch.cli.show import asked_models
 from rosarch.cli.terminal import emit, emit_lines
 
 if TYPE_CHECKING:
-    from rosarch.models.component import ComponentModel
     from rosarch.observation.subject import Subject
 
 Probed = Annotated[str, typer.Argument(metavar="NODE", help="The node: NAME, PACKAGE/NAME or its node name.", show_default=False)]
-_BUILT = ("devel/lib", "install/lib", "../devel/lib", "../install/lib")
 
 
 @asks("component", "launches")
@@ -52,12 +50,12 @@ def probe(
     from rosarch.observation.probe import probe as experiment
     from rosarch.reports.probe import plan_text, results_json, results_markdown, results_text, scenario_text
 
-    subject, model = _subject(question, node)
+    subject = _subject(question, node)
     found = plan(subject.machine, subject.rows)
     if only_plan:
         emit_lines(plan_text(subject, found))
         return
-    results = experiment(subject, found, [str(_program(question.folder, model, executable))], seconds, trials)
+    results = experiment(subject, found, [str(_program(executable))], seconds, trials)
     if scenario is not None:
         try:
             scenario.write_text(scenario_text(subject, results), encoding="utf-8")
@@ -71,7 +69,7 @@ def probe(
         raise typer.Exit(FINDINGS)
 
 
-def _subject(question: Question, node: str) -> tuple[Subject, ComponentModel]:
+def _subject(question: Question, node: str) -> Subject:
     from rosarch.extractor.messages import load_messages
     from rosarch.extractor.workspace import discover
     from rosarch.models.component import to_json
@@ -81,15 +79,13 @@ def _subject(question: Question, node: str) -> tuple[Subject, ComponentModel]:
     if len(models) != 1:
         raise InputError(f"{node} is several nodes: {', '.join(f'{model.package}/{model.component}' for model in models)}")
     store = load_messages(discover(question.folder).packages)
-    return Subject(to_json(models[0]), store, f"/{models[0].component}"), models[0]
+    return Subject(to_json(models[0]), store, f"/{models[0].component}")
 
 
-def _program(folder: Path, model: ComponentModel, executable: Path | None) -> Path:
-    """The node as it was built: the one that was named, or else where catkin puts it."""
-    candidates = [executable] if executable else [folder / place / model.package / model.component for place in _BUILT]
-    for path in candidates:
-        if path.is_file() and os.access(path, os.X_OK):
-            return path.absolute()
-    if executable:
+def _program(executable: Path | None) -> Path:
+    """The node as it was built: nothing that is merely found beside the sources is ever run."""
+    if executable is None:
+        raise InputError("name the node that was built with --executable, or ask for the plan alone with --plan")
+    if not (executable.is_file() and os.access(executable, os.X_OK)):
         raise InputError(f"{executable}: no executable")
-    raise InputError(f"{model.package}/{model.component} is not built below {folder}; name the executable with --executable")
+    return executable.absolute()

@@ -26,7 +26,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
 
 
 def probed(rosarch: Callable, program: Path) -> tuple[int, dict]:
-    outcome = rosarch("probe", EXAMPLES / "docking_states", "docking", "--executable", program, "--format", "json")
+    outcome = rosarch("probe", EXAMPLES / "docking_states", "docking", "--executable", program, "--trials", 8, "--format", "json")
     return outcome.code, json.loads(outcome.out)
 
 
@@ -57,7 +57,7 @@ def test_what_the_node_does_otherwise_is_refuted(rosarch: Callable, built: dict[
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("docking",), "auto_docking/docking is not built below {folder}; name the executable with --executable"),
+        (("docking",), "name the node that was built with --executable, or ask for the plan alone with --plan"),
         (("docking", "--executable", "gone"), "gone: no executable"),
         (("dockin", "--plan"), "no node or nodelet dockin, did you mean `docking`?"),
     ],
@@ -66,4 +66,4 @@ def test_what_cannot_be_probed(arguments: tuple[str, ...], message: str, rosarch
     folder = EXAMPLES / "docking_states"
     outcome = rosarch("probe", folder, *arguments)
     assert (outcome.code, outcome.out) == (2, "")
-    assert outcome.err.splitlines()[-1] == f"rosarch: error: {message.format(folder=folder)}"
+    assert outcome.err.splitlines()[-1] == f"rosarch: error: {message}"
