@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from rosarch.extractor.flow import Flow
 
 from .inference import Inference
+from .messages import message_of
 from .model import Class, Function, InstanceValue, Module, Scope, Values, Variable
 from .program import Program
 
@@ -27,7 +28,7 @@ class Facts:
     inference: Inference
     rows: dict[str, set[tuple[str | int, ...]]] = field(default_factory=lambda: defaultdict(set))
     _ids: dict[str, int] = field(default_factory=dict)
-    _declared: set[int] = field(default_factory=set)
+    _declared: set[object] = field(default_factory=set)
 
     def add(self, relation: str, *row: str | int) -> None:
         """Add one row to `relation`."""
@@ -45,9 +46,9 @@ class Facts:
 
     def function(self, function: Function) -> str:
         """Declare a function."""
-        if id(function) in self._declared:
+        if function in self._declared:
             return function.identifier
-        self._declared.add(id(function))
+        self._declared.add(function)
         name = function.identifier
         self.add("function", name, function.kind)
         self.add("function_name", name, function.name)
@@ -73,11 +74,13 @@ class Facts:
 
     def cls(self, cls: Class) -> str:
         """Declare a class."""
-        if id(cls) not in self._declared:
-            self._declared.add(id(cls))
+        if cls not in self._declared:
+            self._declared.add(cls)
             self.add("class", cls.name, "enum" if cls.enumeration else "class")
             self.add("class_by_reference", cls.name)
             self.add("type_class", cls.name, cls.name)
+            if cls.node is None:
+                self.add("class_undeclared", cls.name)
             if cls.own and cls.module is not None and cls.node is not None:
                 self.add("location", cls.name, cls.module.key, cls.node.lineno, cls.node.col_offset + 1)
             for base in cls.bases:
@@ -89,9 +92,9 @@ class Facts:
 
     def variable(self, variable: Variable) -> str:
         """Declare a variable."""
-        if id(variable) in self._declared:
+        if variable in self._declared:
             return variable.identifier
-        self._declared.add(id(variable))
+        self._declared.add(variable)
         name = variable.identifier
         self.add("variable", name, variable.kind)
         self.add("variable_name", name, variable.name)
@@ -128,25 +131,6 @@ class Facts:
         name = f"{cls.name} object"
         self.add("type_inner", name, "object", cls.name)
         return name
-
-
-def message_of(name: str) -> tuple[str, str] | None:
-    """Kind and type of the message that a class is by its name, as generators of Python code give them."""
-    module, separator, names = name.partition("::")
-    package, dot, part = module.rpartition(".")
-    if not (separator and dot) or "." in package:
-        return None
-    outer, _, inner = names.partition("::")
-    if part == "msg":
-        return "message", f"{package}/{outer}"
-    if part == "srv":
-        for role in ("Request", "Response"):
-            if inner == role or (not inner and outer.endswith(role)):
-                return role.lower(), f"{package}/{outer if inner else outer.removesuffix(role)}"
-        return "service", f"{package}/{outer}"
-    if part == "action":
-        return "action" if not inner else "message", f"{package}/{outer}{inner}"
-    return None
 
 
 @dataclass

@@ -295,12 +295,12 @@ def _list(body: Body, node: ast.expr) -> str:
 
 
 def _dict(body: Body, node: ast.expr) -> str:
-    """Pairs, as C++ writes the entries of a map."""
+    """A list of entries, each of key and value."""
     assert isinstance(node, ast.Dict)
     pairs = []
     for key, value in zip(node.keys, node.values, strict=True):
         entry = lower(body, value)
-        pairs.append(body.operator(key, "{}", lower(body, key), entry, form="list") if key is not None else entry)
+        pairs.append(body.operator(key, ":", lower(body, key), entry) if key is not None else entry)
     return body.operator(node, "{}", *pairs, form="list")
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TypeVar
 
 from .model import (
@@ -27,6 +27,7 @@ from .program import Program, instance, names_class
 
 Key = TypeVar("Key")
 _ROUNDS = 8
+_ANYTHING = frozenset({"Any", "object", "Callable", "None"})
 _MOST_VALUES = 16
 _CONTAINERS = {
     ast.List: "list",
@@ -82,7 +83,34 @@ class Inference:
             if function.own:
                 for parameter, argument in arguments_of(call, function).items():
                     new |= _grow(self._variables, parameter, self.values(argument, scope))
+            elif function.node is not None:
+                for parameter, values in self._handed_on(call, function, scope):
+                    new |= _grow(self._variables, parameter, values)
         return new
+
+    def _handed_on(self, call: ast.Call, function: Function, scope: Scope) -> Iterator[tuple[Variable, Values]]:
+        """What a declared function gives to those that it is given: `type[T]` to `Callable[[T], ...]`, `*args` to `Callable[P, ...]`."""
+        arguments = [(_annotation(parameter), self.values(argument, scope)) for parameter, argument in arguments_of(call, function).items()]
+        known: dict[str, Values] = {}
+        for annotation, values in arguments:
+            match annotation:
+                case ast.Name(id=name):
+                    known[name] = values
+                case ast.Subscript(value=ast.Name(id="type"), slice=ast.Name(id=name)):
+                    known[name] = frozenset(self._object(value) for value in values if self._is_class(value))
+        rest = [self.values(argument, scope) for argument in call.args[sum(parameter.positional for parameter in function.parameters) :]]
+        for annotation, values in arguments:
+            for taker in (value.function for value in values if isinstance(value, FunctionValue) and value.function.own):
+                match annotation:
+                    case ast.Subscript(value=ast.Name(id="Callable"), slice=ast.Tuple(elts=[ast.List(elts=types), _])):
+                        taken = [known.get(part.id, NOTHING) if isinstance(part, ast.Name) else NOTHING for part in types]
+                        yield from zip(taker.parameters, taken, strict=False)
+                    case ast.Subscript(value=ast.Name(id="Callable"), slice=ast.Tuple(elts=[ast.Name(), _])) if rest:
+                        yield from zip(taker.parameters[-len(rest) :], rest, strict=False)
+
+    @staticmethod
+    def _is_class(value: Value) -> bool:
+        return isinstance(value, ClassValue) or (isinstance(value, ExternalValue) and names_class(value.path))
 
     def callees(self, call: ast.Call, scope: Scope) -> list[Function]:
         """The functions that `call` may enter, constructors too."""
@@ -165,6 +193,8 @@ class Inference:
                 if _last(outer) == "Union" and isinstance(inner, ast.Tuple):
                     return frozenset().union(*(self.annotated(part, scope) for part in inner.elts))
                 return self.annotated(outer, scope)
+            case ast.Name() | ast.Attribute() if _last(node) in _ANYTHING:
+                return NOTHING
             case ast.Name() | ast.Attribute():
                 return frozenset(
                     self._object(value) for value in self.program.dotted(node, scope) if not isinstance(value, (ModuleValue, FunctionValue))
@@ -191,12 +221,22 @@ class Inference:
                 return instance(self._builtin("int"))
             case ast.Call(func=ast.Name(id="list" | "tuple" | "sorted" | "reversed" | "enumerate" | "set" | "iter"), args=[inner, *_]):
                 return self._elements(inner, scope)
+            case ast.Call():
+                return frozenset().union(*(self._returned_elements(function) for function in self.callees(node, scope)))
             case ast.Name(id=name):
                 symbol = self.program.lookup(name, scope)
                 return self._inside.get(symbol, NOTHING) if isinstance(symbol, Variable) else NOTHING
             case ast.Attribute():
                 return frozenset().union(*(self._inside.get(variable, NOTHING) for variable in self.fields(node, scope)))
         return NOTHING
+
+    def _returned_elements(self, function: Function) -> Values:
+        """What is in the container that a function returns, by its annotation."""
+        returns = getattr(function.node, "returns", None)
+        if not isinstance(returns, ast.Subscript) or function.scope is None:
+            return NOTHING
+        parts = returns.slice.elts if isinstance(returns.slice, ast.Tuple) else [returns.slice]
+        return frozenset().union(*(self.annotated(part, function.scope.parent or function.scope) for part in parts))
 
     def _inner(self, variable: Variable) -> Values:
         """What is in the container that a variable holds, by its sources."""
@@ -343,6 +383,10 @@ class Inference:
         if function.node.returns is not None:
             return self.annotated(function.node.returns, function.scope.parent or function.scope)
         return frozenset().union(*(self.values(value, function.scope) for value in returned(function.node)))
+
+
+def _annotation(parameter: Variable) -> ast.expr | None:
+    return next((source.expr for source in parameter.sources if source.part == "annotation"), None)
 
 
 def _grow(table: dict[Key, Values], key: Key, values: Values) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 
+from .messages import message_of
 from .model import (
     NOTHING,
     Class,
@@ -181,7 +182,10 @@ def external_name(path: str) -> str:
 
 def names_class(path: str) -> bool:
     """Whether an unknown name is that of a class, by Python's conventions."""
-    last = path.rpartition(".")[2].lstrip("_")
+    module, _, name = path.rpartition(".")
+    if message_of(f"{module}::{name}") is not None:
+        return True  # of messages, whatever they are called
+    last = name.lstrip("_")
     return last[:1].isupper() and not (len(last) > 1 and last.isupper() and "_" in last)
 
 

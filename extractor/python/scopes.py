@@ -186,7 +186,11 @@ class _Binder:
             case ast.Tuple() | ast.List():
                 values = value.elts if isinstance(value, (ast.Tuple, ast.List)) and len(value.elts) == len(target.elts) else None
                 for index, part in enumerate(target.elts):
-                    self._target(part.value if isinstance(part, ast.Starred) else part, values[index] if values else None, None)
+                    inner = part.value if isinstance(part, ast.Starred) else part
+                    if values or isinstance(inner, (ast.Tuple, ast.List)):
+                        self._target(inner, values[index] if values else None, None)
+                    else:
+                        self._source(inner, Source(value, self.scope, "element") if value is not None else None, None)
             case _:
                 self._source(target, Source(value, self.scope) if value is not None else None, statement)
 

@@ -255,7 +255,7 @@ def lower_comprehension(body: Body, node: ast.ListComp | ast.SetComp | ast.Gener
     def generate(rest: Sequence[ast.comprehension]) -> None:
         if not rest:
             if isinstance(node, ast.DictComp):
-                made.append(body.operator(node.key, "{}", lower(body, node.key), lower(body, node.value), form="list"))
+                made.append(body.operator(node.key, ":", lower(body, node.key), lower(body, node.value)))
             else:
                 made.append(lower(body, node.elt))
             return

@@ -1,0 +1,24 @@
+"""Classes of messages by the modules that they are in."""
+
+from __future__ import annotations
+
+
+def message_of(name: str) -> tuple[str, str] | None:
+    """Kind and type of the message that a class is by its name, as generators of Python code give them."""
+    module, separator, names = name.partition("::")
+    package, dot, part = module.rpartition(".")
+    if not (separator and dot) or "." in package:
+        return None
+    outer, _, inner = names.partition("::")
+    if part == "msg":
+        return "message", f"{package}/{outer}"
+    if part == "srv":
+        for role in ("Request", "Response"):
+            if inner == role or (not inner and outer.endswith(role)):
+                return role.lower(), f"{package}/{outer if inner else outer.removesuffix(role)}"
+        return "service", f"{package}/{outer}"
+    if part == "cfg":
+        return "config", f"{package}/{outer}"
+    if part == "action":
+        return "action" if not inner else "message", f"{package}/{outer}{inner}"
+    return None
