@@ -44,6 +44,8 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
     problems += [(str(path), problem.line, problem.column, problem.message) for problem in found]
     if isinstance(parsed, Problem) or not path.is_relative_to(root):
         return
+    for line, column in dynamic_imports(parsed.tree):
+        problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
     relative = path_text(path.relative_to(root))
     main = path == entry.file and entry.function is None
     module = Module(name, parsed.tree, file_key(relative), relative, tuple(parsed.data.split(b"\n")), main, path.name == "__init__.py")

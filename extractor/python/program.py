@@ -29,6 +29,7 @@ from .scopes import open_module
 
 STUBS = Path(__file__).parent / "stubs"
 """Declarations of the client libraries, and of some modules of Python: what headers are for C++."""
+_LONGEST_NAME = 100
 
 
 class Program:
@@ -93,12 +94,16 @@ class Program:
                 return self.of_module(path, member)
         return NOTHING
 
-    def of_module(self, path: str, member: str, seen: frozenset[str] = frozenset()) -> Values:
-        """What the module `path` calls `member`; variables are left to the caller (see `variable_of`)."""
+    def of_module(self, path: str, member: str) -> Values:
+        """What the module `path` calls `member`, when it is no variable."""
         module = self.module(path)
         symbol = self.symbol_of(path, member)
         if isinstance(symbol, (Function, Class)):
             return self.values_of(symbol, module.scope if module else None)  # type: ignore[arg-type]
+        if isinstance(symbol, Import) and symbol.member and (symbol.path, symbol.member) != (path, member):
+            return self.of_module(symbol.path, symbol.member)  # where the imports lead no further
+        if isinstance(symbol, Import) and not symbol.member:
+            return frozenset({ModuleValue(symbol.path, self.module(symbol.path))})
         whole = f"{path}.{member}"
         if symbol is None and self.module(whole) is not None:
             return frozenset({ModuleValue(whole, self.module(whole))})
@@ -106,27 +111,29 @@ class Program:
             return frozenset({ExternalValue(whole)})
         return NOTHING
 
-    def symbol_of(self, path: str, member: str, depth: int = 20) -> Symbol | None:
-        """The symbol that the module `path` calls `member`, imports followed as far as they lead to a declaration."""
+    def symbol_of(self, path: str, member: str, seen: set[tuple[str, str]] | None = None) -> Symbol | None:
+        """The symbol that the module `path` calls `member`, imports followed as far as they lead; `seen` have been looked at."""
+        seen = set() if seen is None else seen
         module = self.module(path)
-        if module is None or depth == 0:
+        if module is None or (path, member) in seen:
             return None
+        seen.add((path, member))
         symbol = module.scope.names.get(member)
         if symbol is None:
-            found = (self.symbol_of(star, member, depth - 1) for star in module.scope.stars)
+            found = (self.symbol_of(star, member, seen) for star in module.scope.stars)
             return next((symbol for symbol in found if symbol is not None), None)
-        return self._followed(symbol, module.scope, member, depth)
+        return self._followed(symbol, module.scope, member, seen)
 
-    def _followed(self, symbol: Symbol, scope: Scope, name: str, depth: int) -> Symbol | None:
+    def _followed(self, symbol: Symbol, scope: Scope, name: str, seen: set[tuple[str, str]]) -> Symbol | None:
         if isinstance(symbol, Variable) and scope.module.stub and isinstance(symbol.first, ast.Assign):
             value = symbol.first.value  # another name
-            return (self.symbol_of(scope.module.name, value.id, depth - 1) if isinstance(value, ast.Name) else None) or symbol
+            return (self.symbol_of(scope.module.name, value.id, seen) if isinstance(value, ast.Name) else None) or symbol
         if not isinstance(symbol, Import):
             return symbol
         choices = [symbol, *scope.other_imports.get(name, ())]
         for choice in choices:
             if choice.member:
-                found = self.symbol_of(choice.path, choice.member, depth - 1)
+                found = self.symbol_of(choice.path, choice.member, seen)
                 if found is not None:
                     return found
         known = next((choice for choice in choices if not choice.member and self.module(choice.path) is not None), None)
@@ -142,7 +149,7 @@ class Program:
                 unknown = next((star for star in scope.module.scope.stars if self.module(star) is None), None)
                 symbol = Import(unknown, name) if unknown else None
             return symbol
-        return self._followed(symbol, scope if name in scope.names else scope.module.scope, name, 20)
+        return self._followed(symbol, scope if name in scope.names else scope.module.scope, name, set())
 
     def dotted(self, node: ast.expr, scope: Scope) -> Values:
         """What a name, or names with dots between them, stands for when no variable is involved."""
@@ -192,6 +199,8 @@ def names_class(path: str) -> bool:
 @lru_cache(maxsize=256)
 def _stub(name: str) -> tuple[ast.Module, bool] | None:
     base = STUBS.joinpath(*name.split("."))
+    if len(base.name) > _LONGEST_NAME:
+        return None
     for path, package in ((base.with_name(f"{base.name}.pyi"), False), (base / "__init__.pyi", True)):
         if path.is_file() and path.is_relative_to(STUBS):
             return ast.parse(path.read_text(encoding="utf-8")), package

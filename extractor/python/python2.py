@@ -3,25 +3,17 @@
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any
 
 _FIXERS = ("except", "exec", "has_key", "ne", "numliterals", "paren", "print", "raise", "repr", "tuple_params", "unicode")
 
 
-@dataclass(frozen=True)
-class Converted:
-    """The text of Python 3."""
-
-    text: str
-
-
-def as_python3(text: str) -> Converted | None:
+def as_python3(text: str) -> str | None:
     """The source as Python 3 has it; None when it is no Python 2 either."""
     spaced = "\n".join(_tabs(line) for line in text.split("\n"))
     try:
-        return Converted(str(_tool().refactor_string(spaced.rstrip("\n") + "\n", "source")))
+        return str(_tool().refactor_string(spaced.rstrip("\n") + "\n", "source"))
     except Exception:  # of its parser, its tokenizer and its tree; whatever it says, the source is not Python 2
         return None
 

@@ -14,6 +14,7 @@ from .python2 import as_python3
 
 MOST_BYTES = 4 << 20
 """A larger file is data."""
+_SYNTAX = "syntax error: "
 _ENCODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
 
@@ -47,12 +48,12 @@ def read_source(path: Path) -> Parsed | Problem:
     tree = _parse(text)
     if isinstance(tree, ast.Module):
         return Parsed(text.encode(), tree, problems)
-    older = as_python3(text)
+    older = as_python3(text) if tree.message.startswith(_SYNTAX) and "nested" not in tree.message else None
     if older is not None:
-        converted = _parse(older.text)
+        converted = _parse(older)
         if isinstance(converted, ast.Module):
             return Parsed(
-                older.text.encode(), converted, (*problems, Problem(tree.line, tree.column, "Python 2: read as what 2to3 makes of it"))
+                older.encode(), converted, (*problems, Problem(tree.line, tree.column, "Python 2: read as what 2to3 makes of it"))
             )
     return _partial(text, tree, problems)
 
@@ -89,6 +90,6 @@ def _parse(text: str) -> ast.Module | Problem:
         try:
             return ast.parse(text)
         except SyntaxError as error:
-            return Problem(error.lineno or 1, max(error.offset or 1, 1), f"syntax error: {error.msg}")
+            return Problem(error.lineno or 1, max(error.offset or 1, 1), f"{_SYNTAX}{error.msg}")
         except (ValueError, RecursionError, MemoryError) as error:
             return Problem(1, 1, f"not analysed: {str(error) or type(error).__name__}")

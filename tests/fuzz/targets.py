@@ -146,6 +146,26 @@ def _compose(folder: Path, name: str, data: bytes) -> None:
 
 
 @target(
+    "import from as def class self. __init__ super(). lambda x: x for in if elif else: while True: try: except Exception, e: finally: with return yield await async"
+    " global nonlocal @property f'{x}' '%s' % ( ) [ ] { } : = += := * ** print 'a' exec raise match case _: rospy.Publisher( create_timer( partial( \n \t \0 <> ` 0777 u''"
+)  # fmt: skip
+def python_source(data: bytes, folder: Path) -> None:
+    """A script and a module that it imports, or that imports itself; all facts fit the schema."""
+    from rosarch.extractor.facts import validate
+    from rosarch.extractor.python.extract import extract_program
+    from rosarch.extractor.workspace.model import PythonEntry
+
+    script, module = folder / "here" / "node.py", folder / "here" / "tools.py"
+    script.write_bytes(b"from tools import *\nimport tools\n" + data)
+    module.write_bytes(data)
+    entry = PythonEntry(script, "__main__", None, (folder / "here",), (("__main__", script), ("tools", module)))
+    rows, problems = extract_program(folder, entry)
+    validate(rows)
+    for problem in problems:
+        str(problem)
+
+
+@target(
     "<launch> </launch> <node <group <include <arg <param <rosparam <remap <env <machine <test ns= name= pkg= type= args= if= unless= value="
     " default= file= command= textfile= binfile= from= to= pass_all_args= clear_params= $(arg $(find $(env $(optenv $(anon $(eval $(dirname)"
     " <!DOCTYPE <!ENTITY &x; <![CDATA[ ]]> subst_value="

@@ -1,0 +1,141 @@
+"""Facts of Python programs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rosarch.extractor.facts import validate
+from rosarch.extractor.python.extract import Rows, extract_program
+from rosarch.extractor.workspace.model import PythonEntry
+
+
+def extract(folder: Path, source: str | bytes, function: str | None = None, **others: str) -> tuple[Rows, list[str]]:
+    """The facts of a program, whose modules are called `main` and like the `others`, and its problems without their file."""
+    sources = {"main": source, **others}
+    modules = []
+    for name, text in sources.items():
+        path = folder / f"{name.replace('.', '/')}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        modules.append((name.removesuffix(".__init__"), path))
+    rows, problems = extract_program(folder, PythonEntry(folder / "main.py", "main", function, (folder,), tuple(modules)))
+    validate(rows)
+    return rows, [f"{line}:{column}: {message}" for _, line, column, message in problems]
+
+
+def callees(rows: Rows) -> dict[str, set[str]]:
+    """The names of the functions that each call enters, by the line of the call."""
+    names = dict(rows["function_name"])
+    found: dict[str, set[str]] = {}
+    for call, function in rows["call_function"]:
+        found.setdefault(str(call).split(":")[1], set()).add(str(names[function]))
+    return found
+
+
+def test_names_lead_through_modules(tmp_path: Path) -> None:
+    rows, problems = extract(
+        tmp_path,
+        "import pkg.deep as d\nfrom pkg import *\nfrom pkg.deep import Base as B\nimport pkg\n"
+        "d.run()\nrun()\nB().go()\npkg.deep.run()\nhelper()\nTwist()\n",
+        **{
+            "pkg.__init__": "from .deep import run\nfrom .tools import helper\nfrom geometry_msgs.msg import Twist\n",
+            "pkg.deep": "def run(): pass\nclass Base:\n    def go(self): pass\n",
+            "pkg.tools": "try:\n    from nowhere import helper\nexcept ImportError:\n    from .deep import run as helper\n",
+        },
+    )
+    assert problems == []
+    found = callees(rows)
+    assert found["5"] == found["6"] == found["8"] == found["9"] == {"pkg.deep::run"}
+    assert found["7"] == {"pkg.deep::Base::go"}
+    assert found["10"] == {"geometry_msgs.msg::Twist::__init__"}
+    assert ("geometry_msgs.msg::Twist", "message", "geometry_msgs/Twist") in rows["message_class"]
+
+
+def test_methods_are_found_through_bases_members_and_containers(tmp_path: Path) -> None:
+    rows, _ = extract(
+        tmp_path,
+        "from base import Base\nclass Part:\n    def move(self): pass\n"
+        "class Robot(Base):\n    def __init__(self):\n        super().__init__('r')\n        self.part = Part()\n        self.parts = [Part()]\n"
+        "    def step(self):\n        self.part.move()\n        for part in self.parts:\n            part.move()\n        self.tell()\n"
+        "    def hook(self): pass\n"
+        "def use(robot):\n    robot.step()\nuse(Robot())\n",
+        base="class Base(object):\n    def __init__(self, name):\n        self.name = name\n    def tell(self):\n        self.hook()\n    def hook(self): pass\n",
+    )
+    found = callees(rows)
+    assert found["6"] == {"base::Base::__init__"}
+    assert found["10"] == found["12"] == {"main::Part::move"}
+    assert found["13"] == {"base::Base::tell"}
+    assert found["16"] == {"main::Robot::step"}
+    names = dict(rows["function_name"])
+    assert {(names[a], names[b]) for a, b in rows["function_overrides"]} == {("main::Robot::hook", "base::Base::hook")}
+    types = dict(rows["variable_type"])
+    assert (types["base::Base::name"], types["main::Robot::part"], types["main::Robot::parts"]) == ("str", "main::Part object", "list")
+
+
+def test_arguments_stand_at_the_index_of_their_parameter(tmp_path: Path) -> None:
+    rows, _ = extract(tmp_path, "import rospy\nrospy.Publisher('a', queue_size=5, data_class=int)\nf(1, how=2)\n")
+    arguments = {(call.split(":")[1], index): dict(rows["expr_text"]).get(value) for call, index, value in rows["call_argument"]}
+    assert arguments == {("2", 0): "'a'", ("2", 6): "5", ("2", 1): "int", ("3", 0): "1"}
+    assert {name for _, name in rows["keyword_argument"]} == {"how"}
+
+
+def test_getters_are_calls_and_constants_of_enumerations_literals(tmp_path: Path) -> None:
+    rows, _ = extract(
+        tmp_path,
+        "from enum import Enum\nclass S(Enum):\n    IDLE = 0\nclass A:\n    @property\n    def state(self):\n        return S.IDLE\nprint(A().state)\n",
+    )
+    assert "main::A::state" in callees(rows)["8"]
+    assert ("enum", "main::S::IDLE") in {row[1:] for row in rows["literal"]}
+
+
+def test_what_a_loop_else_and_finally_follow(tmp_path: Path) -> None:
+    source = "def f(a):\n    while a:\n        if g(): break\n    else:\n        h()\n    try:\n        i()\n    except E:\n        j()\n    finally:\n        k()\n"
+    rows, _ = extract(tmp_path, source)
+    blocks = {expr.split(":")[1]: block for block, _, expr in rows["block_expr"] if ":call" in str(expr)}
+    edges = {(a, b) for a, b, _ in rows["block_edge"]}
+
+    def leads(start: str, end: str) -> bool:
+        seen, waiting = {blocks[start]}, [blocks[start]]
+        while waiting:
+            here = waiting.pop()
+            new = {b for a, b in edges if a == here} - seen
+            seen |= new
+            waiting += new
+        return blocks[end] in seen
+
+    assert leads("3", "7") and leads("5", "7") and leads("7", "9") and leads("9", "11") and not leads("9", "3")
+    assert {label for a, b, label in rows["block_edge"] if a == blocks["3"] and b == blocks["5"]} == set()
+    assert ("while",) in {row[1:] for row in rows["loop_head"]}
+
+
+def test_main_is_what_is_run_and_not_what_is_imported(tmp_path: Path) -> None:
+    source = "def main(): pass\nif __name__ == '__main__':\n    main()\n"
+    script, _ = extract(tmp_path, source)
+    imported, _ = extract(tmp_path, source, function="main")
+    assert {value for _, value in script["expr_constant"]} == {"1"}
+    assert {value for _, value in imported["expr_constant"]} == {"0"}
+    assert len(script["program_entry"]), len(imported["program_entry"]) == (1, 2)
+
+
+def test_what_is_not_understood_is_told_and_the_rest_is_read(tmp_path: Path) -> None:
+    assert extract(tmp_path, "def ok(): pass\nok()\ndef broken(:\n")[1] == [
+        "3:12: syntax error: invalid syntax; what stands from line 3 on is left out"
+    ]
+    rows, problems = extract(tmp_path, "class A:\n\tdef f(self):\n\t\tprint 'x', self\n        def g(self): pass\nA().g()\n")
+    assert problems == ["3:3: Python 2: read as what 2to3 makes of it"]
+    assert callees(rows)["5"] == {"main::A::g"}
+    assert extract(tmp_path, b"a = 1\nb = '\0'\n") == ({}, ["2:1: not a text file"])
+    assert extract(tmp_path, b"# -*- coding: latin-1 -*-\na = '\xe4'\n")[1] == []
+    assert extract(tmp_path, b"a = '\xe4'\n")[1] == ["1:6: not UTF-8 (byte 0xe4); read as Latin-1"]
+    assert extract(tmp_path, "import importlib\nimportlib.import_module('a')\nimportlib.import_module(b)\n")[1] == [
+        "3:1: imports a module by a name that is made up at run time; it is not read"
+    ]
+    assert len(extract(tmp_path, "a = " + "(" * 5000 + ")" * 5000)[1]) == 1
+    assert len(extract(tmp_path, "a = " + "-" * 50000 + "1")[1]) == 1
+
+
+def test_modules_that_import_each_other_and_themselves(tmp_path: Path) -> None:
+    rows, problems = extract(
+        tmp_path, "from other import *\nfrom main import *\nf()\nclass A(A): pass\n", other="from main import *\nfrom other import *\n"
+    )
+    assert problems == [] and ("main::A", "main::A") not in rows.get("class_base", ())
