@@ -28,11 +28,14 @@ SourceUrl = Annotated[
     ),
 ]
 Chains = Annotated[bool, typer.Option("--chains", help="Follow data through components, for chains of cause and effect; takes longer.")]
+Proofs = Annotated[bool, typer.Option("--proofs/--no-proofs", help="Tell why: by which rules and facts; without, it takes less long.")]
 _LINK = re.compile(r"(?!(?:javascript|data|vbscript):)[a-z][a-z0-9+.-]*://\S+", re.IGNORECASE)
 
 
 @asks()
-def report(question: SystemQuestion, out: Page = Path("report.html"), source_url: SourceUrl = None, chains: Chains = False) -> None:
+def report(
+    question: SystemQuestion, out: Page = Path("report.html"), source_url: SourceUrl = None, chains: Chains = False, proofs: Proofs = True
+) -> None:
     """Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings."""
     from rosarch.extractor.cache import write_whole
     from rosarch.extractor.files import folder_reader
@@ -44,7 +47,7 @@ def report(question: SystemQuestion, out: Page = Path("report.html"), source_url
     link = check_link(source_url)
     if out.is_dir():
         raise InputError(f"{out}: a folder, where a file is to be written")
-    subject = load_subject(question, link, chains=chains)
+    subject = load_subject(question, link, chains=chains, proofs=proofs)
     page = page_text(report_document(subject, folder_reader(question.folder)))
     try:
         write_whole(out, page.encode("utf-8", "backslashreplace"))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rosarch.cli.check_options import load_configuration, make_policy
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.inputs import check_sources
+from rosarch.cli.proven import prove
 from rosarch.cli.questions import SystemQuestion
 from rosarch.cli.systems import load_systems, tell_systems
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from rosarch.reports.html.document import Subject
 
 
-def load_subject(question: SystemQuestion, link: str | None, *, chains: bool) -> Subject:
+def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, proofs: bool) -> Subject:
     """Analyse and check what a report is about; `chains` of cause and effect take longer than the rest."""
     from rosarch.models.rule_sets import system_rules
     from rosarch.reports.html.document import Subject
@@ -31,14 +32,16 @@ def load_subject(question: SystemQuestion, link: str | None, *, chains: bool) ->
     configuration = load_configuration(folder, None, checks)
     analysis = question.analysis(rules, folder, None)
     composed = load_systems(question.inputs(rules), configuration)
+    reported = _judged(question, rules, configuration, composed)
     return Subject(
         title=folder.resolve().name,
         folder=folder,
         models=analysis.models,
         systems=composed.systems,
-        reported=_judged(question, rules, configuration, composed),
+        reported=reported,
         diagnostics=tuple(dict.fromkeys((*analysis.diagnostics, *composed.diagnostics))),
         told=tell_systems(question.inputs(replace(rules, flows=True) if chains else rules), configuration),
+        derivations=prove(question, rules, configuration, reported) if proofs else {},
         link=link,
     )
 

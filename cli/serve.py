@@ -15,7 +15,7 @@ import typer
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_sources
 from rosarch.cli.questions import SystemQuestion, asks
-from rosarch.cli.report import Chains, SourceUrl, check_link
+from rosarch.cli.report import Chains, Proofs, SourceUrl, check_link
 from rosarch.cli.terminal import emit
 from rosarch.cli.watch import saves
 
@@ -24,7 +24,7 @@ LOOPBACK = "127.0.0.1"
 
 
 @asks()
-def serve(question: SystemQuestion, port: Port = 8750, source_url: SourceUrl = None, chains: Chains = False) -> None:
+def serve(question: SystemQuestion, port: Port = 8750, source_url: SourceUrl = None, chains: Chains = False, proofs: Proofs = True) -> None:
     """Serve the report on this machine only, and make it anew whenever sources or rules are saved. Ends with Ctrl-C."""
     from rosarch.cli.live_server import serve_live
 
@@ -36,9 +36,9 @@ def serve(question: SystemQuestion, port: Port = 8750, source_url: SourceUrl = N
         server = _started(lambda: serve_live(listener, folder.resolve().name, current), daemon=True)
         emit(f"http://{LOOPBACK}:{listener.getsockname()[1]}/\n")
         try:
-            _remake(question, link, chains, current)
+            _remake(question, link, chains, proofs, current)
             for _ in saved:
-                _remake(question, link, chains, current)
+                _remake(question, link, chains, proofs, current)
         finally:
             server.terminate()
 
@@ -56,19 +56,19 @@ def _started(work: Callable[[], None], *, daemon: bool) -> BaseProcess:
     return process
 
 
-def _remake(question: SystemQuestion, link: str | None, chains: bool, current: Path) -> None:
+def _remake(question: SystemQuestion, link: str | None, chains: bool, proofs: bool, current: Path) -> None:
     """Analyse in a process of its own, which loads the rules as they are now."""
-    _started(lambda: _make(question, link, chains, current), daemon=False).join()
+    _started(lambda: _make(question, link, chains, proofs, current), daemon=False).join()
 
 
-def _make(question: SystemQuestion, link: str | None, chains: bool, current: Path) -> None:
+def _make(question: SystemQuestion, link: str | None, chains: bool, proofs: bool, current: Path) -> None:
     from rosarch.cli.live_server import put_document, put_error
     from rosarch.cli.reported import load_subject
     from rosarch.extractor.files import folder_reader
     from rosarch.reports.html.document import report_document
 
     try:
-        subject = load_subject(question, link, chains=chains)
+        subject = load_subject(question, link, chains=chains, proofs=proofs)
         put_document(current, report_document(subject, folder_reader(question.folder)))
     except InputError as error:  # the next save may mend it
         put_error(current, str(error))

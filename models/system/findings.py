@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from rosarch.datalog import Result
@@ -44,10 +44,16 @@ def require_places(checks: Iterable[Check], relations: Collection[str]) -> None:
 
 def findings(checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str) -> list[Finding]:
     """What the checks found in a system; `places` are those of the facts, by key."""
+    return [finding for _, finding in findings_with_rows(checks, result, places, system)]
+
+
+def findings_with_rows(
+    checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str
+) -> Iterator[tuple[tuple[Any, ...], Finding]]:
+    """The same, each with the row of its check."""
     known = set(result.names())
     steps = {type_: grouped(result.rows(evidence_of(type_))) for type_ in _types(checks) if evidence_of(type_) in known}
     names: dict[str, dict[Any, str]] = {type_: dict(result.rows(shown_as(type_))) for type_ in _types(checks) if shown_as(type_) in known}
-    found = []
     for check in checks:
         for row in result.rows(check.relation):
             texts = {}
@@ -59,8 +65,8 @@ def findings(checks: Sequence[Check], result: Result, places: Mapping[str, Place
                 for step, text, place in steps[dict(check.columns)[column]].get(entities[column], []):
                     evidence.append(Evidence(own.format(**texts) if own and step == 0 else text, places[place]))
             if evidence:
-                found.append(Finding(check, check.severity, check.message.format(**texts), tuple(dict.fromkeys(evidence)), (system,)))
-    return found
+                message = check.message.format(**texts)
+                yield row, Finding(check, check.severity, message, tuple(dict.fromkeys(evidence)), (system,))
 
 
 def _types(checks: Sequence[Check]) -> set[str]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.models.component import ComponentModel
+from rosarch.models.derivations import Derivations
 from rosarch.models.policy import Reported
 from rosarch.models.system.model import SystemModel
 from rosarch.models.system.told import Told
@@ -22,7 +23,10 @@ from rosarch.reports.printable import printable
 
 @dataclass(frozen=True)
 class Subject:
-    """What a report is about; `told` is by the names of systems, `link` is the pattern of links to a forge."""
+    """What a report is about.
+
+    `told` is by the names of systems, `derivations` by those of components and systems, `link` is the pattern of links to a forge.
+    """
 
     title: str
     folder: Path
@@ -31,6 +35,7 @@ class Subject:
     reported: Reported
     diagnostics: Sequence[Diagnostic]
     told: Mapping[str, Told] = field(default_factory=dict)
+    derivations: Mapping[str, Derivations] = field(default_factory=dict)
     link: str | None = None
 
 
@@ -46,7 +51,14 @@ def report_document(subject: Subject, read: Callable[[str], str | None]) -> dict
         "diagnostics": [_diagnostic(diagnostic, subject.folder.absolute()) for diagnostic in subject.diagnostics],
     }
     data["sources"] = excerpts(places_in(data), read)
+    data["proofs"] = {name: _proofs(found) for name, found in sorted(subject.derivations.items())}
     return _printable(data)  # type: ignore[no-any-return]
+
+
+def _proofs(found: Derivations) -> dict[str, Any]:
+    """Steps as text, rule, numbers of the steps they rest on, and 1 where more is left out."""
+    steps = [[step.text, step.rule, list(step.premises), int(step.cut)] for step in found.steps]
+    return {"steps": steps, "roots": dict(found.roots)}
 
 
 def _diagnostic(diagnostic: Diagnostic, folder: Path) -> dict[str, Any]:

@@ -16,20 +16,24 @@ _PARTS = ("report.js", "layout.js", "report.css")
 
 def page_text(document: Mapping[str, Any]) -> str:
     """The whole page."""
-    return _page(str(document["title"]), json.dumps(document, ensure_ascii=False, separators=(",", ":")), _policy(live=False))
+    first = {field: value for field, value in document.items() if field != "proofs"}
+    return _page(str(document["title"]), _json(first), _json(document.get("proofs", {})), _policy(live=False))
 
 
 def live_page(title: str) -> tuple[str, str]:
     """A page that asks the server that it comes from for the document, and the policy that it goes by."""
     policy = _policy(live=True)
-    return _page(title, "", policy), policy
+    return _page(title, "", "", policy), policy
 
 
-def _page(title: str, document: str, policy: str) -> str:
+def _json(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+
+
+def _page(title: str, document: str, proofs: str, policy: str) -> str:
     program, layout, styles = map(static_text, _PARTS)
-    return _PAGE.format(
-        policy=escape(policy), title=escape(title), styles=styles, data=packed(document), layout=packed(layout), program=program
-    )
+    blocks = {"data": packed(document), "proofs": packed(proofs), "layout": packed(layout)}
+    return _PAGE.format(policy=escape(policy), title=escape(title), styles=styles, program=program, **blocks)
 
 
 _PAGE = """\
@@ -48,6 +52,7 @@ _PAGE = """\
 <div id="app"><p class="loading">Reading the report …</p></div>
 <noscript><p class="loading">This report is shown by a program that it brings with it; scripts must be allowed for this page.</p></noscript>
 <script type="application/octet-stream" id="document">{data}</script>
+<script type="application/octet-stream" id="proofs">{proofs}</script>
 <script type="application/octet-stream" id="layout">{layout}</script>
 <script>{program}</script>
 </body>

@@ -78,6 +78,19 @@ def test_every_place_that_can_be_read_is_excerpted(document: Any, examples: Path
     assert len(there) > 20 and there <= told
 
 
+def test_ports_and_findings_are_proven(delivery: str, document: Any) -> None:
+    proofs = json.loads(unpacked(delivery, "proofs"))
+    courier = next(c for c in document["components"] if c["name"] == "delivery_robot/courier")
+    steps, roots = proofs[courier["name"]]["steps"], proofs[courier["name"]]["roots"]
+    assert {f"port {port['kind']} {port['name']} {port['at']}" for port in courier["ports"]} <= set(roots)
+    for number in roots.values():
+        text, rule, premises, _cut = steps[number]
+        assert premises and rule.startswith("rules/core/"), text
+    assert any(rule == "input" for _text, rule, _premises, _cut in steps)
+    proven = {finding for system in document["systems"] for finding in proofs[system["name"]]["roots"]}
+    assert proven == {finding["id"] for finding in document["findings"]["shown"] if finding["systems"]}
+
+
 def test_only_what_the_page_brings_may_run(delivery: str) -> None:
     policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', delivery)[1].replace("&#x27;", "'")  # type: ignore[index]
     rules = dict(rule.split(" ", 1) for rule in policy.split("; "))

@@ -262,6 +262,8 @@ def test_findings_lead_to_the_source(reader: Reader) -> None:
     expect(page.locator(".hint")).to_contain_text("Use one message type")
     link = page.locator(".finding a.place").first
     assert link.get_attribute("href") == "https://example.org/delivery_robot/delivery_robot/src/courier.cpp#L18"
+    page.get_by_text("The rules and facts that tell this").click()
+    expect(page.locator(".proof-tree").first).to_contain_text("rules/checks/topic-type-mismatch.dl")
     link.click()
     expect(page.get_by_role("dialog")).to_contain_text("battery_sub_")
     page.get_by_role("button", name="Close").click()
@@ -280,6 +282,11 @@ def test_state_machines_lead_to_the_source(reader: Reader) -> None:
     beacon.press("Enter")
     expect(page.get_by_role("dialog")).to_contain_text("docking.cpp:51")
     page.get_by_role("button", name="Close").click()
+    page.get_by_role("button", name="Why: publisher ~state").click()
+    expect(page.get_by_role("dialog").locator(".proof-tree").first).to_contain_text("rules/core/ports.dl")
+    page.locator("dialog .proof > summary").nth(1).press("Enter")
+    expect(page.get_by_role("dialog")).to_contain_text("api_port(")
+    page.keyboard.press("Escape")
     page.get_by_text("Transitions as a table").click()
     expect(page.get_by_role("table").filter(has_text="stays").first).to_be_visible()
 

@@ -9,6 +9,7 @@ import { GraphPage } from "./pages/graph";
 import { LaunchPage } from "./pages/launch";
 import { OverviewPage } from "./pages/overview";
 import { TimingPage } from "./pages/timing";
+import { ProofDialog, type Subject } from "./parts/proof";
 import { SourceDialog } from "./parts/source";
 import { shortened } from "./parts/text";
 import { href, type Route, useRoute } from "./route";
@@ -26,7 +27,8 @@ const PAGES = [
 export function App({ report, error }: { report: Report; error: string | null }) {
   const route = useRoute();
   const [place, showSource] = useState<Place | null>(null);
-  const shared = useMemo(() => ({ report, showSource }), [report]);
+  const [proof, showProof] = useState<Subject | null>(null);
+  const shared = useMemo(() => ({ report, showSource, showProof }), [report]);
   const at = route.path[0] === "component" ? "components" : (route.path[0] ?? "");
   useEffect(() => {
     const page = PAGES.find(([name]) => name === at)?.[1] ?? "";
@@ -48,6 +50,7 @@ export function App({ report, error }: { report: Report; error: string | null })
         <Page route={route} />
       </main>
       <SourceDialog at={place} onClose={() => showSource(null)} />
+      <ProofDialog subject={proof} onClose={() => showProof(null)} />
     </SharedContext.Provider>
   );
 }

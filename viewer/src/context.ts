@@ -3,10 +3,12 @@ import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 import type { Place } from "./data";
 import type { Report } from "./model";
+import type { Subject } from "./parts/proof";
 
 export interface Shared {
   report: Report;
   showSource: (place: Place) => void;
+  showProof: (subject: Subject) => void;
 }
 
 export const SharedContext = createContext<Shared | null>(null);

@@ -229,6 +229,15 @@ export interface Diagnostic {
 /** A run of lines: the number of the first, and the texts. */
 export type Run = [number, string[]];
 
+/** A step of a proof: text, rule (or what else it is), numbers of the steps it rests on, 1 where more is left out. */
+export type ProofStep = [text: string, rule: string, premises: number[], cut: 0 | 1];
+
+/** Proofs of the things of a component or system, by keys; see models/derivations.py. */
+export interface Proofs {
+  steps: ProofStep[];
+  roots: Record<string, number>;
+}
+
 export interface ReportDocument {
   rosarch: string;
   title: string;
@@ -238,6 +247,8 @@ export interface ReportDocument {
   findings: { shown: Finding[]; suppressed: Finding[]; checks: Record<string, Check> };
   diagnostics: Diagnostic[];
   sources: Record<string, Run[]>;
+  /** By the names of components and systems; pages from disk have them in a block of their own. */
+  proofs?: Record<string, Proofs>;
 }
 
 /** The text of a block of the page that `packed` of reports/html/page.py made. */

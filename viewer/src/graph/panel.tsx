@@ -1,12 +1,13 @@
 /** What is known of the box or connector that is selected, and what can be done with it. */
 
 import { useReport } from "../context";
-import type { System, SystemNode } from "../data";
+import type { Component, System, SystemNode } from "../data";
 import { amount, counted } from "../model";
 import { componentHref } from "../pages/components";
 import { rateText } from "../pages/timing";
 import { SeverityBadge } from "../parts/controls";
-import { PortKind } from "../parts/kinds";
+import { PortKind, portLabel } from "../parts/kinds";
+import { Why } from "../parts/proof";
 import { Source } from "../parts/source";
 import { Condition, Name, shortened } from "../parts/text";
 import { href, setParams } from "../route";
@@ -126,7 +127,17 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
           .map((port) => (
             <li key={port.id}>
               <div>
-                <PortKind kind={port.kind} /> <Source at={port.at} />
+                <PortKind kind={port.kind} />
+                <span>
+                  <Source at={port.at} />
+                  {node.origin === "source" && node.component && port.at && (
+                    <Why
+                      owner={node.component}
+                      of={whyPort(own, port.id)}
+                      title={`${portLabel(port.kind)} ${port.name}`}
+                    />
+                  )}
+                </span>
               </div>
               <Name text={port.name} strong />
               <div class="muted">
@@ -148,6 +159,12 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
       </ul>
     </>
   );
+}
+
+/** The key of the proof of a component's port. */
+function whyPort(component: Component | undefined, id: string): string {
+  const port = component?.ports.find((each) => each.id === id);
+  return port ? `port ${port.kind} ${port.name} ${port.at}` : "";
 }
 
 const MOST = 30;

@@ -4,6 +4,7 @@ import { useShared } from "../context";
 import type { Effect, Machine, Region } from "../data";
 import { Section, Table } from "../parts/controls";
 import { rounded } from "../parts/lines";
+import { Why } from "../parts/proof";
 import { Sources } from "../parts/source";
 import { Condition, Maybe, Name, shortened } from "../parts/text";
 import {
@@ -16,13 +17,13 @@ import {
   type TransitionShape,
 } from "./layout";
 
-export function Machines({ machine }: { machine: Machine }) {
+export function Machines({ owner, machine }: { owner: string; machine: Machine }) {
   const { regions, always, left_out, dead, messages } = machine;
   if (!regions.length && !left_out.length && !messages.length) return null;
   return (
     <Section id="machines" title="State machines" count={regions.length}>
       {regions.map((region) => (
-        <RegionView key={region.title} region={region} />
+        <RegionView key={region.title} owner={owner} region={region} />
       ))}
       {always.length > 0 && (
         <>
@@ -54,7 +55,7 @@ export function Machines({ machine }: { machine: Machine }) {
   );
 }
 
-function RegionView({ region }: { region: Region }) {
+function RegionView({ owner, region }: { owner: string; region: Region }) {
   const [drawing, setDrawing] = useState<MachineDrawing | null>(null);
   useEffect(() => {
     let wanted = true;
@@ -102,6 +103,7 @@ function RegionView({ region }: { region: Region }) {
               <td>{arc.to ? <Name text={arc.to} strong /> : <span class="none">stays</span>}</td>
               <td>
                 <Sources at={arc.at} />
+                {arc.to && <Why owner={owner} of={`transition ${arc.at[0]}`} title={`${arc.on} → ${arc.to}`} />}
               </td>
             </tr>
           ))}

@@ -5,7 +5,8 @@ import type { Component, Port } from "../data";
 import { Machines } from "../machine/machines";
 import { amount, counted, frequency, type Instance, portNames } from "../model";
 import { Section, Table } from "../parts/controls";
-import { PortKind, portOrder } from "../parts/kinds";
+import { PortKind, portLabel, portOrder } from "../parts/kinds";
+import { Why } from "../parts/proof";
 import { Source, Sources } from "../parts/source";
 import { Condition, Maybe, Name } from "../parts/text";
 import { href } from "../route";
@@ -47,7 +48,7 @@ export function ComponentPage({ name }: { name: string }) {
       <Ports component={component} />
       <Parameters component={component} />
       <Behaviour component={component} />
-      <Machines machine={component.machine} />
+      <Machines owner={component.name} machine={component.machine} />
       <Variables component={component} />
       {findings.length > 0 && (
         <Section id="findings" title="Findings" count={findings.length}>
@@ -87,18 +88,22 @@ function Ports({ component }: { component: Component }) {
   const implicit = component.ports.filter((port) => port.implicit);
   return (
     <Section id="ports" title="Ports" count={own.length}>
-      {own.length > 0 ? <PortTable ports={own} label="Ports" /> : <p class="muted">It has none.</p>}
+      {own.length > 0 ? (
+        <PortTable owner={component.name} ports={own} label="Ports" />
+      ) : (
+        <p class="muted">It has none.</p>
+      )}
       {implicit.length > 0 && (
         <details>
           <summary>{counted(implicit.length, "port")} that libraries make inside themselves</summary>
-          <PortTable ports={implicit} label="Implicit ports" />
+          <PortTable owner={component.name} ports={implicit} label="Implicit ports" />
         </details>
       )}
     </Section>
   );
 }
 
-function PortTable({ ports, label }: { ports: readonly Port[]; label: string }) {
+function PortTable({ owner, ports, label }: { owner: string; ports: readonly Port[]; label: string }) {
   return (
     <Table label={label} head={["Kind", "Name", "Type", "Queue", "Callback", "If", "Source"]}>
       {ports.map((port) => (
@@ -123,11 +128,19 @@ function PortTable({ ports, label }: { ports: readonly Port[]; label: string }) 
           </td>
           <td>
             <Source at={port.at} />
+            {!port.implicit && (
+              <Why owner={owner} of={`port ${portKey(port)}`} title={`${portLabel(port.kind)} ${port.name}`} />
+            )}
           </td>
         </tr>
       ))}
     </Table>
   );
+}
+
+/** A port as the keys of proofs name it. */
+function portKey(port: Port | undefined): string {
+  return port ? `${port.kind} ${port.name} ${port.at}` : "";
 }
 
 function PortName({ port }: { port: Port }) {
@@ -164,6 +177,13 @@ function Parameters({ component }: { component: Component }) {
             </td>
             <td>
               <Source at={parameter.at} />
+              {parameter.op && (
+                <Why
+                  owner={component.name}
+                  of={`parameter ${parameter.op} ${parameter.name} ${parameter.at}`}
+                  title={`parameter ${parameter.name}`}
+                />
+              )}
             </td>
           </tr>
         ))}
@@ -206,6 +226,11 @@ function Behaviour({ component }: { component: Component }) {
                 </td>
                 <td>
                   <Source at={loop.at} />
+                  <Why
+                    owner={component.name}
+                    of={`periodic ${loop.at}`}
+                    title={`${loop.mechanism}, ${frequency(loop.hz)}`}
+                  />
                 </td>
               </tr>
             ))}
@@ -226,6 +251,11 @@ function Behaviour({ component }: { component: Component }) {
                 </td>
                 <td>
                   <Sources at={reaction.at} />
+                  <Why
+                    owner={component.name}
+                    of={`reacts ${[reaction.input, reaction.output].map((id) => portKey(ports.get(id))).join(" > ")}`}
+                    title={`${ports.get(reaction.input)?.name} → ${ports.get(reaction.output)?.name}`}
+                  />
                 </td>
               </tr>
             ))}

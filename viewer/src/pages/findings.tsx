@@ -4,6 +4,7 @@ import { useReport } from "../context";
 import type { Evidence, Finding, Severity } from "../data";
 import { bySeverity, counted, SEVERITIES } from "../model";
 import { Filter, matches, SeverityBadge, Toggle } from "../parts/controls";
+import { ProofTree } from "../parts/proof";
 import { Excerpt, Source } from "../parts/source";
 import { Name, shortened } from "../parts/text";
 import { type Route, setParams } from "../route";
@@ -131,6 +132,7 @@ function FindingBody({ finding }: { finding: Finding }) {
           </details>
         </>
       )}
+      {finding.systems[0] !== undefined && <Derivation finding={finding} system={finding.systems[0]} />}
       {finding.systems.length > 0 && (
         <p class="muted">
           In{" "}
@@ -144,6 +146,16 @@ function FindingBody({ finding }: { finding: Finding }) {
         </p>
       )}
     </div>
+  );
+}
+
+function Derivation({ finding, system }: { finding: Finding; system: string }) {
+  const [open, setOpen] = useState(false);
+  return (
+    <details class="about proof" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>The rules and facts that tell this</summary>
+      {open && <ProofTree owner={system} of={finding.id} />}
+    </details>
   );
 }
 

@@ -1,7 +1,7 @@
 /** Places in the source: links that show the lines, from the excerpts that the report brings with it. */
-import { useEffect, useRef } from "preact/hooks";
 import { useShared } from "../context";
 import type { Place, ReportDocument, Run } from "../data";
+import { Modal } from "./modal";
 import { shortened } from "./text";
 
 export function splitPlace(place: Place): [string, number] {
@@ -97,46 +97,25 @@ export function linesAround(runs: readonly Run[], line: number, around: number):
 /** A dialog with the lines around a place; `null` closes it. */
 export function SourceDialog({ at, onClose }: { at: Place | null; onClose: () => void }) {
   const { report } = useShared();
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
-    if (at) dialog.current?.showModal();
-    else dialog.current?.close();
-  }, [at]);
   const link = at ? forgeLink(report.document, at) : undefined;
   const readable = at && report.document.sources[splitPlace(at)[0]];
   return (
-    <dialog
-      ref={dialog}
-      class="source-dialog"
-      aria-label="Source"
-      onClose={onClose}
-      onClick={(event) => event.target === dialog.current && onClose()}
-    >
-      {at && (
-        <>
-          <header>
-            <code class="path">{shortened(at, 200)}</code>
-            <button type="button" class="quiet" onClick={onClose} aria-label="Close">
-              ✕
-            </button>
-          </header>
-          {readable ? (
-            <Excerpt at={at} around={8} />
-          ) : (
-            <p class="muted">This file could not be read when the report was made.</p>
-          )}
-          <footer>
-            {link && (
-              <a href={link} target="_blank" rel="noopener noreferrer">
-                Open in the repository
-              </a>
-            )}
-            <button type="button" class="quiet" onClick={() => navigator.clipboard?.writeText(at)}>
-              Copy path
-            </button>
-          </footer>
-        </>
+    <Modal open={at !== null} label="Source" title={at ? shortened(at, 200) : ""} onClose={onClose}>
+      {at && readable ? (
+        <Excerpt at={at} around={8} />
+      ) : (
+        <p class="muted">This file could not be read when the report was made.</p>
       )}
-    </dialog>
+      <footer>
+        {link && (
+          <a href={link} target="_blank" rel="noopener noreferrer">
+            Open in the repository
+          </a>
+        )}
+        <button type="button" class="quiet" onClick={() => at && navigator.clipboard?.writeText(at)}>
+          Copy path
+        </button>
+      </footer>
+    </Modal>
   );
 }
