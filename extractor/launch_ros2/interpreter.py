@@ -47,8 +47,15 @@ class Interpreter(Calls):
         tree = parse_python(text)
         module = ModuleFrame(name, file, is_launch_file, {"__name__": name, "__file__": file})
         self.modules[name] = module
-        self.block(tree.body, Frame(module.variables, module))
+        self._top(tree.body, Frame(module.variables, module))
         return module
+
+    def _top(self, body: Sequence[ast.stmt], frame: Frame) -> None:
+        """Run statements of which none may leave a function or loop."""
+        try:
+            self.block(body, frame)
+        except (_Return, _Leave, _Next):
+            raise Raised("SyntaxError", "`return`, `break` or `continue` at a wrong place", self.place(body[0], frame)) from None
 
     def block(self, body: Sequence[ast.stmt], frame: Frame) -> None:
         """Run statements."""
@@ -68,6 +75,8 @@ class Interpreter(Calls):
             found: Any = None
         except _Return as returned:
             found = returned.value
+        except (_Leave, _Next):
+            raise Raised("SyntaxError", "`break` or `continue` outside of a loop", self.place(body[0], frame)) from None
         finally:
             del self.path[depth:]
         for condition, value in reversed(frame.returns):
@@ -187,7 +196,7 @@ class Interpreter(Calls):
     def _do_classdef(self, node: ast.ClassDef, frame: Frame) -> None:
         bases = tuple(self.value(base, frame) for base in node.bases)
         inner = Frame({}, frame.module, frame)
-        self.block(node.body, inner)
+        self._top(node.body, inner)
         names = tuple(one.target.id for one in node.body if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name))
         made = Class(node.name, bases, inner.variables, names)
         self.own(made)
