@@ -170,3 +170,15 @@ def test_what_cannot_be_interpreted(tmp_path: Path, text: str, nodes: list[str],
     found = composed(tmp_path, {"main.launch.py": text})
     assert names(found) == nodes
     assert problems(found, tmp_path) == said
+
+
+def test_helpers_of_packages_that_are_not_there(tmp_path: Path) -> None:
+    before = """from controller_manager.launch_utils import generate_controllers_spawner_launch_description, generate_load_controller_launch_description
+one = generate_load_controller_launch_description('arm', controller_params_file='/p.yaml')
+two = generate_controllers_spawner_launch_description(['a', 'b'], extra_spawner_args=['--inactive'])"""
+    found = described(tmp_path, "one, two", before)
+    assert [(node.package, node.type, node.args) for node in found.nodes] == [
+        ("controller_manager", "spawner", "arm --controller-manager controller_manager --param-file /p.yaml"),
+        ("controller_manager", "spawner", "a b --controller-manager controller_manager --inactive"),
+    ]
+    assert problems(found, tmp_path) == []
