@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError
@@ -48,14 +49,24 @@ def _include(world: World, made: Made, context: Context) -> None:
     state.includes.append(Include(path, file if entities is not None else None, lines, context.conditions, passes_all=True))
     if file is None or entities is None:
         return
-    declared, asked = len(state.declared), len(world.asked)
+    before = len(state.declared), len(world.asked), len(state.includes)
     with context.included(file, place):
         visit(world, entities, context)
     world.here(place)
-    names = {argument.name for argument in state.declared[declared:]} | set(world.asked[asked:])
-    unused = [name for name in passed if name not in names]
-    for name in unused if names else ():
+    for name in _unused(world, passed, file, before):
         state.warn("unused-argument", name, f"{path} neither declares nor uses the argument `{name}` that is passed to it")
+
+
+def _unused(world: World, passed: Iterable[str], file: str, before: tuple[int, int, int]) -> list[str]:
+    """The arguments that an included file, and all that it includes, have no use for; none where not all of that is known."""
+    state = world.state
+    declared, asked, included = before
+    inner = state.includes[included:]
+    known = {argument.name for argument in state.declared[declared:]} | set(world.asked[asked:])
+    if not known or any(include.file is None for include in inner):
+        return []
+    texts = [state.files.read_text(path) for path in dict.fromkeys([file, *(include.file for include in inner if include.file)])]
+    return [name for name in passed if name not in known and not any(name in text for text in texts)]
 
 
 def _pass(world: World, made: Made, context: Context) -> dict[str, str]:

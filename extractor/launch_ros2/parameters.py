@@ -72,7 +72,7 @@ def settings(world: World, given: Given, names: tuple[str, ...], context: Contex
     elif isinstance(value, Made) and value.kind in ("Parameter", "ParameterGroup"):
         yield from _of_parameter(world, "", value, given, context)
     elif isinstance(value, Unknown):
-        world.interpreter.misunderstood(given.place, f"parameters not known: {world.state.unknowns.render(value.text)}")
+        yield Unread(world.as_text(value), given.place)
     elif value is not None and value is not NOTHING:
         yield from _of_file(world, value, given, names, context)
 
