@@ -52,6 +52,8 @@ def model_rows(model: ComponentModel) -> Rows:
     component = f"{model.package}/{model.component}"
     for type_ in model.types:
         writer.add("interface", component, model.package, type_, model.kind, "source")
+    if model.node_name:
+        writer.add("interface_node_name", component, model.node_name)
     if model.plugin and model.plugin.base:
         writer.add("interface_base", component, model.plugin.base)
     for name in model.loads:
