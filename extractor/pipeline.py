@@ -162,10 +162,9 @@ def extract(
     if units or scripts:
         extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str)
     defined = _defined(store)
+    outcomes = {one: read.of([one.python]) if one.python else reading.of(units_of[one]) for one in found}
     extraction.components = tuple(
-        _component_facts(
-            component, workspace.root, read.of([component.python]) if component.python else reading.of(units_of[component]), defined
-        )
+        _component_facts(component, workspace.root, outcomes[component], defined, extraction.programs)
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction
@@ -244,7 +243,9 @@ def _defined(store: MessageStore) -> _Defined:
     return _Defined(classes, configs, hash_of(map(repr, (*sorted(classes), *sorted(configs)))))
 
 
-def _component_facts(component: Component, root: Path, outcomes: Sequence[Outcome], defined: _Defined) -> ComponentFacts:
+def _component_facts(
+    component: Component, root: Path, outcomes: Sequence[Outcome], defined: _Defined, programs: frozenset[tuple[str, str]]
+) -> ComponentFacts:
     own: dict[str, set[tuple[str | int, ...]]] = {
         "component": {(component.name, component.package, component.kind)},
         "component_source": set(),
@@ -255,7 +256,8 @@ def _component_facts(component: Component, root: Path, outcomes: Sequence[Outcom
         own["component_class"] = {(component.entry_class,)}
     if component.plugin_name or component.base_class:
         own["component_plugin"] = {(component.plugin_name or component.entry_class or component.name, component.base_class or "")}
-    own["component_executable"] = {(name,) for name in component.executables}
+    run_alone = {component.name} if component.plugin_name and (component.package, component.name) in programs else set()
+    own["component_executable"] = {(name,) for name in {*component.executables, *run_alone}}
     for together, outcome in outcomes:
         for source in together:
             if source.is_relative_to(root):

@@ -63,6 +63,15 @@ def test_components_and_their_sources(root: Path) -> None:
         assert extraction.diagnostics == []
 
 
+def test_a_class_with_a_program_of_its_own_is_started_as_that(tmp_path: Path) -> None:
+    cmake = 'add_library(parts parts.cpp)\nrclcpp_components_register_nodes(parts "demo::Part")\nadd_executable(Part main.cpp)\n'
+    package(tmp_path, "demo", cmake, {"parts.cpp": "int x;\n", "main.cpp": "int main() {}\n"})
+    with extract(tmp_path) as extraction:
+        named = {each.kind: each.own["component_executable"] for each in extraction.components}
+    assert named["component"] == {("Part",)}
+    assert named["node"] == set()
+
+
 def test_a_shared_library_is_part_of_each_component(root: Path) -> None:
     found = rows(root, jobs=1)
     for name in ("self", "left", "right"):
