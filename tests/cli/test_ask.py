@@ -144,3 +144,14 @@ def test_rates_that_are_none_are_told(rosarch: Callable, workspace: Path, tmp_pa
         f"{path}:4:7: the least rate, 3, is more than the most, 2\n"
         f"{path}:5:7: a rate is a number, or two: the least and the most\n"
     )
+
+
+def test_queries_have_the_flow_of_data_followed_that_they_rest_on(rosarch: Callable, workspace: Path) -> None:
+    launch = ("--launch", "demo/demo.launch")
+    asked = 'chain_step([_, From, _], [_, To, _], How, "reactive")'
+    (found,) = json.loads(rosarch("query", workspace, asked, *launch, "--format", "json").out)
+    assert [(row["From"], row["To"], row["How"]) for row in found["rows"]] == [("demo/filter#p2", "demo/filter#p1", "data")]
+    explained = rosarch("explain", workspace, asked.replace("From", "_").replace("To", "_").replace("How", "_"), *launch)
+    assert "interface_port_flow" in explained.out, explained.err
+    told = rosarch("query", workspace, "flows_told(Name)", "--component", "filter")
+    assert told.out.splitlines()[-2:] == ["filter", "1 row"]

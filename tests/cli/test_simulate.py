@@ -52,3 +52,12 @@ def test_diagrams(simulate: Callable) -> None:
     assert "sequenceDiagram\n" in sequence
     assert "->>" in sequence
     assert simulate("--format", "timeline", "--duration", "1").out.startswith("gantt\n  title src/patrol_bringup/launch/robot.launch\n")
+
+
+def test_rules_of_ones_own_count(simulate: Callable, tmp_path: Path) -> None:
+    hints = tmp_path / "hints.dl"
+    hints.write_text('hint_rate("src/patrol_robot/src/base_driver.cpp", 33, "50").\n')
+    found = simulate("--rules", hints, "--format", "json")
+    assert found.code == 0, found.err
+    rate = {row["topic"]: row["number"] for row in json.loads(found.out)["rates"]}
+    assert abs(rate["/odom"] - 500) <= 1

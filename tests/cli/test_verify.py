@@ -35,6 +35,13 @@ def verify(rosarch: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     return run
 
 
+@pytest.fixture
+def no_checker(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No model checker is installed."""
+    for checker in (spin, storm):
+        monkeypatch.setattr(checker, "is_installed", lambda: False)
+
+
 @needs_checker
 def test_an_example(rosarch: Callable, examples: Path) -> None:
     folder = examples / "patrol_robot"
@@ -104,21 +111,19 @@ def test_all_hold(verify: Callable) -> None:
     assert verify("relay", "both: always (sent(/b) <-> received(relay, /a))\n").code == 0
 
 
+@pytest.mark.usefixtures("no_checker")
 @pytest.mark.parametrize(
     ("language", "files"), [("promela", ["p.pml"]), ("prism", ["p.prism", "p.props"]), ("jani", ["p.jani"])], ids=lambda value: str(value)
 )
-def test_export_needs_no_checker(verify: Callable, monkeypatch: pytest.MonkeyPatch, language: str, files: list[str]) -> None:
-    for checker in (spin, storm):
-        monkeypatch.setattr(checker, "is_installed", lambda: False)
+def test_export_needs_no_checker(verify: Callable, language: str, files: list[str]) -> None:
     found = verify("ring", "p: left(one.has_)\n", "--export", language, "--output", "out")
     assert found.code == 0, found.err
     assert sorted(path.name for path in Path("out").iterdir()) == files
     assert "one_has" in (Path("out") / files[0]).read_text("utf-8")
 
 
-def test_without_a_checker(verify: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
-    for checker in (spin, storm):
-        monkeypatch.setattr(checker, "is_installed", lambda: False)
+@pytest.mark.usefixtures("no_checker")
+def test_without_a_checker(verify: Callable) -> None:
     assert verify("ring", "p: left(one.has_)\n").err == (
         f"rosarch: error: no model checker is installed; either will do: {spin.HINT}; {storm.HINT}\n"
     )
