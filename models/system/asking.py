@@ -28,6 +28,11 @@ class PortName:
     def __str__(self) -> str:
         return f"{self.name} of {self.node}" if self.node else self.name
 
+    def rows(self) -> set[tuple[str, str]]:
+        """What it may be called in full, and its node, "" for any."""
+        nodes = {self.node, _absolute(self.node)} if self.node else {""}
+        return {(name, node) for name in (self.name, _absolute(self.name)) for node in nodes}
+
 
 @dataclass(frozen=True)
 class Causes:

@@ -87,10 +87,9 @@ def ask_chain(rules: SystemRules, rows: Rows, asked: Causes, system: str, models
     Raises:
         QuestionError: it is about something that is not there.
     """
-    there = rules.program.evaluate(rows, engine=engine, keep=PORTS)
-    sources, targets = find_ports(asked.source, there), find_ports(asked.target, there)
-    question = {"question_source": {(port,) for port in sources}, "question_target": {(port,) for port in targets}}
+    question = {"question_port": {("source", *row) for row in asked.source.rows()} | {("target", *row) for row in asked.target.rows()}}
     result = rules.program.evaluate({**rows, **question}, engine=engine, keep=(*PORTS, *ANSWERS))
+    sources, targets = find_ports(asked.source, result), find_ports(asked.target, result)
     shower = _Shower(rows, result, models)
     answers = {answer for (answer,) in result.rows("answer")}
     steps = _best_steps(result)
