@@ -125,12 +125,14 @@ PAGES = (
     "findings", f"graph?system={DELIVERY}", "graph?system=hostile/hostile.launch&implicit=1&kinds=topic,service,action,tf", "launch",
     "launch?system=hostile/hostile.launch", f"timing?system={DELIVERY}", "nowhere",
 )  # fmt: skip
-THEMES = [{"color_scheme": "light"}, {"color_scheme": "dark"}]
+DARK = ("", "component/auto_docking/docking", "findings", f"graph?system={DELIVERY}&at=node:0", f"timing?system={DELIVERY}")
+"""Pages that have all colours between them."""
+THEMES = [({"color_scheme": "light"}, PAGES), ({"color_scheme": "dark"}, DARK)]
 
 
-@pytest.mark.parametrize("reader", THEMES, indirect=True, ids=["light", "dark"])
-def test_every_page_is_accessible(reader: Reader) -> None:
-    for where in PAGES:
+@pytest.mark.parametrize(("reader", "pages"), THEMES, indirect=["reader"], ids=["light", "dark"])
+def test_every_page_is_accessible(reader: Reader, pages: tuple[str, ...]) -> None:
+    for where in pages:
         page = reader.open(where)
         if where.endswith("docking"):
             expect(page.locator("svg.machine")).to_be_visible()
@@ -224,6 +226,8 @@ def test_keyboard_alone_leads_everywhere(reader: Reader) -> None:
     expect(page.locator(":focus")).to_have_text("Graph")
     keys.press("Enter")
     expect(page.locator(".stage[aria-busy=false] svg.graph .box").first).to_be_attached(timeout=60_000)
+    keys.press("/")
+    expect(page.locator(":focus")).to_have_attribute("aria-label", "Find name, type, package")
     page.locator("svg.graph").focus()
     scene = page.locator("svg.graph > g")
     seen = []

@@ -35,6 +35,7 @@ export function App({ report, error }: { report: Report; error: string | null })
     document.title = `${route.path.slice(1).join("/") || page} – ${report.document.title}`;
   }, [route, report, at]);
   useEffect(openForPrint, []);
+  useEffect(searchByKey, []);
   return (
     <SharedContext.Provider value={shared}>
       <a class="skip" href="#main" onClick={skip}>
@@ -107,6 +108,19 @@ function Header({ at, report }: { at: string; report: Report }) {
 function skip(event: MouseEvent) {
   event.preventDefault();
   document.getElementById("main")?.focus();
+}
+
+/** `/` leads to the filter of the page. */
+function searchByKey() {
+  const search = (event: KeyboardEvent) => {
+    const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+    const filter = document.querySelector<HTMLInputElement>("main .filter");
+    if (event.key !== "/" || typing || !filter) return;
+    event.preventDefault();
+    filter.focus();
+  };
+  addEventListener("keydown", search);
+  return () => removeEventListener("keydown", search);
 }
 
 /** What is folded on the page is unfolded on paper, proofs excepted. */
