@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import base64
 import json
+import re
 import shutil
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -155,3 +158,22 @@ def test_queries_have_the_flow_of_data_followed_that_they_rest_on(rosarch: Calla
     assert "interface_port_flow" in explained.out, explained.err
     told = rosarch("query", workspace, "flows_told(Name)", "--component", "filter")
     assert told.out.splitlines()[-2:] == ["filter", "1 row"]
+
+
+def test_reports_have_the_steps_of_chains(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    page = tmp_path / "report.html"
+    assert rosarch("report", workspace, "--chains", "--no-proofs", "-o", page).code == 0
+    block = re.search(r'id="document">([^<]*)<', page.read_text(encoding="utf-8"))
+    (system,) = json.loads(zlib.decompress(base64.b64decode(block[1])))["systems"]  # type: ignore[index]
+
+    def name(end: list[int]) -> str:
+        node = system["nodes"][end[0]]
+        return f"{node['name']} {node['ports'][end[1]]['name']}"
+
+    found = {(name(source), name(sink), how, kind, certain) for source, sink, how, kind, certain in system["steps"]}
+    assert found == {
+        ("/filter /raw", "/filter /smooth", "data", "reactive", True),
+        ("/filter /smooth", "/motor /smooth", "data", "connection", True),
+        ("/motor /smooth", "/motor /current", "data", "deferred", False),
+    }
+    assert {rate["topic"]: (rate["low"], rate["high"]) for rate in system["rates"]}["/current"] == (0.0, 10.0)

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import base64
+import json
+import re
 import shutil
 import subprocess
 import sys
 import urllib.error
 import urllib.request
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+
+from rosarch.reports.html.page import page_text
 
 playwright = pytest.importorskip("playwright.sync_api")
 axe = pytest.importorskip("axe_playwright_python.sync_playwright")
@@ -73,7 +79,7 @@ def report(examples: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
         shutil.copytree(examples / example / "src", workspace / example)
     hostile_package(workspace / "hostile")
     out = workspace.parent / "report.html"
-    assert main(["report", str(workspace), "--chains", "-o", str(out), "--source-url", "https://example.org/{path}#L{line}"]) == 0
+    assert main(["report", str(workspace), "-o", str(out), "--source-url", "https://example.org/{path}#L{line}"]) == 0
     return out.as_uri()
 
 
@@ -295,7 +301,10 @@ def test_state_machines_lead_to_the_source(reader: Reader) -> None:
     expect(page.get_by_role("table").filter(has_text="stays").first).to_be_visible()
 
 
-def test_chains_are_found_and_lit(reader: Reader) -> None:
+def test_chains_are_found_and_lit(reader: Reader, report: str, tmp_path: Path) -> None:
+    page = reader.open(f"timing?system={DELIVERY}")
+    expect(page.locator("main")).to_contain_text("--chains")
+    reader.address = with_a_step(Path(report.removeprefix("file://")), tmp_path / "chains.html")
     page = reader.open(f"timing?system={DELIVERY}")
     page.get_by_label("What passes through").select_option(label="/drive /battery")
     page.get_by_label("has an influence on").select_option(label="/courier /battery")
@@ -306,6 +315,17 @@ def test_chains_are_found_and_lit(reader: Reader) -> None:
     expect(page.locator(".box.lit")).to_have_count(2, timeout=60_000)
     page.get_by_role("button", name="Clear").click()
     expect(page.locator(".lit")).to_have_count(0)
+
+
+def with_a_step(report: Path, out: Path) -> str:
+    """The address of the same report, made with a chain: the battery's messages arrive."""
+    block = re.search(r'id="document">([^<]*)<', report.read_text(encoding="utf-8"))
+    document = json.loads(zlib.decompress(base64.b64decode(block[1])))  # type: ignore[index]
+    system = next(system for system in document["systems"] if system["name"] == DELIVERY)
+    battery = next(connector for connector in system["connectors"] if connector["name"] == "/battery")
+    system["steps"] = [[battery["sources"][0], battery["sinks"][0], "data", "connection", True]]
+    out.write_text(page_text(document), encoding="utf-8")
+    return out.as_uri()
 
 
 def test_themes_can_be_chosen_and_pages_printed(reader: Reader) -> None:
