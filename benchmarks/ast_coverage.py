@@ -23,7 +23,7 @@ from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.heal import lost_calls
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, parsed_unit
-from rosarch.extractor.messages import header_text, load_messages
+from rosarch.extractor.messages import Interfaces
 from rosarch.extractor.pipeline import compile_units
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import components, discover
@@ -125,7 +125,7 @@ def _within(offset: int, ranges: Sequence[tuple[int, int]]) -> bool:
 def read_system(root: Path, jobs: int) -> tuple[dict[str, tuple[set[Word], set[Word]]], int, int, list[str]]:
     """Per file the words compiled in some unit and those found in some unit; calls, lost calls, failed sources."""
     workspace = discover(root)
-    store, commands = load_messages(workspace.packages), read_compile_commands(workspace.root)
+    interfaces, commands = Interfaces.of(workspace.packages), read_compile_commands(workspace.root)
     units = sorted({unit for component in components(workspace) for unit in compile_units(workspace, component, commands)}, key=repr)
     files: dict[str, tuple[set[Word], set[Word]]] = {}
     calls = lost = 0
@@ -133,7 +133,7 @@ def read_system(root: Path, jobs: int) -> tuple[dict[str, tuple[set[Word], set[W
     with ExitStack() as stack:
         scratch = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="rosarch-")))
         build_prelude(scratch / "prelude.pch")
-        finder = HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name))
+        finder = HeaderFinder(workspace.root, scratch, interfaces.header_text)
 
         def work(unit: CompileUnit) -> tuple[list[Measured], int, int]:
             sys.setrecursionlimit(20_000)

@@ -22,7 +22,7 @@ from pathlib import Path
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, arguments_of
-from rosarch.extractor.messages import header_text, load_messages
+from rosarch.extractor.messages import Interfaces
 from rosarch.extractor.pipeline import compile_units
 from rosarch.extractor.units import UnitReader
 from rosarch.extractor.workspace import Workspace, components, discover
@@ -51,8 +51,8 @@ def seconds(work: Callable[[], object]) -> float:
 
 def measure(workspace: Workspace, units: Sequence[CompileUnit], scratch: Path) -> dict[str, float]:
     """One round: the time of each column, over all sources."""
-    store = load_messages(workspace.packages)
-    finder = HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name))
+    interfaces = Interfaces.of(workspace.packages)
+    finder = HeaderFinder(workspace.root, scratch, interfaces.header_text)
     aside = UnitReader(workspace.root, finder, scratch, None)
     reader = UnitReader(workspace.root, finder, scratch / "extraction", None)
     reader.scratch.mkdir()
@@ -60,7 +60,7 @@ def measure(workspace: Workspace, units: Sequence[CompileUnit], scratch: Path) -
     total["extraction"] += seconds(reader.prepare)
     for unit in units:
         total["extraction"] += seconds(lambda unit=unit: reader.read(unit))  # type: ignore[misc]
-        includes = finder.closure(unit.source, unit.include_dirs, unit.installed)
+        includes = finder.closure(unit.source, unit.folders)
         for column, prelude in (("bare parse", None), ("precompiled", aside.precompiled_for(unit, includes))):
             arguments = arguments_of(unit, includes, prelude)
             total[column] += seconds(lambda unit=unit, arguments=arguments: parse(unit, arguments))  # type: ignore[misc]

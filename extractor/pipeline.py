@@ -25,7 +25,7 @@ from rosarch.extractor.files import path_text
 from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.memo import Memo
-from rosarch.extractor.messages import MessageClass, MessageStore, header_text, load_messages, message_classes
+from rosarch.extractor.messages import Interfaces, MessageClass
 from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.sharing import CommonUnits
@@ -43,6 +43,7 @@ from rosarch.extractor.workspace import (
 )
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
 from rosarch.extractor.workspace.graph import BROUGHT
+from rosarch.extractor.workspace.model import ROS1
 
 
 @dataclass(frozen=True)
@@ -139,8 +140,8 @@ def extract(
     with ExitStack() as confinement:
         confinement.enter_context(confined([root, *ros_package_path()]))
         workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
-        store = load_messages(workspace.packages)
-        extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *store.diagnostics], programs=programs(workspace))
+        interfaces = Interfaces.of(workspace.packages)
+        extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *interfaces.diagnostics], programs=programs(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
         observation.ignore(scratch)
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
@@ -151,7 +152,7 @@ def extract(
         extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
         extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
         confinement.enter_context(confined([scratch, *{folder for unit in units for folder in unit.installed}]))
-        finder = HeaderFinder(workspace.root, scratch, lambda name: header_text(store, name), searched=workspace.searched)
+        finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, searched=workspace.searched)
         reader = UnitReader(workspace.root, finder, scratch, cache)
         reading = read_units(units, reader, jobs or default_jobs(), timeout, progress)
         reading.diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in odd_source(source)]
@@ -161,7 +162,7 @@ def extract(
     extraction.seconds = {**reading.seconds, **read.seconds}
     if units or scripts:
         extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str)
-    defined = _defined(store)
+    defined = _defined(interfaces)
     outcomes = {one: read.of([one.python]) if one.python else reading.of(units_of[one]) for one in found}
     extraction.components = tuple(
         _component_facts(component, workspace.root, outcomes[component], defined, extraction.programs)
@@ -186,10 +187,12 @@ def _discovered(root: Path, packages: Collection[str] | None, defines: Mapping[s
 def compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:
     """The sources of a component, those of a library as the library's own target compiles them."""
     target = component.target.name if component.target else component.name
-    own = [_unit(source, target, component.include_dirs, component.definitions, commands) for source in component.sources]
+    middleware = {package.name: package.middleware for package in workspace.packages}
+    used = middleware.get(component.package, ROS1)
+    own = [_unit(source, target, component.include_dirs, component.definitions, commands, used) for source in component.sources]
     wanted = set(component.library_sources)
     linked = [
-        _unit(source, library.name, include_path(workspace, library), library.definitions, commands)
+        _unit(source, library.name, include_path(workspace, library), library.definitions, commands, middleware.get(library.package, ROS1))
         for library in component.libraries
         for source in library.sources
         if source in wanted
@@ -198,14 +201,14 @@ def compile_units(workspace: Workspace, component: Component, commands: CompileC
 
 
 def _unit(
-    source: Path, target: str, include_dirs: tuple[Path, ...], definitions: tuple[str, ...], commands: CompileCommands
+    source: Path, target: str, include_dirs: tuple[Path, ...], definitions: tuple[str, ...], commands: CompileCommands, middleware: str
 ) -> CompileUnit:
     """How a target compiles a source: as a build did it when there was one, else as its CMake files say."""
     command = commands.find(source, target)
     if command is None:
-        return CompileUnit(source, include_dirs, definitions)
+        return CompileUnit(source, include_dirs, definitions, middleware=middleware)
     folders = tuple(dict.fromkeys((*command.include_dirs, *include_dirs)))
-    return CompileUnit(source, folders, command.definitions, command.installed)
+    return CompileUnit(source, folders, command.definitions, command.installed, middleware)
 
 
 def _message_type(row: MessageClass) -> str:
@@ -231,15 +234,13 @@ class _Defined:
     digest: str
 
 
-def _defined(store: MessageStore) -> _Defined:
+def _defined(interfaces: Interfaces) -> _Defined:
     classes = {
         (name, row.role or row.kind, _message_type(row))
-        for row in message_classes(store)
+        for row in interfaces.classes()
         for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
     }
-    configs = {
-        (f"{config.name}Config", p.name, p.type, _default(p.default)) for config in store.configs.values() for p in config.parameters
-    }
+    configs = {(f"{config.name}Config", p.name, p.type, _default(p.default)) for config in interfaces.configs() for p in config.parameters}
     return _Defined(classes, configs, hash_of(map(repr, (*sorted(classes), *sorted(configs)))))
 
 

@@ -23,6 +23,7 @@ from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import read_file
 from rosarch.extractor.pool import Failure, run_tasks
 from rosarch.extractor.unit_store import UnitStore
+from rosarch.extractor.workspace.model import ROS1
 
 Progress = Callable[[str, int, int], None]
 PRELUDE_BYTES = 64 << 20
@@ -118,9 +119,9 @@ class UnitReader:
         """What all units share: the precompiled declarations."""
         self._precompiled(())
 
-    def _precompiled(self, headers: tuple[str, ...]) -> Path:
+    def _precompiled(self, headers: tuple[str, ...], middleware: str = ROS1) -> Path:
         """The precompiled declarations, with those of some further headers."""
-        key = hash_of([extractor_version(), *headers]) if headers else extractor_version()
+        key = hash_of([extractor_version(), middleware, *headers]) if headers or middleware != ROS1 else extractor_version()
         path = self.scratch / f"{key}.pch"
         if not path.is_file():
             data = self.cache.load(key) if self.cache else None
@@ -128,7 +129,7 @@ class UnitReader:
                 write_whole(path, data)
                 return path
             made = path.with_name(f"{path.name}.{os.getpid()}")
-            build_prelude(made, headers)
+            build_prelude(made, headers, middleware)
             made.replace(path)
             if self.cache:
                 self.cache.store(key, path.read_bytes())
@@ -136,7 +137,7 @@ class UnitReader:
 
     def precompiled_for(self, unit: CompileUnit, includes: Includes) -> Path | None:
         """The precompiled declarations that a unit begins with; it includes all of them."""
-        return self._precompiled(self.finder.large_headers(includes)) if unit.language == "c++" else None
+        return self._precompiled(self.finder.large_headers(includes, unit.middleware), unit.middleware) if unit.language == "c++" else None
 
     def anything_known(self) -> bool:
         """Whether an earlier run left anything in the cache: the first that it left are the declarations."""
@@ -145,7 +146,7 @@ class UnitReader:
     def known(self, unit: CompileUnit) -> UnitFile | None:
         """The unit as it is in the cache."""
         start = time.perf_counter()
-        includes = self.finder.closure(unit.source, unit.include_dirs, unit.installed)
+        includes = self.finder.closure(unit.source, unit.folders)
         if not (self.cache and includes.predictable):
             return None
         key = unit_key(unit, self.root, includes, self.finder)
@@ -172,10 +173,10 @@ class UnitReader:
         """Extract one unit."""
         start = time.perf_counter()
         sys.setrecursionlimit(20_000)
-        includes = self.finder.closure(unit.source, unit.include_dirs, unit.installed)
+        includes = self.finder.closure(unit.source, unit.folders)
         key = unit_key(unit, self.root, includes, self.finder)
         problems: list[Problem] = []
-        headers = SharedHeaders(unit.source, (unit.include_dirs, unit.installed), (unit.language, *unit.definitions), self.finder, self)
+        headers = SharedHeaders(unit.source, unit.folders, (unit.language, unit.middleware, *unit.definitions), self.finder, self)
         prelude = self.precompiled_for(unit, includes)
         rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
         head = problems, sorted(headers.keys.values())

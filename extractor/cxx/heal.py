@@ -20,6 +20,7 @@ from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
 from rosarch.extractor.files import read_file
 
 ROUNDS = 3
+_GAIN = 4
 ERROR_LIMIT = 2000  # beyond, a source is of another language, or of a library that is absent as a whole
 OPTIONS = libclang.KEEP_GOING | libclang.DETAILED_PREPROCESSING
 _ERROR = 3
@@ -99,8 +100,8 @@ def worth_healing(facts: UnitFacts, parsed: libclang.Unit) -> bool:
 
 
 def keeps_calls(first: Rows, healed: Rows) -> bool:
-    """Whether no call that clang had found in the first place is lost."""
-    return not lost_calls(first, healed)
+    """Whether of the calls that clang had found in the first place none is lost, or few, and many more are found."""
+    return sum(lost_calls(first, healed).values()) * _GAIN <= sum(lost_calls(healed, first).values())
 
 
 def lost_calls(first: Rows, healed: Rows) -> Counter[str]:

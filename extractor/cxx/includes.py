@@ -7,7 +7,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
@@ -16,24 +16,24 @@ from rosarch.extractor import observation
 from rosarch.extractor.boundary import folders as inside
 from rosarch.extractor.boundary import is_inside
 from rosarch.extractor.cache import hash_of
+from rosarch.extractor.cxx.assumed import assumed_text
 from rosarch.extractor.files import read_file
+from rosarch.extractor.workspace.model import ROS1, ROS2
 
 SHIPPED = Path(__file__).parent / "headers"
 SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
 _SHIPPED_PREFIX = f"{SHIPPED}{os.sep}"
 PRELUDE = SHIPPED / "prelude.h"
+ROS2_PRELUDE = SHIPPED / "prelude_ros2.h"
 CUDA_PRELUDE = SHIPPED / "prelude_cuda.h"
 LARGE = 15_000
 """Bytes beyond which a header counts as large: more than nearly all have."""
-_SHIPPED_FOLDERS = tuple(map(str, SHIPPED_DIRS))
-
 _INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|\"([^\"\n]+)\")", re.MULTILINE)
 _UNPREDICTABLE = re.compile(  # a macro's include; a directive that is not written as `_INCLUDE` expects; what another run may see otherwise
     rb"^[ \t]*#[ \t]*include(?:_next)?[ \t]*[A-Za-z_\\/]|^[ \t]*#[ \t]*[a-z]*(?:\\\r?\n|/\*)|^[ \t]*(?:%:|\?\?=)"
     rb"|\*/[ \t]*#[ \t]*[i\\]|__has_include|__DATE__|__TIME",
     re.MULTILINE,
 )
-_MESSAGE_HEADER = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
 _NO_NAME = (errno.EISDIR, errno.ENOTDIR, errno.EEXIST, errno.ENAMETOOLONG, errno.EINVAL)
 """What the system says of a name that no file can have here."""
 _DEEPEST = 100
@@ -58,8 +58,22 @@ class _Found(NamedTuple):
     missing: Missing | None = None
 
 
-_Folders = tuple[tuple[Path, ...], tuple[Path, ...]]
-"""Those that a source is compiled with, and those of installed headers."""
+class Folders(NamedTuple):
+    """The folders that a source is compiled with, those of installed headers, and the middleware whose declarations it gets."""
+
+    own: tuple[Path, ...] = ()
+    installed: tuple[Path, ...] = ()
+    middleware: str = ROS1
+
+
+def shipped_dirs(middleware: str) -> tuple[Path, ...]:
+    """The folders of the headers that rosarch brings."""
+    return (SHIPPED / "ros2", *SHIPPED_DIRS) if middleware == ROS2 else SHIPPED_DIRS
+
+
+def prelude_of(middleware: str) -> Path:
+    """The most used of them in one header."""
+    return ROS2_PRELUDE if middleware == ROS2 else PRELUDE
 
 
 @dataclass
@@ -77,12 +91,16 @@ class Includes:
     predictable: bool = True
 
 
+NO_FOLDERS = Folders()
+
+
 class _Search:
     """Looks for headers in the folders of a compile command; remembers what the includes of each file, and each name, lead to."""
 
-    def __init__(self, folders: _Folders) -> None:
-        self.own = [str(folder) for folder in folders[0]]
-        self.installed = [str(folder) for folder in folders[1]]
+    def __init__(self, folders: Folders) -> None:
+        self.own = [str(folder) for folder in folders.own]
+        self.installed = [str(folder) for folder in folders.installed]
+        self.shipped = [str(folder) for folder in shipped_dirs(folders.middleware)]
         self.of_file: dict[str, list[_Found]] = {}
         self.of_name: dict[str, _Found | None] = {}
         self.described: dict[str, tuple[Includes, str]] = {}
@@ -109,43 +127,44 @@ class HeaderFinder:
         self._outward: set[str] | None = None
         self._overlays: dict[frozenset[str], Path] = {}
         self._made: dict[str, Path | None] = {}
-        self._searches: dict[_Folders, _Search] = {}
+        self._searches: dict[Folders, _Search] = {}
         self._stamps: dict[str, str] = {}
-        self._large: dict[str, frozenset[str]] | None = None
+        self._large: dict[str, dict[str, frozenset[str]]] = {}
         self._marks = [(mark, f"{folder}{os.sep}") for mark, folder in (("", root), ("made:", scratch), ("shipped:", SHIPPED))]
 
-    def closure(self, source: Path, include_dirs: Sequence[Path], installed: Sequence[Path] = ()) -> Includes:
+    def closure(self, source: Path, folders: Folders = NO_FOLDERS) -> Includes:
         """Find all that `source` includes, making what is generated or absent.
 
-        Headers of `installed` folders are taken only when the workspace, rosarch and message definitions have none: what the rules know
+        Headers of installed folders are taken only when the workspace, rosarch and message definitions have none: what the rules know
         is declared the same way everywhere.
         """
-        return self._closure(str(source), self._search(include_dirs, installed))
+        return self._closure(str(source), self._search(folders))
 
-    def described(self, header: Path, include_dirs: Sequence[Path], installed: Sequence[Path] = ()) -> tuple[Includes, str]:
+    def described(self, header: Path, folders: Folders = NO_FOLDERS) -> tuple[Includes, str]:
         """The closure of a header and its fingerprint; found once."""
-        search = self._search(include_dirs, installed)
+        search = self._search(folders)
         key = str(header)
         if key not in search.described:
             includes = self._closure(key, search)
             search.described[key] = includes, self.fingerprint(includes)
         return search.described[key]
 
-    def large_headers(self, includes: Includes) -> tuple[str, ...]:
+    def large_headers(self, includes: Includes, middleware: str = ROS1) -> tuple[str, ...]:
         """The largest of the shipped headers among `includes`, beyond the prelude: it pays to have them precompiled.
 
         A header counts only if all that it includes is among `includes` too: nothing of it comes from elsewhere then.
         """
-        if self._large is None:
-            known = self.described(PRELUDE, ())[0].files
-            sizes = {path: os.path.getsize(path) for folder in SHIPPED_DIRS for path in map(str, folder.rglob("*")) if os.path.isfile(path)}
+        if middleware not in self._large:
+            shipped, folders = shipped_dirs(middleware), Folders(middleware=middleware)
+            known = self.described(prelude_of(middleware), folders)[0].files
+            sizes = {path: os.path.getsize(path) for folder in shipped for path in map(str, folder.rglob("*")) if os.path.isfile(path)}
             large = sorted(path for path, size in sizes.items() if size > LARGE and path not in known)
-            self._large = {path: frozenset(self.described(Path(path), ())[0].files) for path in large}
-            self._large = {path: files for path, files in self._large.items() if all(map(is_shipped, files))}
-        return tuple(path for path, files in self._large.items() if path in includes.files and files.issubset(includes.files))
+            closures = {path: frozenset(self.described(Path(path), folders)[0].files) for path in large}
+            self._large[middleware] = {path: files for path, files in closures.items() if all(map(is_shipped, files))}
+        found = self._large[middleware].items()
+        return tuple(path for path, files in found if path in includes.files and files.issubset(includes.files))
 
-    def _search(self, include_dirs: Sequence[Path], installed: Sequence[Path]) -> _Search:
-        folders = (tuple(include_dirs), tuple(installed))
+    def _search(self, folders: Folders) -> _Search:
         if folders not in self._searches:
             self._searches[folders] = _Search(folders)
         return self._searches[folders]
@@ -245,7 +264,7 @@ class HeaderFinder:
         for folder in search.own:
             if self._is_file(path := f"{folder}/{name}"):
                 return _Found(os.path.normpath(path))
-        for shipped in _SHIPPED_FOLDERS:
+        for shipped in search.shipped:
             if self._is_file(path := f"{shipped}/{name}"):
                 return _Found(os.path.normpath(path))  # it may include messages in turn
         made = self._generated(name)
@@ -284,8 +303,7 @@ class HeaderFinder:
         folder = f"absent/{name.count('/')}"  # by depth: QtGui may be a header and QtGui/QWidget one below it
         key = f"{folder}/{name}"
         if key not in self._made:
-            match = _MESSAGE_HEADER.fullmatch(name)
-            self._made[key] = self._write(folder, name, _assumed_message(*match.groups()) if match else "")
+            self._made[key] = self._write(folder, name, assumed_text(name))
         return self.scratch / folder
 
     def _overlay(self) -> Path | None:
@@ -325,24 +343,6 @@ class HeaderFinder:
 def is_shipped(path: str) -> bool:
     """Whether a header is one of those that rosarch brings."""
     return path.startswith(_SHIPPED_PREFIX)
-
-
-def assumed_message_class(header: str) -> tuple[str, str] | None:
-    """The (C++ class, `pkg/Name`) that a missing header named like a message's is taken to declare."""
-    match = _MESSAGE_HEADER.fullmatch(header)
-    return (f"{match.group(1)}::{match.group(2)}_", f"{match.group(1)}/{match.group(2)}") if match else None
-
-
-def _assumed_message(package: str, name: str) -> str:
-    """A message, service or configuration of which only the name is known."""
-    return (
-        "#pragma once\n#include <ros/message_prelude.h>\n"
-        f"namespace {package} {{\nstruct {name}_ {{\n"
-        f"  typedef boost::shared_ptr<{name}_> Ptr;\n  typedef boost::shared_ptr<{name}_ const> ConstPtr;\n"
-        f"  typedef {name}_ Request;\n  typedef {name}_ Response;\n  int request;\n  int response;\n}};\n"
-        f"typedef {name}_ {name};\ntypedef boost::shared_ptr<{name}_> {name}Ptr;\n"
-        f"typedef boost::shared_ptr<{name}_ const> {name}ConstPtr;\n}}\n"
-    )
 
 
 def _links_out(root: Path) -> set[str]:

@@ -15,7 +15,7 @@ from typing import Protocol
 from rosarch.extractor.cache import extractor_version, hash_of
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.heal import files_with_errors
-from rosarch.extractor.cxx.includes import HeaderFinder, Includes, is_shipped
+from rosarch.extractor.cxx.includes import Folders, HeaderFinder, Includes, is_shipped
 from rosarch.extractor.cxx.libclang import Cursor
 from rosarch.extractor.cxx.recover import Names, declared_names, recover
 from rosarch.extractor.cxx.unit import SourceFile, UnitFacts
@@ -43,7 +43,7 @@ class SharedHeaders:
     """The headers that one unit leaves to the store; `keys` tells which, once its first parse was seen."""
 
     source: Path
-    folders: tuple[tuple[Path, ...], tuple[Path, ...]]
+    folders: Folders
     compiled_as: tuple[str, ...]
     finder: HeaderFinder
     kept: HeaderStore
@@ -67,7 +67,7 @@ class SharedHeaders:
 
     def _share(self, facts: UnitFacts, file: SourceFile, cursors: Sequence[Cursor], wrong: set[str]) -> None:
         """Leave the header `file` to the store, if that is possible; read it for the store where it is not there yet."""
-        includes, fingerprint = self.finder.described(file.path, *self.folders)
+        includes, fingerprint = self.finder.described(file.path, self.folders)
         if not includes.predictable or not wrong.isdisjoint(includes.files) or _foreign_macros(facts, cursors, includes):
             return
         skipped = [f"{Path(path).name} {facts.skipped[path]}" for path in sorted(facts.skipped) if path in includes.files]

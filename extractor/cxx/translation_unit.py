@@ -11,14 +11,16 @@ from pathlib import Path
 
 from rosarch.extractor.cache import extractor_version, hash_of
 from rosarch.extractor.cxx import libclang
+from rosarch.extractor.cxx.assumed import assumed_classes
 from rosarch.extractor.cxx.heal import OPTIONS, healed, keeps_calls, without_unknown, worth_healing
-from rosarch.extractor.cxx.includes import CUDA_PRELUDE, PRELUDE, SHIPPED_DIRS, HeaderFinder, Includes, assumed_message_class
+from rosarch.extractor.cxx.includes import CUDA_PRELUDE, Folders, HeaderFinder, Includes, prelude_of, shipped_dirs
 from rosarch.extractor.cxx.libclang import Location
 from rosarch.extractor.cxx.recover import declared_names, recover
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.unit import UnitFacts, file_key
 from rosarch.extractor.cxx.walk import walk_declaration
 from rosarch.extractor.files import path_text
+from rosarch.extractor.workspace.model import ROS1
 
 # gnu++17: the shipped headers need deduction guides; a fixed target: the same types on every host;
 # no access control: a private member is a fact like any other
@@ -38,12 +40,21 @@ Problem = tuple[str, int, int, str]
 
 @dataclass(frozen=True)
 class CompileUnit:
-    """A source with what its target compiles it with; headers in `installed` are taken when nothing else provides them."""
+    """A source with what its target compiles it with; headers in `installed` are taken when nothing else provides them.
+
+    The declarations of `middleware` (ros1, ros2) are those that rosarch brings.
+    """
 
     source: Path
     include_dirs: tuple[Path, ...] = ()
     definitions: tuple[str, ...] = ()
     installed: tuple[Path, ...] = ()
+    middleware: str = ROS1
+
+    @property
+    def folders(self) -> Folders:
+        """Where its headers are."""
+        return Folders(self.include_dirs, self.installed, self.middleware)
 
     @property
     def own_sources(self) -> tuple[Path, ...]:
@@ -60,11 +71,11 @@ def _system(folders: Iterable[Path]) -> list[str]:
     return [word for folder in folders for word in ("-isystem", str(folder))]
 
 
-def build_prelude(path: Path, headers: Iterable[str] = ()) -> None:
+def build_prelude(path: Path, headers: Iterable[str] = (), middleware: str = ROS1) -> None:
     """Precompile the shipped declarations that nearly every source includes, and further shipped `headers`."""
-    arguments = ["-x", "c++-header", *BASE_ARGUMENTS[2:], *_system(SHIPPED_DIRS)]
+    arguments = ["-x", "c++-header", *BASE_ARGUMENTS[2:], *_system(shipped_dirs(middleware))]
     arguments += [word for header in headers for word in ("-include", header)]
-    with libclang.Unit(PRELUDE, arguments, libclang.KEEP_GOING | libclang.INCOMPLETE | libclang.FOR_SERIALIZATION) as unit:
+    with libclang.Unit(prelude_of(middleware), arguments, libclang.KEEP_GOING | libclang.INCOMPLETE | libclang.FOR_SERIALIZATION) as unit:
         unit.save(path)
 
 
@@ -74,7 +85,7 @@ def arguments_of(unit: CompileUnit, includes: Includes, prelude: Path | None) ->
         *{"c": C_ARGUMENTS, "cuda": CUDA_ARGUMENTS, "c++": BASE_ARGUMENTS}[unit.language],
         *(f"-D{definition}" for definition in unit.definitions),
         *(f"-I{folder}" for folder in unit.include_dirs),
-        *_system([*SHIPPED_DIRS, *includes.made]),
+        *_system([*shipped_dirs(unit.middleware), *includes.made]),
     ]
     if includes.overlay is not None:
         arguments += ["-ivfsoverlay", str(includes.overlay)]
@@ -88,7 +99,9 @@ def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFi
     folders = [os.path.relpath(folder, root) for folder in unit.include_dirs]
     installed = [os.path.relpath(folder, root) for folder in unit.installed]
     source = os.path.relpath(unit.source, root)
-    return hash_of([extractor_version(), source, *folders, "", *installed, "", *unit.definitions, "", finder.fingerprint(includes)])
+    return hash_of(
+        [extractor_version(), unit.middleware, source, *folders, "", *installed, "", *unit.definitions, "", finder.fingerprint(includes)]
+    )
 
 
 def extract_unit(
@@ -126,7 +139,7 @@ def parsed_unit(
     headers: SharedHeaders | None = None,
 ) -> Iterator[tuple[libclang.Unit, UnitFacts]]:
     """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
-    includes = includes or finder.closure(unit.source, unit.include_dirs, unit.installed)
+    includes = includes or finder.closure(unit.source, unit.folders)
     arguments = arguments_of(unit, includes, prelude)
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts = _facts(root, includes, parsed, headers)
@@ -171,9 +184,8 @@ def _facts(root: Path, includes: Includes, parsed: libclang.Unit, headers: Share
             relative = path_text(missing.file.relative_to(root))
             facts.add("source_file", file_key(relative), relative)
             facts.add("include_missing", file_key(relative), missing.line, path_text(missing.header))
-        assumed = assumed_message_class(missing.header)
-        if assumed:
-            facts.add("message_class", assumed[0], "message", assumed[1])
+        for class_, kind, type_ in assumed_classes(missing.header):
+            facts.add("message_class", class_, kind, type_)
     for skipped in parsed.skipped_ranges():
         file, begin = facts.locate(Location(skipped.p0, skipped.p1, skipped.begin))
         _, end = facts.locate(Location(skipped.p0, skipped.p1, skipped.end))

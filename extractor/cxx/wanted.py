@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.extractor.cxx.assumed import assumed_struct
 from rosarch.extractor.cxx.includes import SHIPPED
 
 UNKNOWN = "rosarch_healed::unknown"
@@ -22,6 +23,7 @@ _MEMBER_KINDS = (
     "template",
 )  # a value can be called, a function cannot be read; template arguments need a template
 _NAME = re.compile(r"[A-Za-z_]\w*")
+_ROS1_PARTS = re.compile(r"^  int (request|response);\n", re.MULTILINE)
 _KEYWORDS = frozenset(
     {"void", "int", "unsigned", "signed", "long", "short", "char", "bool", "float", "double", "auto", "const", "static"}
     | {"class", "struct", "union", "enum", "template", "typename", "operator"}
@@ -80,7 +82,7 @@ def _number(name: str) -> int:
 class Wanted:
     """All that is to be declared; `changed` tells of additions.
 
-    `messages` holds the fields of messages of which only the name is known, true for a constant; `bases` the absent
+    `messages` holds, by header and struct, the fields of messages of which only the name is known, true for a constant; `bases` the absent
     base classes of a class of the workspace.
     """
 
@@ -156,12 +158,13 @@ class Wanted:
         """Want member `name` of the class that clang spells `owner`, if that class is a stand-in."""
         owner = re.sub(r"\b(?:const|volatile|struct|class)\b|<.*", "", owner).strip()
         path = owner.split("::")
+        struct = assumed_struct(path)
         if owner == UNKNOWN:
             rank = _MEMBER_KINDS.index(kind)
             if name not in _KEYWORDS and (name not in self.members or rank > _MEMBER_KINDS.index(self.members[name])):
                 self.members[name], self.changed = kind, True
-        elif len(path) > 1 and os.path.isfile(self._message(path[0], path[1].rstrip("_"))):
-            fields = self.messages.setdefault((path[0], path[1].rstrip("_")), {})
+        elif struct is not None and os.path.isfile(self._message(struct[0])):
+            fields = self.messages.setdefault(struct, {})
             if name not in fields:
                 fields[name], self.changed = kind == "constant", True
         elif self.find(path) is not None:
@@ -170,9 +173,9 @@ class Wanted:
             for base in sorted(self.bases.get(path[-1], ())):
                 self.name([*base.split("::"), name], "function" if kind == "template" else kind)
 
-    def _message(self, package: str, name: str) -> Path:
+    def _message(self, header: str) -> Path:
         """Where the stand-in of a message is of which only the name is known (see `HeaderFinder`)."""
-        return self.scratch / "absent" / "1" / package / f"{name}.h"
+        return self.scratch / "absent" / str(header.count("/")) / header
 
     def ban(self, names: Collection[str]) -> bool:
         """Leave out names that the workspace declares itself; the outermost of that name is in its way. Return whether any is new."""
@@ -195,7 +198,7 @@ class Wanted:
         lines = ["#pragma once", f"#define ROSARCH_UNKNOWN_MEMBERS {unknown}", f'#include "{SHIPPED / "healing.h"}"']
         lines += ["#include <boost/shared_ptr.hpp>", *_render_all(self.top, False)]
         lines += [f"#define {name}{body}" for name, body in sorted(self.macros.items())]
-        files = {f"{package}/{name}.h": self._message_text(package, name) for package, name in sorted(self.messages)}
+        files = {header: self._message_text(header) for header, _ in sorted(self.messages)}
         files["healed.h"] = "\n".join(lines) + "\n"
         key = hashlib.sha1("\0".join([*files, *files.values()]).encode(), usedforsecurity=False).hexdigest()[:16]
         folder = self.scratch / "healed" / key
@@ -203,18 +206,18 @@ class Wanted:
             _write(folder / name, text)
         return folder
 
-    def _message_text(self, package: str, name: str) -> str:
-        """The stand-in of a message, with the fields that code uses."""
-        fields = self.messages[package, name]
-        added = "".join(
-            f"  static constexpr int {key} = {_number(key)};\n" if constant else f"  {UNKNOWN} {key};\n"
-            for key, constant in sorted(fields.items())
-        )
-        text = self._message(package, name).read_text(encoding="utf-8")
-        text = re.sub(
-            r"^  int (request|response);\n", lambda m: "" if m[1] in fields else f"  {UNKNOWN} {m[1]};\n", text, flags=re.MULTILINE
-        )
-        return text.replace(f"struct {name}_ {{\n", f"struct {name}_ {{\n{added}", 1)
+    def _message_text(self, header: str) -> str:
+        """The stand-in of a message, or of the parts of a service, with the fields that code uses."""
+        text = self._message(header).read_text(encoding="utf-8")
+        for (own, struct), fields in sorted(self.messages.items()):
+            if own == header:
+                added = "".join(
+                    f"  static constexpr int {key} = {_number(key)};\n" if constant else f"  {UNKNOWN} {key};\n"
+                    for key, constant in sorted(fields.items())
+                )
+                text = _ROS1_PARTS.sub(lambda m, known=fields: "" if m[1] in known else f"  {UNKNOWN} {m[1]};\n", text)  # type: ignore[misc]
+                text = text.replace(f"struct {struct} {{\n", f"struct {struct} {{\n{added}", 1)
+        return text
 
 
 def _write(path: Path, text: str) -> None:

@@ -5,6 +5,7 @@
 
 from .classes import MessageClass, message_classes
 from .headers import generate_headers, header_index, header_text
+from .interfaces import Interfaces
 from .model import Action, Config, ConfigConstant, ConfigParameter, Constant, Field, Message, MessageStore, Service
 from .store import load_messages
 
@@ -15,6 +16,7 @@ __all__ = [
     "ConfigParameter",
     "Constant",
     "Field",
+    "Interfaces",
     "Message",
     "MessageClass",
     "MessageStore",

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import path_text, read_file
-from rosarch.extractor.workspace.model import Package
+from rosarch.extractor.workspace.model import ROS1, Package
 
 from .common_interfaces import common_interfaces
 from .dynamic_reconfigure import parse_config
@@ -17,10 +17,10 @@ from .model import PRIMITIVES, Action, Config, Message, MessageStore, Service
 from .parse import parse_action, parse_message, parse_service
 
 
-def load_messages(packages: Iterable[Package], *, with_common: bool = True) -> MessageStore:
+def load_messages(packages: Iterable[Package], *, with_common: bool = True, middleware: str = ROS1) -> MessageStore:
     """The interfaces of `packages`, which win over common ones of the same name. A file that cannot be read costs that file."""
     packages = list(packages)
-    messages, services, actions = common_interfaces() if with_common else ({}, {}, {})
+    messages, services, actions = common_interfaces(middleware) if with_common else ({}, {}, {})
     loader = _Loader(packages, messages, services, actions)
     own: set[str] = set()
     for package in packages:

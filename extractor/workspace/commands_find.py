@@ -101,8 +101,10 @@ def _set_version(run: Evaluator, name: str, version: str) -> None:
 
 
 def _evaluate_extras(run: Evaluator, name: str, found: PackageDraft) -> None:
-    """`CFG_EXTRAS` of `catkin_package` run in every package that finds this one."""
+    """`CFG_EXTRAS` of `catkin_package` and `CONFIG_EXTRAS` of ament run in every package that finds this one."""
     folder = run.world.path(name)
+    if found.cfg_extras:
+        run.assume(f"{name}_DIR", f"{folder}/cmake")
     for extra in found.cfg_extras:
         for path in (f"{folder}/cmake/{extra}", f"{folder}/{extra}", f"{folder}/cmake/{extra}.in"):
             if os.path.isfile(path) and name != run.package and path not in run.included:

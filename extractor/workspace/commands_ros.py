@@ -145,6 +145,7 @@ def _ament_export_dependencies(run: Evaluator, call: Call) -> None:
 def _ament_auto_find(run: Evaluator, _call: Call) -> None:
     for name in run.manifest_depends:
         find_one(run, name)
+    run.found_dependencies = True
 
 
 @command("ament_auto_add_executable", "ament_auto_add_library")
@@ -152,6 +153,8 @@ def _ament_auto_add(run: Evaluator, call: Call) -> None:
     words, rest = parse_keywords(call.args[1:], ["SHARED", "STATIC", "OBJECT", "NO_TARGET_LINK_LIBRARIES"], ["DIRECTORY"], [])
     if not call.args:
         return
+    if not run.found_dependencies:  # else a macro of another package has done it, whose file may be absent
+        _ament_auto_find(run, call)
     sources = list(rest)
     for folder in words.get("DIRECTORY", []):
         for extension in ("c", "cc", "cpp", "cxx"):
@@ -175,12 +178,25 @@ def _ament_auto_add(run: Evaluator, call: Call) -> None:
 
 
 @command("ament_auto_package")
-def _ament_auto_package(run: Evaluator, _call: Call) -> None:
+def _ament_auto_package(run: Evaluator, call: Call) -> None:
     run.draft.depends.extend(run.manifest_depends)
+    _ament_package(run, call)
+
+
+@command("ament_package")
+def _ament_package(run: Evaluator, call: Call) -> None:
+    words, _rest = parse_keywords(call.args, [], ["CONFIG_EXTRAS_POST"], ["CONFIG_EXTRAS"])
+    run.draft.cfg_extras.extend(words.get("CONFIG_EXTRAS", []))
+
+
+def finish_ament(run: Evaluator) -> None:
+    """What `ament_package` reads from variables, though a macro of another package may have called it."""
+    run.draft.cfg_extras.extend(run.elements(f"{run.get('PROJECT_NAME') or run.package}_CONFIG_EXTRAS"))
 
 
 @command("rclcpp_components_register_node", "rclcpp_components_register_nodes")
-def _register_components(run: Evaluator, call: Call) -> None:
+def register_components(run: Evaluator, call: Call) -> None:
+    """The classes that a library registers as components, with the program that is made of one."""
     words, rest = parse_keywords(call.args[1:], [], ["PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX"], [])
     executable = (words.get("EXECUTABLE") or [""])[0]
     for plugin in [*words.get("PLUGIN", []), *(rest if call.name.endswith("s") else [])]:

@@ -6,6 +6,7 @@ import os
 import re
 
 from .cmake_state import Call
+from .commands_ros import register_components
 from .commands_targets import add_target
 from .evaluator import UNKNOWN_COMMAND, Evaluator, command
 from .model import EXECUTABLE, SHARED, STATIC
@@ -21,6 +22,9 @@ def _unknown(run: Evaluator, call: Call) -> None:
 
     What else it does is not known; a program may use the libraries that its package has made so far.
     """
+    if call.args and call.args[0] in run.targets and {"PLUGIN", "EXECUTABLE"} <= set(call.args):
+        register_components(run, call)
+        return
     kind = None if "test" in call.name else EXECUTABLE if _PROGRAM.search(call.name) else STATIC if _LIBRARY.search(call.name) else None
     sources = [word for word in call.args[1:] if word.endswith(_SOURCES) and os.path.isfile(run.source_path(word))]
     text = f"unknown command {call.command.written}"

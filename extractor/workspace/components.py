@@ -81,8 +81,9 @@ def _distinct(workspace: Workspace, found: list[Component], problems: list[Diagn
 
 
 def _nodes(workspace: Workspace, package: Package) -> Iterable[Component]:
+    of_class = {plugin.executable for plugin in package.plugins}
     for target in package.targets:
-        if target.kind == EXECUTABLE:
+        if target.kind == EXECUTABLE and target.name not in of_class:
             yield _component(workspace, package, target.output_name, "node", target)
 
 
@@ -119,17 +120,19 @@ def _plugins(workspace: Workspace, package: Package) -> Iterable[Component]:
         if target is None:
             target = _library(workspace, plugin, package)
         base = plugin.base or (found.base if found else "")
-        yield _plugin(workspace, package, plugin.cxx_class, base, plugin.name, target)
+        yield _plugin(workspace, package, plugin.cxx_class, base, plugin.name, target, plugin.executable)
     for name, (target, found) in registered.items():
         if name not in described:
             yield _plugin(workspace, package, name, found.base, found.name, target)
 
 
-def _plugin(workspace: Workspace, package: Package, cxx: str, base: str, name: str | None, target: Target | None) -> Component:
+def _plugin(
+    workspace: Workspace, package: Package, cxx: str, base: str, name: str | None, target: Target | None, executable: str = ""
+) -> Component:
     plain_base = base.removeprefix("::")
     kind = {NODELET_BASE: "nodelet", "Nodelet": "nodelet", COMPONENT_BASE: "component"}.get(plain_base, "plugin")
     short = cxx.rpartition("::")[2]
-    component = _component(workspace, package, short, kind, target)
+    component = _component(workspace, package, executable or short, kind, target)
     return replace(component, entry_class=cxx, base_class=plain_base or None, plugin_name=name)
 
 

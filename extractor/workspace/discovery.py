@@ -27,6 +27,7 @@ from . import (
 )
 from .cmake_limits import OutOfTime, time_limit
 from .cmake_state import PackageDraft
+from .commands_ros import finish_ament
 from .drafts import finished_package
 from .evaluator import Evaluator
 from .manifests import Manifest, find_manifests, read_manifest
@@ -179,6 +180,7 @@ class _Discovery:
                 self._report("missing-cmakelists", manifest.path, f"package {name} has no CMakeLists.txt")
             return
         evaluator.run_top()
+        finish_ament(evaluator)
 
     def _workspace(self, selected: frozenset[str]) -> Workspace:
         packages: list[Package] = []

@@ -30,8 +30,9 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
     plugins, plugin_problems = read_plugins(exports, manifest)
     problems.extend(plugin_problems)
     components = [
-        PluginClass(cxx.strip(), cxx.strip(), "rclcpp_components", library, Path(run.file), line)
-        for library, cxx, _executable, line in draft.component_nodes
+        PluginClass(name, name, "rclcpp_components", library, Path(run.file), line, executable)
+        for library, cxx, executable, line in draft.component_nodes
+        for name in [cxx.strip().removeprefix("::")]
     ]
     setup, setup_problems = read_setup(manifest.path.parent)
     problems.extend(setup_problems)

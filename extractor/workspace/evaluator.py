@@ -77,6 +77,7 @@ class Evaluator:
         self.testing = 0
         self.excluded = 0
         self.manifest_depends: list[str] = []
+        self.found_dependencies = False
         self.depth = 0
         self.statements = 0
         self.characters = 0

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from rosarch.extractor.files import read_file
+
 from .model import EXECUTABLE, SHARED, Package, Program, Target, Workspace
 from .plugins import registrations
+
+_ROS2 = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*[<\"]rclcpp", re.MULTILINE)
 
 
 def loose_workspace(root: Path, sources: Iterable[Path]) -> Workspace:
@@ -21,7 +26,14 @@ def _package(root: Path, source: Path) -> Package:
         return Package(name, source.parent, source, build_type="", programs=(Program(source.stem, source, source, 1),))
     kind = SHARED if registrations(source) else EXECUTABLE
     target = Target(source.stem, source.stem, kind, name, source, 1, sources=(source,))
-    return Package(name, source.parent, source, targets=(target,))
+    return Package(name, source.parent, source, build_type="ament_cmake" if _is_ros2(source) else "catkin", targets=(target,))
+
+
+def _is_ros2(source: Path) -> bool:
+    try:
+        return _ROS2.search(read_file(source)) is not None
+    except OSError:
+        return False  # reported where it is parsed
 
 
 def loose_name(root: Path, source: Path) -> str:

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic
 
+ROS1 = "ros1"
+ROS2 = "ros2"
 EXECUTABLE = "executable"
 SHARED = "shared_library"
 STATIC = "static"
@@ -51,7 +53,7 @@ class Exports:
 
 @dataclass(frozen=True)
 class PluginClass:
-    """A class registered with pluginlib, nodelet or rclcpp_components."""
+    """A class registered with pluginlib, nodelet or rclcpp_components; `executable` is the program that CMake makes of it alone."""
 
     name: str
     cxx_class: str
@@ -59,6 +61,7 @@ class PluginClass:
     library: str
     declared_at: Path
     line: int
+    executable: str = ""
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,9 @@ class Configured:
 
     template: Path
     output: Path
+
+
+_ROS2_TOOLS = frozenset({"rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
 
 
 @dataclass(frozen=True)
@@ -115,6 +121,11 @@ class Package:
     programs: tuple[Program, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
     python_roots: tuple[Path, ...] = ()
+
+    @property
+    def middleware(self) -> str:
+        """Which ROS the package is written for."""
+        return ROS2 if self.build_type.startswith("ament") or not _ROS2_TOOLS.isdisjoint(self.depends) else ROS1
 
     def target(self, name: str) -> Target | None:
         """The target called `name`, aliases followed."""

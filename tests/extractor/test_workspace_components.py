@@ -152,10 +152,9 @@ def test_ament(tmp_path: Path) -> None:
     package(tmp_path, "demo", cmake, {"src/talker.cpp": "", "include/demo/talker.hpp": ""}, export="<build_type>ament_cmake</build_type>")
     found = components(discover(tmp_path))
     assert [(one.name, one.kind, one.entry_class) for one in found] == [
-        ("Talker", "component", "demo::Talker"),
-        ("talker_node", "node", None),
+        ("talker_node", "component", "demo::Talker"),
     ]
-    assert [path.name for path in found[1].library_sources] == ["talker.cpp"]
+    assert [path.name for path in found[0].sources] == ["talker.cpp"]
     assert found[0].include_dirs == (tmp_path / "demo/include",)
 
 

@@ -393,7 +393,7 @@ def source_text(data: bytes, folder: Path) -> None:
     scratch = folder / "scratch"
     scratch.mkdir(exist_ok=True)
     finder = HeaderFinder(folder, scratch, lambda _name: None)
-    finder.fingerprint(finder.closure(path, ()))
+    finder.fingerprint(finder.closure(path))
 
 
 @target(

@@ -251,7 +251,7 @@ def test_a_callback_parameter_has_its_message_type(flags: list[str]) -> None:
 def test_includes_that_macros_decide(tmp_path: Path, text: str, predictable: bool) -> None:
     (tmp_path / "a.cpp").write_text(text)
     finder = HeaderFinder(tmp_path, tmp_path / "scratch", lambda _name: None)
-    assert finder.closure(tmp_path / "a.cpp", ()).predictable is predictable
+    assert finder.closure(tmp_path / "a.cpp").predictable is predictable
 
 
 def test_flags_of_the_command_line_are_variables_with_a_value(flags: list[str]) -> None:

@@ -1,0 +1,84 @@
+"""Messages, services and actions of which only the name is known: that of the header that a source includes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from rosarch.extractor.messages.ros2 import snake_case
+
+_ROS1 = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
+_ROS2 = re.compile(r"([a-z][a-z0-9_]*)/(msg|srv|action)/(?:detail/)?([a-z][a-z0-9_]*?)(?:__[a-z]\w*)?\.hpp")
+_PARTS = {"msg": ("",), "srv": ("_Request", "_Response"), "action": ("_Goal", "_Result", "_Feedback")}
+_ABBREVIATION = 4
+_KINDS = {"msg": "message", "srv": "service", "action": "action"}
+
+
+def assumed_text(header: str) -> str:
+    """What stands in for an absent header; empty when its name is not that of an interface."""
+    if match := _ROS1.fullmatch(header):
+        return _ros1_text(*match.groups())
+    if match := _ROS2.fullmatch(header):
+        package, folder, snake = match.groups()
+        if header != f"{package}/{folder}/{snake}.hpp":
+            return f"#pragma once\n#include <{package}/{folder}/{snake}.hpp>\n"
+        name = _camel_case(snake)
+        others = dict.fromkeys(_camel_case(snake, part) for part in snake.split("_") if 1 < len(part) <= _ABBREVIATION)
+        return _ros2_text(package, folder, name, [other for other in others if other != name])
+    return ""
+
+
+def assumed_classes(header: str) -> list[tuple[str, str, str]]:
+    """The C++ classes that an absent header is taken to declare, each with the kind and name of its interface."""
+    if match := _ROS1.fullmatch(header):
+        package, name = match.groups()
+        return [(f"{package}::{name}_", "message", f"{package}/{name}")]
+    if match := _ROS2.fullmatch(header):
+        package, folder, snake = match.groups()
+        name = _camel_case(snake)
+        scope, type_ = f"{package}::{folder}::{name}", f"{package}/{name}"
+        if folder == "msg":
+            return [(f"{scope}_", "message", type_)]
+        parts = [(f"{scope}{part}_", part[1:].lower(), type_) for part in _PARTS[folder]]
+        return [(scope, _KINDS[folder], type_), *parts]
+    return []
+
+
+def assumed_struct(path: Sequence[str]) -> tuple[str, str] | None:
+    """The header and the struct in it that a qualified name means, if it is that of an interface of which only the name is known."""
+    if len(path) == 2 and path[1][:1].isupper():
+        name = path[1].rstrip("_")
+        return f"{path[0]}/{name}.h", f"{name}_"
+    if len(path) == 3 and path[1] in _PARTS and path[2][:1].isupper():
+        struct = path[2].rstrip("_")
+        name = struct.partition("_")[0]
+        return f"{path[0]}/{path[1]}/{snake_case(name)}.hpp", f"{struct}_"
+    return None
+
+
+def _camel_case(snake: str, upper: str = "") -> str:
+    """The name that most interfaces with such a header have; the part `upper` may be an abbreviation in capitals."""
+    return "".join(part.upper() if part == upper else part[:1].upper() + part[1:] for part in snake.split("_"))
+
+
+def _ros1_text(package: str, name: str) -> str:
+    """A message, service or configuration."""
+    return (
+        "#pragma once\n#include <ros/message_prelude.h>\n"
+        f"namespace {package} {{\nstruct {name}_ {{\n"
+        f"  typedef boost::shared_ptr<{name}_> Ptr;\n  typedef boost::shared_ptr<{name}_ const> ConstPtr;\n"
+        f"  typedef {name}_ Request;\n  typedef {name}_ Response;\n  int request;\n  int response;\n}};\n"
+        f"typedef {name}_ {name};\ntypedef boost::shared_ptr<{name}_> {name}Ptr;\n"
+        f"typedef boost::shared_ptr<{name}_ const> {name}ConstPtr;\n}}\n"
+    )
+
+
+def _ros2_text(package: str, folder: str, name: str, others: Iterable[str]) -> str:
+    structs = [
+        f"struct {name}{part}_ {{\n  ROSARCH_MESSAGE({name}{part}_)\n}};\ntypedef {name}{part}_ {name}{part};" for part in _PARTS[folder]
+    ]
+    if folder != "msg":
+        members = [f"  typedef {name}{part} {part[1:]};" for part in _PARTS[folder]]
+        structs.append("\n".join([f"struct {name} {{", *members, f"  ROSARCH_{_KINDS[folder].upper()}({name})", "};"]))
+    body = "\n".join([*structs, *(f"typedef {name} {other};" for other in others)])
+    return f"#pragma once\n#include <rosarch/message_prelude.hpp>\nnamespace {package} {{ namespace {folder} {{\n{body}\n}}}}\n"

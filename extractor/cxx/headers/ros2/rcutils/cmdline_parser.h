@@ -1,0 +1,4 @@
+// Stand-in header of rosarch: declarations only.  SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <rcutils/logging_macros.h>
+char* rcutils_cli_get_option(...);
