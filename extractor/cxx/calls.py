@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body, expressions, operands, strip, template_argument_texts
@@ -97,6 +98,57 @@ def lower_dependent_construction(body: Body, tree: Tree, type_: Type, values: Tr
     return call
 
 
+def lower_base_construction(body: Body, base: Tree, values: list[Tree]) -> str:
+    """Record that a constructor of a template makes its `base`, or leaves all to another constructor, with `values`.
+
+    Clang does not say which of the values is within which: the commas between them do.
+    """
+    unit, type_ = body.unit, libclang.target(base)
+    span = unit.span_of(base)
+    found = [tree for value in values for tree in _all(value) if kinds.is_expression(tree.kind)]
+    lowered = []
+    for begin, end in _pieces(span.file.data, span.end):
+        within = [tree for tree in found if begin <= unit.span_of(tree).begin < unit.span_of(tree).end <= end]
+        if within:
+            lowered.append(_lower(body, max(within, key=lambda tree: unit.span_of(tree).end - unit.span_of(tree).begin), text=True))
+    call, _ = body.node(base, "call")
+    unit.add("call", call, libclang.spelling(type_))
+    unit.add("call_unresolved", call, "dependent")
+    if type_.kind in kinds.CLASSES:
+        unit.add("call_constructs", call, declare_class(unit, type_))
+    for index, argument in enumerate(lowered):
+        unit.add("call_argument", call, index, argument)
+    body.flow.evaluate(call)
+    return call
+
+
+def _all(tree: Tree) -> Iterator[Tree]:
+    yield tree
+    for child in tree.children:
+        yield from _all(child)
+
+
+_BRACKETS = re.compile(rb"[(){}\[\],]|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'")
+
+
+def _pieces(data: bytes, begin: int) -> list[tuple[int, int]]:
+    """Where the parts between commas lie of the bracket that follows `begin`."""
+    pieces, depth, start = [], 0, begin
+    for match in _BRACKETS.finditer(data, begin):
+        mark = match.group()
+        if mark in b"({[":
+            depth += 1
+            start = match.end() if depth == 1 else start
+        elif mark in b")}]" or (mark == b"," and depth == 1):
+            depth -= mark != b","
+            if depth <= 1 and (mark == b"," or depth == 0):
+                pieces.append((start, match.start()))
+                start = match.end()
+            if depth <= 0:
+                break
+    return pieces
+
+
 def _same_place(body: Body, outer: Tree, inner: Tree) -> bool:
     """Whether `outer` is written with no character more than `inner`: an implicit step around it."""
     own = body.unit.span_of(outer)
@@ -177,7 +229,7 @@ def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
         for candidate in candidates:
             unit.add("call_function", call, declare_function(unit, candidate))
         unit.add("call_unresolved", call, "overloaded" if candidates else "dependent")
-        if receiver is None and "::" in callee_text:
+        if receiver is None and "::" in callee_text and not candidates:
             declare_template_member(unit, call, callee, name)
     if receiver is not None:
         unit.add("call_receiver", call, receiver)
@@ -239,6 +291,20 @@ def _template_arguments(body: Body, callee: Tree, text: str, begin: int) -> list
     return result
 
 
+def _written_instance(body: Body, callee: Tree, text: str, begin: int, end: int, class_: str) -> str:
+    """The instance of a class template that is written at [`begin`, `end`), with its arguments where these are plain names."""
+    within = [child for child in callee.children if begin <= body.unit.span_of(child).begin and body.unit.span_of(child).end <= end]
+    types = [
+        declare_type(body.unit, libclang.cursor_type(libclang.target(child))) for child in within if child.kind == kinds.TYPE_REFERENCE
+    ]
+    plain = len([child for child in within if child.kind == kinds.TEMPLATE_REFERENCE]) == 1 and len(types) == text.count(",") + 1
+    name = f"{class_}<{', '.join(types)}>" if plain else "".join(text.split())
+    body.unit.add("type_class", name, class_)
+    for index, type_ in enumerate(types if plain else ()):
+        body.unit.add("type_argument", name, index, type_)
+    return name
+
+
 def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> str:
     """The type written at [`begin`, `end`): by the references that clang saw in it, else as spelled."""
     found: Cursor | None = None
@@ -256,9 +322,7 @@ def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> 
                 if child.kind == kinds.TEMPLATE_REFERENCE and found is None:
                     found = target
     if found is not None:
-        name = "".join(text.split())
-        body.unit.add("type_class", name, declare_class(body.unit, found))
-        return name
+        return _written_instance(body, callee, text, begin, end, declare_class(body.unit, found))
     return (
         text
         if re.fullmatch(r"(unsigned |signed |long |short )*(int|bool|float|double|char|long|short|unsigned)", text)

@@ -197,7 +197,15 @@ def declare_unknown_type(unit: UnitFacts, written: str) -> str:
 
 
 def declare_template_member(unit: UnitFacts, expr: str, tree: Tree, name: str) -> None:
-    """Record that `expr`, written as `tree`, names or calls the member `name` of a template parameter: `T::name`."""
+    """Record that `expr`, written as `tree`, names or calls the member `name` of a template parameter, `T::name`, or of a class made with such."""
+    templates = [child for child in tree.children if child.kind == kinds.TEMPLATE_REFERENCE]
+    if templates and (target := libclang.referenced(templates[-1].cursor)).kind in kinds.CLASSES:
+        types = [child for child in tree.children[tree.children.index(templates[-1]) + 1 :] if child.kind == kinds.TYPE_REFERENCE]
+        for index, child in enumerate(types):
+            unit.add(
+                "instance_member_use", expr, declare_class(unit, target), index, declare_type(unit, libclang.cursor_type(child.cursor))
+            )
+        return
     for child in tree.children:
         if child.kind == kinds.TYPE_REFERENCE:
             owner = declare_type(unit, libclang.cursor_type(child.cursor))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body
+from rosarch.extractor.cxx.calls import lower_base_construction
 from rosarch.extractor.cxx.declarations import (
     declare_class,
     declare_function,
@@ -99,12 +100,20 @@ def walk_function(unit: UnitFacts, cursor: Cursor) -> None:
 
 
 def _walk_initialisers(body: Body, tree: Tree) -> None:
-    """A constructor's initialiser list: a reference to field or base, then its value."""
+    """A constructor's initialiser list: a reference to field, base or the class itself, then its value."""
     target: Tree | None = None
-    for child in tree.children:
-        if child.kind in (kinds.MEMBER_REFERENCE, kinds.TYPE_REFERENCE):
-            target = child
-        elif kinds.is_expression(child.kind):
+    given: list[Tree] = []  # in a template: the arguments of a base's constructor, which clang does not name
+    for child in (*tree.children, None):
+        if child is None or child.kind in (kinds.MEMBER_REFERENCE, kinds.TYPE_REFERENCE) or not kinds.is_expression(child.kind):
+            if given and target is not None:
+                value = lower_base_construction(body, target, given)
+                body.unit.add("call_receiver", value, body.this())
+                target, given = None, []
+            if child is not None and child.kind in (kinds.MEMBER_REFERENCE, kinds.TYPE_REFERENCE):
+                target = child
+        elif target is not None and body.owner and target.kind == kinds.TYPE_REFERENCE and not _at_same_place(body, target, child):
+            given.append(child)
+        else:
             value = lower_expression(body, child, text=True)
             if target is not None and target.kind == kinds.MEMBER_REFERENCE:
                 field = declare_variable(body.unit, libclang.target(target))
@@ -113,3 +122,7 @@ def _walk_initialisers(body: Body, tree: Tree) -> None:
             elif body.owner:
                 body.unit.add("call_receiver", value, body.this())
             target = None
+
+
+def _at_same_place(body: Body, first: Tree, second: Tree) -> bool:
+    return body.unit.span_of(first).begin >= body.unit.span_of(second).begin
