@@ -197,7 +197,10 @@ def declare_unknown_type(unit: UnitFacts, written: str) -> str:
 
 
 def declare_template_member(unit: UnitFacts, expr: str, tree: Tree, name: str) -> None:
-    """Record that `expr`, written as `tree`, names or calls the member `name` of a template parameter, `T::name`, or of a class made with such."""
+    """Record that `expr`, written as `tree`, names or calls the member `name` of a template parameter, `T::name`.
+
+    Or of an instance of a class template, `X<T>::name`.
+    """
     templates = [child for child in tree.children if child.kind == kinds.TEMPLATE_REFERENCE]
     if templates and (target := libclang.referenced(templates[-1].cursor)).kind in kinds.CLASSES:
         types = [child for child in tree.children[tree.children.index(templates[-1]) + 1 :] if child.kind == kinds.TYPE_REFERENCE]
