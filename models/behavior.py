@@ -292,7 +292,7 @@ def _constructed(text: str | None, name: str) -> str | None:
 def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> dict[str, tuple[str, ...]]:
     """What starts each activity: port ids for callbacks, else a word."""
     found: dict[str, set[str]] = defaultdict(set)
-    same = ("thread", "signal", "main")
+    same = ("thread", "signal", "main", "parameters", "lifecycle")
     words = {"timer": "periodic", "loop": "periodic", "once": "timer", "end": "main"} | {kind: kind for kind in same}
     for root, kind in relations["activity"]:
         if kind in words:
