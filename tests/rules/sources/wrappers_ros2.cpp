@@ -1,0 +1,101 @@
+// A component of ROS 2 whose ports are made through functions, a class and traits that only hand on what they are given.
+//
+// expect: service_server reset std_srvs/Trigger
+#include <memory>
+#include <string>
+#include <chrono>
+#include <rclcpp/rclcpp.hpp>
+#include <rclcpp_components/register_node_macro.hpp>
+#include <std_msgs/msg/bool.hpp>
+#include <std_msgs/msg/int32.hpp>
+#include <std_srvs/srv/trigger.hpp>
+
+namespace factories
+{
+template <typename MessageT, typename NodeT>
+typename rclcpp::Publisher<MessageT>::SharedPtr publisher(NodeT & node, const std::string & topic)
+{
+  auto made = rclcpp::create_publisher<MessageT>(node, topic, rclcpp::QoS(3));
+  return made;
+}
+
+template <typename T, typename NodeT>
+T declared(NodeT node, const std::string & name, const T & value)
+{
+  if (node->has_parameter(name)) {
+    return node->get_parameter(name).template get_value<T>();
+  }
+  return node->declare_parameter(name, rclcpp::ParameterValue(value)).template get<T>();
+}
+}  // namespace factories
+
+struct Ready
+{
+  using Message = std_msgs::msg::Bool;
+  static constexpr char name[] = "/ready";
+};
+
+template <class SpecT>
+typename rclcpp::Publisher<typename SpecT::Message>::SharedPtr of_spec(rclcpp::Node * node)
+{
+  return node->create_publisher<typename SpecT::Message>(SpecT::name, 1);
+}
+
+template <class ServiceT>
+class Server
+{
+public:
+  template <class NodeT>
+  Server(const std::string & name, NodeT node, std::function<void(std::shared_ptr<typename ServiceT::Request>, std::shared_ptr<typename ServiceT::Response>)> callback)
+  : callback_(callback)
+  {
+    server_ = node->template create_service<ServiceT>(name, [this](auto request, auto response) { callback_(request, response); });
+  }
+
+private:
+  std::function<void(std::shared_ptr<typename ServiceT::Request>, std::shared_ptr<typename ServiceT::Response>)> callback_;
+  typename rclcpp::Service<ServiceT>::SharedPtr server_;
+};
+
+class Counter : public rclcpp::Node
+{
+public:
+  explicit Counter(const rclcpp::NodeOptions & options)
+  : Node("counter", options)
+  {
+    step_ = factories::declared<int>(this, "step", 2);  // expect: param step op=declare
+    count_pub_ = factories::publisher<std_msgs::msg::Int32>(*this, "count");  // expect: publisher count std_msgs/Int32 queue=3
+    other_pub_ = factories::publisher<std_msgs::msg::Bool>(*this, "~/other");  // expect: publisher ~other std_msgs/Bool queue=3
+    ready_pub_ = of_spec<Ready>(this);  // expect: publisher /ready std_msgs/Bool
+    level_sub_ = create_subscription<std_msgs::msg::Int32>(  // expect: subscriber level std_msgs/Int32 queue=10 callback=Counter::onLevel
+      "level", 10, std::bind(&Counter::onLevel, this, std::placeholders::_1));
+    server_ = std::make_shared<Server<std_srvs::srv::Trigger>>("reset", this, [this](auto, auto) { level_ = 0; });
+    timer_ = create_wall_timer(std::chrono::milliseconds(500), [this]() {  // expect: periodic count 2 Hz
+      if (level_ > 0) {
+        count_pub_->publish(std_msgs::msg::Int32());
+      }
+    });
+    handle_ = add_on_set_parameters_callback([this](const std::vector<rclcpp::Parameter> &) {
+      level_ = 1;  // expect: transition Counter::level_ = 1 on parameters
+      return rcl_interfaces::msg::SetParametersResult();
+    });
+  }
+
+private:
+  void onLevel(std_msgs::msg::Int32::ConstSharedPtr message)
+  {
+    level_ = message->data;  // expect: transition Counter::level_ on level
+    ready_pub_->publish(std_msgs::msg::Bool());  // expect: reactive level -> /ready must
+  }
+
+  int level_ = 0;
+  int step_;
+  rclcpp::Publisher<std_msgs::msg::Int32>::SharedPtr count_pub_;
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr other_pub_, ready_pub_;
+  rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr level_sub_;
+  std::shared_ptr<Server<std_srvs::srv::Trigger>> server_;
+  rclcpp::TimerBase::SharedPtr timer_;
+  rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr handle_;
+};
+
+RCLCPP_COMPONENTS_REGISTER_NODE(Counter)
