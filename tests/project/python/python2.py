@@ -17,6 +17,16 @@ def callback(message):
 		exec 'pass'
 
 
+def get(name, default):
+	try:
+		value = rospy.get_param(name)
+	except KeyError:
+		value = default
+	return value
+
+
+# expect: param ~device = auto
+get('~device', 'auto')
 rospy.init_node('old')
 pub = rospy.Publisher('out', String)  # expect: publisher out
 rospy.Subscriber('in', String, callback)  # expect: subscriber in
