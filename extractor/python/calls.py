@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 
 from . import strings
 from .body import Body
-from .inference import arguments_of, by_name, super_of
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
 from .program import external_name, names_class
+from .shapes import arguments_of, by_name, super_of
 
 
 def lower_call(body: Body, node: ast.Call) -> str:

@@ -9,10 +9,11 @@ from typing import Any
 
 from . import calls, strings
 from .body import Body
-from .inference import by_name, field_of
+from .definitions import lower_lambda
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, ModuleValue, Variable
 from .program import external_name, names_class
-from .statements import lower_comprehension, lower_lambda
+from .shapes import by_name, field_of
+from .statements import lower_comprehension
 
 _BINARY: dict[type[ast.operator], str] = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.Pow: "**",

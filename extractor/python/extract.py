@@ -13,12 +13,12 @@ from rosarch.extractor.flow import Flow
 from rosarch.extractor.workspace.model import PythonEntry
 
 from .body import Body, Facts
+from .definitions import lower_module
 from .inference import Inference
 from .model import Function, Module
 from .program import Program
 from .scopes import open_module
 from .source import Problem, read_source
-from .statements import lower_module
 
 Rows = dict[str, set[tuple[str | int, ...]]]
 RECURSION = 20_000

@@ -13,7 +13,6 @@ from .model import (
     ExternalValue,
     Function,
     FunctionValue,
-    Import,
     InstanceValue,
     Module,
     ModuleValue,
@@ -24,6 +23,7 @@ from .model import (
     Variable,
 )
 from .program import Program, instance, names_class
+from .shapes import arguments_of, by_name, field_of, last_name, name_of_value, returned, super_of
 
 Key = TypeVar("Key")
 _ROUNDS = 8
@@ -188,12 +188,12 @@ class Inference:
             case ast.BinOp(left=left, op=ast.BitOr(), right=right):
                 return self.annotated(left, scope) | self.annotated(right, scope)
             case ast.Subscript(value=outer, slice=inner):
-                if _last(outer) in ("Optional", "Final", "ClassVar", "Annotated"):
+                if last_name(outer) in ("Optional", "Final", "ClassVar", "Annotated"):
                     return self.annotated(inner.elts[0] if isinstance(inner, ast.Tuple) else inner, scope)
-                if _last(outer) == "Union" and isinstance(inner, ast.Tuple):
+                if last_name(outer) == "Union" and isinstance(inner, ast.Tuple):
                     return frozenset().union(*(self.annotated(part, scope) for part in inner.elts))
                 return self.annotated(outer, scope)
-            case ast.Name() | ast.Attribute() if _last(node) in _ANYTHING:
+            case ast.Name() | ast.Attribute() if last_name(node) in _ANYTHING:
                 return NOTHING
             case ast.Name() | ast.Attribute():
                 return frozenset(
@@ -251,7 +251,7 @@ class Inference:
     def fields(self, node: ast.Attribute, scope: Scope) -> list[Variable]:
         """The data members that `object.name` may name."""
         found = []
-        for value in sorted(self.values(node.value, scope), key=_name_of_value):
+        for value in sorted(self.values(node.value, scope), key=name_of_value):
             if isinstance(value, (InstanceValue, ClassValue)):
                 symbol = value.cls.find(node.attr)
                 if isinstance(symbol, Variable):
@@ -396,67 +396,3 @@ def _grow(table: dict[Key, Values], key: Key, values: Values) -> bool:
         return False
     table[key] = known | values
     return True
-
-
-def arguments_of(call: ast.Call, function: Function, *, skip: int = 0) -> dict[Variable, ast.expr]:
-    """The parameters of `function` with the arguments that `call` gives them, as far as it writes them out, without the first `skip`."""
-    found: dict[Variable, ast.expr] = {}
-    positional = [parameter for parameter in function.parameters if parameter.positional]
-    for parameter, argument in zip(positional, call.args[skip:], strict=False):
-        if isinstance(argument, ast.Starred):
-            break
-        found[parameter] = argument
-    for keyword in call.keywords:
-        index = function.index_of(keyword.arg) if keyword.arg else None
-        if index is not None:
-            found[function.parameters[index]] = keyword.value
-    return found
-
-
-def super_of(node: ast.expr, scope: Scope) -> Class | None:
-    """The class whose bases `super().name` looks in."""
-    match node:
-        case ast.Attribute(value=ast.Call(func=ast.Name(id="super"))):
-            return scope.owner
-    return None
-
-
-def returned(node: ast.AST) -> Iterable[ast.expr]:
-    """The values that a function returns, not those of functions in it."""
-    for child in ast.iter_child_nodes(node):
-        if isinstance(child, ast.Return) and child.value is not None:
-            yield child.value
-        elif not isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef, ast.expr)):
-            yield from returned(child)
-
-
-def field_of(cls: Class, variable: Variable) -> Variable:
-    """The data member of all classes from which `cls` has it: that of the most general one that the workspace defines."""
-    found = variable
-    for ancestor in cls.ancestors():
-        known = ancestor.fields.get(variable.name)
-        if known is not None and ancestor.own == (variable.module is not None and not variable.module.stub):
-            found = known
-    return found
-
-
-def _last(node: ast.expr) -> str:
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
-
-
-def _name_of_value(value: Value) -> str:
-    match value:
-        case InstanceValue(cls) | ClassValue(cls):
-            return cls.name
-        case FunctionValue(function, _):
-            return function.identifier
-        case ModuleValue(path, _) | ExternalValue(path):
-            return path
-
-
-def by_name(values: Values) -> list[Value]:
-    """Values in a fixed order."""
-    return sorted(values, key=lambda value: (type(value).__name__, _name_of_value(value)))
-
-
-__all__ = ["Import", "Inference", "by_name", "field_of", "super_of"]

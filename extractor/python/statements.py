@@ -5,10 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Sequence
 
-from rosarch.extractor.flow import Flow
-
+from . import definitions
 from .body import Body
-from .model import Function, Module, Variable
+from .model import Variable
 
 _AUGMENTED: dict[type[ast.operator], str] = {
     ast.Add: "+=", ast.Sub: "-=", ast.Mult: "*=", ast.Div: "/=", ast.FloorDiv: "/=", ast.Mod: "%=", ast.Pow: "*=",
@@ -21,59 +20,6 @@ def lower_statements(body: Body, nodes: Sequence[ast.stmt]) -> None:
     """Record statements in a row."""
     for node in nodes:
         _STATEMENTS.get(type(node), _expressions_of)(body, node)
-
-
-def lower_function(body: Body, function: Function) -> None:
-    """Record a function: its parameters' defaults, its body, its control-flow graph."""
-    from .expressions import lower
-
-    facts, node, scope = body.facts, function.node, function.scope
-    if node is None or scope is None or function.module is None:
-        return
-    name = facts.function(function)
-    facts.add("function_defined", name)
-    outside = Body(facts, function.module, body.scope, Flow())
-    arguments = node.args
-    named = [*arguments.posonlyargs, *arguments.args]
-    defaults = {argument.arg: default for argument, default in zip(reversed(named), reversed(arguments.defaults), strict=False)}
-    defaults.update(
-        {
-            argument.arg: default
-            for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
-            if default is not None
-        }
-    )
-    for parameter in function.parameters:
-        if parameter.name in defaults:
-            facts.add("parameter_default", facts.variable(parameter), lower(outside, defaults[parameter.name], text=True))
-    inner = Body(facts, function.module, scope, Flow(), name)
-    if isinstance(node, ast.Lambda):
-        value = lower(inner, node.body, text=True)
-        facts.add("return_value", name, value)
-        inner.flow.evaluate(value)
-    else:
-        lower_statements(inner, node.body)
-    inner.flow.write(facts, name)
-
-
-def lower_module(facts_body: Body, module: Module) -> None:
-    """Record the body of a module: a function that runs when the module is imported, or as a program."""
-    facts = facts_body.facts
-    name = facts.function(module.function)
-    facts.add("function_defined", name)
-    body = Body(facts, module, module.scope, Flow(), name)
-    lower_statements(body, module.tree.body)
-    body.flow.write(facts, name)
-
-
-def lower_lambda(body: Body, node: ast.Lambda) -> str:
-    """A lambda expression; its body is a function of its own."""
-    expr = body.node(node, "lambda")
-    function = body.module.functions.get(node)
-    if function is not None:
-        lower_function(body, function)
-        body.facts.add("lambda", expr, function.identifier)
-    return expr
 
 
 def assign(body: Body, target: ast.expr, value: str, node: ast.AST, whole: ast.expr | None = None) -> None:
@@ -369,69 +315,6 @@ def _match(body: Body, node: ast.Match) -> None:
     flow.start(after)
 
 
-def _function(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
-    function = body.module.functions.get(node)
-    if function is not None:
-        _decorators(body, node.decorator_list, function)
-        lower_function(body, function)
-
-
-def _decorators(body: Body, nodes: Sequence[ast.expr], function: Function) -> None:
-    """A decorator is called with the function; those of the language are no more than marks."""
-    from .expressions import function_use, lower
-
-    for node in nodes:
-        body.facts.add("function_annotation", body.facts.function(function), body.text(node))
-        values = body.inference.values(node, body.scope)
-        if isinstance(node, ast.Name) and not any(getattr(value, "function", None) for value in values):
-            continue
-        callee = lower(body, node)
-        call = body.node(node, "call")
-        body.facts.add("call", call, "decorator")
-        body.facts.add("call_through", call, callee)
-        body.facts.add("call_argument", call, 0, function_use(body, node, [function]))
-        body.flow.evaluate(call)
-
-
-def _class(body: Body, node: ast.ClassDef) -> None:
-    """What stands in a class is evaluated when the class is defined; the methods are functions of their own."""
-    cls = body.module.classes.get(node)
-    if cls is None or cls.scope is None:
-        return
-    body.facts.cls(cls)
-    inner = Body(body.facts, body.module, cls.scope, Flow())
-    lower_statements(inner, node.body)
-
-
-def _import(body: Body, node: ast.Import | ast.ImportFrom) -> None:
-    """A module of the workspace runs when it is imported first."""
-    program = body.facts.program
-    for path in _imported(body, node):
-        module = program.modules.get(path)
-        if module is not None and not module.stub and module is not body.module:
-            call = body.node(node, "call")
-            body.facts.add("call", call, "import")
-            body.facts.add("call_function", call, body.facts.function(module.function))
-            body.flow.evaluate(call)
-
-
-def _imported(body: Body, node: ast.Import | ast.ImportFrom) -> list[str]:
-    if isinstance(node, ast.Import):
-        wholes = [alias.name for alias in node.names]
-    else:
-        path = node.module or ""
-        if node.level:
-            parts = body.module.name.split(".")
-            parts = parts[: len(parts) - node.level + body.module.is_package] if node.level <= len(parts) else []
-            path = ".".join([*parts, *([path] if path else [])])
-        wholes = [path, *(f"{path}.{alias.name}" for alias in node.names)]
-    found = []
-    for whole in wholes:
-        parts = whole.split(".")
-        found += [".".join(parts[:count]) for count in range(1, len(parts) + 1)]
-    return list(dict.fromkeys(found))
-
-
 def _nothing(_body: Body, _node: ast.stmt) -> None:
     """A statement that does nothing by itself."""
 
@@ -452,11 +335,11 @@ _STATEMENTS: dict[type[ast.stmt], Callable[..., None]] = {
     ast.Return: _return,
     ast.Raise: _raise,
     ast.Match: _match,
-    ast.FunctionDef: _function,
-    ast.AsyncFunctionDef: _function,
-    ast.ClassDef: _class,
-    ast.Import: _import,
-    ast.ImportFrom: _import,
+    ast.FunctionDef: definitions.lower_definition,
+    ast.AsyncFunctionDef: definitions.lower_definition,
+    ast.ClassDef: definitions.lower_class,
+    ast.Import: definitions.lower_import,
+    ast.ImportFrom: definitions.lower_import,
     ast.Break: lambda body, _node: body.flow.break_(),
     ast.Continue: lambda body, _node: body.flow.continue_(),
     ast.Global: _nothing,

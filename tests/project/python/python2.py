@@ -17,16 +17,10 @@ def callback(message):
 		exec 'pass'
 
 
-def get(name, default):
-	try:
-		value = rospy.get_param(name)
-	except KeyError:
-		value = default
-	return value
-
-
-# expect: param ~device = auto
-get('~device', 'auto')
+try:
+	device = rospy.get_param('~device')  # expect: param ~device = auto
+except KeyError:
+	device = 'auto'
 rospy.init_node('old')
 pub = rospy.Publisher('out', String)  # expect: publisher out
 rospy.Subscriber('in', String, callback)  # expect: subscriber in

@@ -1,0 +1,71 @@
+"""What is told of calls, functions and classes without knowing values."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable
+
+from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, ModuleValue, Scope, Value, Values, Variable
+
+
+def arguments_of(call: ast.Call, function: Function, *, skip: int = 0) -> dict[Variable, ast.expr]:
+    """The parameters of `function` with the arguments that `call` gives them, as far as it writes them out, without the first `skip`."""
+    found: dict[Variable, ast.expr] = {}
+    positional = [parameter for parameter in function.parameters if parameter.positional]
+    for parameter, argument in zip(positional, call.args[skip:], strict=False):
+        if isinstance(argument, ast.Starred):
+            break
+        found[parameter] = argument
+    for keyword in call.keywords:
+        index = function.index_of(keyword.arg) if keyword.arg else None
+        if index is not None:
+            found[function.parameters[index]] = keyword.value
+    return found
+
+
+def super_of(node: ast.expr, scope: Scope) -> Class | None:
+    """The class whose bases `super().name` looks in."""
+    match node:
+        case ast.Attribute(value=ast.Call(func=ast.Name(id="super"))):
+            return scope.owner
+    return None
+
+
+def returned(node: ast.AST) -> Iterable[ast.expr]:
+    """The values that a function returns, not those of functions in it."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Return) and child.value is not None:
+            yield child.value
+        elif not isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef, ast.expr)):
+            yield from returned(child)
+
+
+def field_of(cls: Class, variable: Variable) -> Variable:
+    """The data member of all classes from which `cls` has it: that of the most general one that the workspace defines."""
+    found = variable
+    for ancestor in cls.ancestors():
+        known = ancestor.fields.get(variable.name)
+        if known is not None and ancestor.own == (variable.module is not None and not variable.module.stub):
+            found = known
+    return found
+
+
+def last_name(node: ast.expr) -> str:
+    """The last of the names that `node` is written with."""
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def name_of_value(value: Value) -> str:
+    """The name of what a value is."""
+    match value:
+        case InstanceValue(cls) | ClassValue(cls):
+            return cls.name
+        case FunctionValue(function, _):
+            return function.identifier
+        case ModuleValue(path, _) | ExternalValue(path):
+            return path
+
+
+def by_name(values: Values) -> list[Value]:
+    """Values in a fixed order."""
+    return sorted(values, key=lambda value: (type(value).__name__, name_of_value(value)))
