@@ -131,6 +131,7 @@ enum Mode { ON = 1 };
 template <class T> struct Box { T value_; virtual void set(T t) { value_ = t; } void take(const typename T::ConstPtr&); int size() { return T::size(); } };
 struct Base { virtual void run() {} };
 struct IntBox : Box<int> {};
+template <class T> struct Made { static T* own(int); }; template <class T> T* made(T t) { return Made<T>::own(t); }
 struct Node : Base {
   int count_ = 0; Box<int> box_; Node(int n = 3) : count_(n) {} void run() override { count_ += 1; box_.set(ON); } int one(int);
 };
