@@ -34,6 +34,8 @@ _TEMPLATE = re.compile(rb"\s*<((?:[\w\s:,*&.]|<[\w\s:,*&.]*>)*)>\s*(.?)")
 _FOLLOWING = re.compile(rb"\s*(?:\[[^\]\n]*\]\s*|\([^()\n]*\)\s*)*(?:\.|->)\s*(\w+)")
 _ARGUMENTS = re.compile(rb"\s*(<[\w\s:,*&.]*(?:<[\w\s:,*&.]*>[\w\s:,*&.]*)*>)?\s*\(")
 _DECLARATOR = re.compile(rb"\s*(?:const\s*)?[*&]*\s*[A-Za-z_]\w*\s*[;=,(){\[:]")
+_GLOBAL = re.compile(rb"(?<![\w>])\s*::\s*$")
+"""A name is looked for outside of all namespaces."""
 _MACRO = re.compile(r"__\w+__|[A-Z][A-Z0-9_]{2,}")
 _MACRO_CALL = re.compile(rb"\s*\((?:[^()]|\([^()]*\))*\)\s*(.?)")
 _TRAILING_MACRO = re.compile(rb"\s*([A-Z][A-Z0-9_]{2,})\s*(\(?)")
@@ -320,5 +322,7 @@ def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: 
         wanted.correct(quoted[0], "value")
     elif message.startswith("expected '(' for function-style") and (name := re.search(rb"(\w+)\s*$", place.before)):
         wanted.correct(name.group(1).decode(), "value")
+    elif message.endswith("is not a class, namespace, or enumeration") and len(path) > 1 and _GLOBAL.search(place.before):
+        wanted.name(path, "class" if path[-1][:1].isupper() else _kind(path, place.before, place.chain()[1])[0])
     elif "incomplete type" in message and quoted:
         wanted.name(re.sub(r"^(?:class|struct|const)\s+|<.*", "", quoted[0]).split("::"), "class")

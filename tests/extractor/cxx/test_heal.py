@@ -46,6 +46,10 @@ def bound(facts) -> list[str]:
         ("unknown constant in a condition", "void f(Out out, int x) { if (x == LIMIT) { out.send(1); } }"),
         ("unknown type after using namespace", "using namespace far; void f(Out out, far::A a) { Thing t; out.send(t.size()); }"),
         ("unknown type by using", "using far::Thing; void f(Out out) { Thing t; out.send(t.size()); }"),
+        (
+            "global name like that of the namespace around",
+            "namespace near { namespace far { struct N { ::far::Thing thing_; Out out; void go() { out.send(thing_.size()); } }; } }",
+        ),
         ("unknown macro before a declaration", "EXPORT_ALL struct N { Out out; void go(int x) { out.send(x); } };"),
         ("unknown attribute macro", "__host__ __device__ void f(Out out) { out.send(unheard(1)); }"),
         ("unknown macro called as a statement", "void f(Out out, int x) { CHECK_POSITIVE(x); out.send(unheard(x)); }"),
