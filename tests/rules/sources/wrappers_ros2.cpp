@@ -1,6 +1,7 @@
 // A component of ROS 2 whose ports are made through functions, a class and traits that only hand on what they are given.
 //
 // expect: service_server reset std_srvs/Trigger
+// expect-only: param
 #include <memory>
 #include <string>
 #include <chrono>
@@ -26,6 +27,15 @@ T declared(NodeT node, const std::string & name, const T & value)
     return node->get_parameter(name).template get_value<T>();
   }
   return node->declare_parameter(name, rclcpp::ParameterValue(value)).template get<T>();
+}
+
+template <typename NodeT>
+bool asked(NodeT node, const std::string & name, bool otherwise)
+{
+  if (!node->has_parameter(name)) {
+    return node->template declare_parameter<bool>(name, otherwise);
+  }
+  return node->get_parameter(name).as_bool();
 }
 }  // namespace factories
 
@@ -64,6 +74,7 @@ public:
   : Node("counter", options)
   {
     step_ = factories::declared<int>(this, "step", 2);  // expect: param step op=declare
+    loud_ = factories::asked(this, "loud", true);  // expect: param loud op=declare
     count_pub_ = factories::publisher<std_msgs::msg::Int32>(*this, "count");  // expect: publisher count std_msgs/Int32 queue=3
     other_pub_ = factories::publisher<std_msgs::msg::Bool>(*this, "~/other");  // expect: publisher ~other std_msgs/Bool queue=3
     ready_pub_ = of_spec<Ready>(this);  // expect: publisher /ready std_msgs/Bool
@@ -90,6 +101,7 @@ private:
 
   int level_ = 0;
   int step_;
+  bool loud_;
   rclcpp::Publisher<std_msgs::msg::Int32>::SharedPtr count_pub_;
   rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr other_pub_, ready_pub_;
   rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr level_sub_;
