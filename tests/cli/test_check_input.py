@@ -134,6 +134,7 @@ def test_an_interrupt_ends_the_run_in_one_line(launch: Path, tmp_path: Path) -> 
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # what is started in the background may ignore it
     )
     time.sleep(1.0)
     os.killpg(process.pid, signal.SIGINT)

@@ -48,12 +48,19 @@ class Watching:
 @contextmanager
 def watching(*arguments: str) -> Iterator[Watching]:
     command = [sys.executable, "-m", "rosarch.cli", "watch", *arguments]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    with subprocess.Popen(command, preexec_fn=_heed_interrupts, **pipes) as process:  # type: ignore[call-overload]
         try:
             yield Watching(process)
-        finally:
             process.send_signal(signal.SIGINT)
             process.wait(30)
+        finally:
+            process.kill()
+
+
+def _heed_interrupts() -> None:
+    """As on a terminal: what is started in the background may ignore them."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def test_rules_and_sources_are_saved(tmp_path: Path) -> None:

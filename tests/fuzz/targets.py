@@ -383,13 +383,13 @@ def comments(data: bytes, folder: Path) -> None:
 def source_text(data: bytes, folder: Path) -> None:
     """A C++ source, as far as it is read as text: includes, registered plug-ins."""
     from rosarch.extractor.cxx.includes import HeaderFinder
-    from rosarch.extractor.units import _odd_source
+    from rosarch.extractor.units import odd_source
     from rosarch.extractor.workspace.plugins import registrations
 
     path = folder / "here" / "node.cpp"
     path.write_bytes(data)
     registrations(path)
-    _odd_source(path)
+    odd_source(path)
     scratch = folder / "scratch"
     scratch.mkdir(exist_ok=True)
     finder = HeaderFinder(folder, scratch, lambda _name: None)

@@ -54,7 +54,7 @@ def read(tmp_path: Path, prelude: Path) -> Callable[..., tuple[Rows, dict[str, s
             (root / path.replace("_", ".")).write_text(text)
         finder = HeaderFinder(root, tmp_path / "scratch", lambda _name: None)
         unit = CompileUnit(root / name, definitions=definitions)
-        shared = SharedHeaders(unit.source, ((), ()), (unit.language, *definitions), finder, kept) if kept else None
+        shared = SharedHeaders(unit.source, unit.folders, (unit.language, *definitions), finder, kept) if kept else None
         rows = extract_unit(unit, root, finder, prelude, heal=True, headers=shared)
         return rows, {Path(path).name: key for path, key in shared.keys.items()} if shared else {}
 

@@ -8,7 +8,7 @@
 // expect: N = count : { definition_target(_, _) }, N = 7
 // expect: N = count : { map_access(_, _) }, N = 6
 // expect: N = count : { other_object(_, _) }, N = 4
-// expect: N = count : { wanted(_) }, N = 85
+// expect: N = count : { wanted(_) }, N = 87
 // expect-only: subscriber
 #include <list>
 #include <map>
@@ -123,7 +123,7 @@ int main(int argc, char** argv)
   // expect: subscriber /value
   // expect: subscriber /other_value
   // expect: subscriber /third_value
-  g_subs.push_back(nh.subscribe(map["key"], 1, onMessage));  // expect: subscriber /fourth_value
+  g_subs.push_back(nh.subscribe(map[argv[0]], 1, onMessage));  // expect: subscriber /fourth_value
   const Topic* chosen = &topic;
   g_subs.push_back(nh.subscribe(chosen->name, 1, onMessage));  // expect: subscriber /topic
   std::map<std::string, int> queues;
