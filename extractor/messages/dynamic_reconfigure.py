@@ -15,6 +15,7 @@ from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import read_file
+from rosarch.extractor.python_syntax import parse_python
 from rosarch.extractor.workspace.model import Package
 
 from .model import Config, ConfigConstant, ConfigParameter
@@ -30,9 +31,9 @@ _CONST_NAMES = ("name", "type", "value", "descr")
 def parse_config(text: str, package: Package, path: Path, packages: Iterable[Package], problems: list[Diagnostic]) -> Config | None:
     """The configuration a `.cfg` file generates; None, with a diagnostic, when it names none."""
     try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-        problems.append(Diagnostic("config-syntax", path, getattr(error, "lineno", 1) or 1, 1, "not Python 3, read by pattern"))
+        tree = parse_python(text)
+    except SyntaxError as error:
+        problems.append(Diagnostic("config-syntax", path, error.lineno or 1, 1, "not Python 3, read by pattern"))
         return _by_pattern(text, package.name, path, problems)
     reader = _Reader(list(packages))
     try:
@@ -104,8 +105,8 @@ class _Reader:
             for path in (package.path / "src" / relative / "__init__.py", package.path / "src" / f"{relative}.py"):
                 if os.path.isfile(path):
                     try:
-                        tree = ast.parse(read_file(path).decode(errors="replace"))
-                    except (SyntaxError, ValueError, RecursionError, MemoryError, OSError):
+                        tree = parse_python(read_file(path).decode(errors="replace"))
+                    except (SyntaxError, OSError):
                         return
                     self.functions.update({node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)})
                     return

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import ast
 import re
-import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
+from rosarch.extractor.python_syntax import parse_python
 
 from .python2 import as_python3
 
 MOST_BYTES = 4 << 20
 """A larger file is data."""
-_SYNTAX = "syntax error: "
 _ENCODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
 
@@ -48,7 +47,7 @@ def read_source(path: Path) -> Parsed | Problem:
     tree = _parse(text)
     if isinstance(tree, ast.Module):
         return Parsed(text.encode(), tree, problems)
-    older = as_python3(text) if tree.message.startswith(_SYNTAX) and "nested" not in tree.message else None
+    older = as_python3(text) if "nested" not in tree.message else None
     if older is not None:
         converted = _parse(older)
         if isinstance(converted, ast.Module):
@@ -85,11 +84,7 @@ def _decoded(data: bytes) -> tuple[str, tuple[Problem, ...]]:
 
 
 def _parse(text: str) -> ast.Module | Problem:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            return ast.parse(text)
-        except SyntaxError as error:
-            return Problem(error.lineno or 1, max(error.offset or 1, 1), f"{_SYNTAX}{error.msg}")
-        except (ValueError, RecursionError, MemoryError) as error:
-            return Problem(1, 1, f"not analysed: {str(error) or type(error).__name__}")
+    try:
+        return parse_python(text)
+    except SyntaxError as error:
+        return Problem(error.lineno or 1, max(error.offset or 1, 1), f"syntax error: {error.msg}")
