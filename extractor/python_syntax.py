@@ -20,3 +20,11 @@ def parse_python(text: str | bytes) -> ast.Module:
             raise SyntaxError("nested too deeply", ("", 1, 1, "")) from None
         except ValueError as error:  # a null byte
             raise SyntaxError(str(error), ("", 1, 1, "")) from None
+
+
+def absolute_name(name: str, level: int, package: str) -> str:
+    """The module that `name` with `level` dots in front means in a module of `package`; `name` itself, with too many dots."""
+    if not level:
+        return name
+    above = package.split(".")[: max(package.count(".") + 2 - level, 0)] if package else []
+    return ".".join([*above, *([name] if name else [])])

@@ -12,6 +12,7 @@ from .inference import Inference
 from .messages import message_of
 from .model import Class, Function, InstanceValue, Module, Scope, Values, Variable
 from .program import Program
+from .shapes import place
 
 TEXT_LIMIT = 2000
 _NUMBERS = ("float", "int", "bool")
@@ -36,7 +37,7 @@ class Facts:
 
     def node(self, module: Module, node: ast.AST, form: str) -> str:
         """Give out the identifier of a node of the syntax tree and record its location."""
-        line, column = getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1
+        line, column = place(node)
         identifier = f"{module.key}:{line}:{column}:{form}"
         count = self._ids[identifier] = self._ids.get(identifier, 0) + 1
         if count > 1:
@@ -53,8 +54,7 @@ class Facts:
         self.add("function", name, function.kind)
         self.add("function_name", name, function.name)
         if function.own and function.module is not None:
-            at = function.node
-            self.add("location", name, function.module.key, getattr(at, "lineno", 1), getattr(at, "col_offset", 0) + 1)
+            self.add("location", name, function.module.key, *place(function.node or function.module.tree))
         if function.owner is not None and function.kind != "lambda":
             self.add("function_class", name, self.cls(function.owner))
             self._overrides(function, function.owner)
@@ -82,7 +82,7 @@ class Facts:
             if cls.node is None:
                 self.add("class_undeclared", cls.name)
             if cls.own and cls.module is not None and cls.node is not None:
-                self.add("location", cls.name, cls.module.key, cls.node.lineno, cls.node.col_offset + 1)
+                self.add("location", cls.name, cls.module.key, *place(cls.node))
             for base in cls.bases:
                 self.add("class_base", cls.name, self.cls(base))
             message = message_of(cls.name)

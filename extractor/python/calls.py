@@ -9,7 +9,7 @@ from . import strings
 from .body import Body
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
 from .program import external_name, names_class
-from .shapes import arguments_of, by_name, super_of
+from .shapes import arguments_of, by_name, last_name, super_of
 
 
 def lower_call(body: Body, node: ast.Call) -> str:
@@ -24,7 +24,7 @@ def lower_call(body: Body, node: ast.Call) -> str:
     arguments = _arguments(body, node, functions, skipped)
     call = body.node(node, "call")
     facts = body.facts
-    facts.add("call", call, _name(node.func))
+    facts.add("call", call, last_name(node.func) or "()")
     for function in functions:
         facts.add("call_function", call, facts.function(function))
     for cls in classes:
@@ -42,10 +42,6 @@ def lower_call(body: Body, node: ast.Call) -> str:
         facts.add("call_argument", call, index, argument)
     body.flow.evaluate(call)
     return call
-
-
-def _name(node: ast.expr) -> str:
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else "()"
 
 
 def _receiver(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[str | None, int]:
@@ -89,13 +85,12 @@ def _callees(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[list
                 functions += _methods(body, [cls], "__call__")
     functions += _methods(body, classes, "__init__")
     if not functions and not classes and isinstance(node.func, ast.Attribute) and not _names_field(body, node.func):
-        above = super_of(node.func, body.scope)
-        owners = (
-            [above]
-            if above
-            else [v.cls for v in by_name(body.inference.values(node.func.value, body.scope)) if isinstance(v, InstanceValue)]
-        )
-        functions += _methods(body, owners, node.func.attr, beyond=above)
+        own = super_of(node.func, body.scope)
+        if own is not None:
+            functions += _methods(body, [own], node.func.attr, above=True)
+        else:
+            objects = by_name(body.inference.values(node.func.value, body.scope))
+            functions += _methods(body, [value.cls for value in objects if isinstance(value, InstanceValue)], node.func.attr)
     return list(dict.fromkeys(functions)), classes
 
 
@@ -103,11 +98,11 @@ def _names_field(body: Body, node: ast.Attribute) -> bool:
     return bool(body.inference.fields(node, body.scope))
 
 
-def _methods(body: Body, classes: Iterable[Class], name: str, beyond: Class | None = None) -> list[Function]:
+def _methods(body: Body, classes: Iterable[Class], name: str, *, above: bool = False) -> list[Function]:
     """The methods `name` of `classes`; of those that may inherit it from a class that is not declared, that class' one."""
     found = []
     for cls in classes:
-        symbol = cls.find(name, beyond=beyond)
+        symbol = cls.find(name, above=above)
         if isinstance(symbol, Function):
             found.append(symbol)
         elif symbol is None:

@@ -6,9 +6,11 @@ import ast
 from collections.abc import Sequence
 
 from rosarch.extractor.flow import Flow
+from rosarch.extractor.python_syntax import absolute_name
 
 from .body import Body
 from .model import Function, Module
+from .shapes import defaults_of
 
 
 def lower_function(body: Body, function: Function) -> None:
@@ -21,16 +23,7 @@ def lower_function(body: Body, function: Function) -> None:
     name = facts.function(function)
     facts.add("function_defined", name)
     outside = Body(facts, function.module, body.scope, Flow())
-    arguments = node.args
-    named = [*arguments.posonlyargs, *arguments.args]
-    defaults = {argument.arg: default for argument, default in zip(reversed(named), reversed(arguments.defaults), strict=False)}
-    defaults.update(
-        {
-            argument.arg: default
-            for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
-            if default is not None
-        }
-    )
+    defaults = defaults_of(node.args)
     for parameter in function.parameters:
         if parameter.name in defaults:
             facts.add("parameter_default", facts.variable(parameter), lower(outside, defaults[parameter.name], text=True))
@@ -115,11 +108,7 @@ def _imported(body: Body, node: ast.Import | ast.ImportFrom) -> list[str]:
     if isinstance(node, ast.Import):
         wholes = [alias.name for alias in node.names]
     else:
-        path = node.module or ""
-        if node.level:
-            parts = body.module.name.split(".")
-            parts = parts[: len(parts) - node.level + body.module.is_package] if node.level <= len(parts) else []
-            path = ".".join([*parts, *([path] if path else [])])
+        path = absolute_name(node.module or "", node.level, body.module.package)
         wholes = [path, *(f"{path}.{alias.name}" for alias in node.names)]
     found = []
     for whole in wholes:

@@ -114,7 +114,7 @@ def _name(body: Body, node: ast.expr) -> str:
     symbol = body.facts.program.lookup(node.id, body.scope)
     if isinstance(symbol, Variable):
         return use(body, node, body.facts.variable(symbol))
-    values = by_name(body.facts.program.values_of(symbol, body.scope)) if symbol is not None else []
+    values = by_name(body.facts.program.values_of(symbol)) if symbol is not None else []
     return _named(body, node, values)
 
 

@@ -23,7 +23,7 @@ from .model import (
     Variable,
 )
 from .program import Program, instance, names_class
-from .shapes import arguments_of, by_name, field_of, last_name, name_of_value, returned, super_of
+from .shapes import arguments_of, by_name, field_of, last_name, name_of_value, place, returned, super_of
 
 Key = TypeVar("Key")
 _ROUNDS = 8
@@ -137,8 +137,8 @@ class Inference:
                 if isinstance(value, InstanceValue) and value.cls.own:
                     symbol = value.cls.find(target.attr)
                     if symbol is None:
-                        place = target.lineno, target.col_offset + 1
-                        symbol = Variable(f"{value.cls.name}::{target.attr}", target.attr, "field", module, *place, owner=value.cls)
+                        name = f"{value.cls.name}::{target.attr}"
+                        symbol = Variable(name, target.attr, "field", module, *place(target), owner=value.cls)
                         value.cls.fields[target.attr] = symbol
                         module.variables.append(symbol)
                     if isinstance(symbol, Variable) and all(known.expr is not source.expr for known in symbol.sources):
@@ -316,7 +316,7 @@ class Inference:
             return NOTHING
         if isinstance(symbol, Variable):
             return self.variable(symbol)
-        return self.program.values_of(symbol, scope)
+        return self.program.values_of(symbol)
 
     def _attribute(self, node: ast.Attribute, scope: Scope) -> Values:
         found: set[Value] = set()
@@ -337,9 +337,9 @@ class Inference:
                     found |= self.program.member(value, node.attr)
         return frozenset(found)
 
-    def of_object(self, cls: Class, name: str, *, beyond: Class | None = None) -> Values:
-        """What `name` of an object of `cls` stands for."""
-        symbol = cls.find(name, beyond=beyond)
+    def of_object(self, cls: Class, name: str, *, above: bool = False) -> Values:
+        """What `name` of an object of `cls` stands for; see `Class.find`."""
+        symbol = cls.find(name, above=above)
         if isinstance(symbol, Function):
             return self.returns(symbol) if symbol.is_property else frozenset({FunctionValue(symbol, bound=symbol.kind != "static_method")})
         if isinstance(symbol, Variable):
@@ -348,9 +348,9 @@ class Inference:
 
     def callee_values(self, node: ast.Call, scope: Scope) -> Values:
         """What a call calls."""
-        above = super_of(node.func, scope)
-        if above is not None and isinstance(node.func, ast.Attribute):
-            return self.of_object(above, node.func.attr, beyond=above)
+        cls = super_of(node.func, scope)
+        if cls is not None and isinstance(node.func, ast.Attribute):
+            return self.of_object(cls, node.func.attr, above=True)
         return self.values(node.func, scope)
 
     def _call(self, node: ast.Call, scope: Scope) -> Values:

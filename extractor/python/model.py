@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 
 FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 
@@ -26,7 +27,7 @@ class Module:
     scope: Scope = field(init=False)
     function: Function = field(init=False)
     functions: dict[ast.AST, Function] = field(default_factory=dict)
-    classes: dict[ast.AST, Class] = field(default_factory=dict)
+    classes: dict[ast.ClassDef, Class] = field(default_factory=dict)
     variables: list[Variable] = field(default_factory=list)
     calls: list[tuple[ast.Call, Scope]] = field(default_factory=list)
     outer_targets: list[tuple[ast.expr, Source | None]] = field(default_factory=list)
@@ -35,6 +36,11 @@ class Module:
     def stub(self) -> bool:
         """Whether this is only a declaration."""
         return not self.key
+
+    @property
+    def package(self) -> str:
+        """The package that the module is in, or is."""
+        return self.name if self.is_package else self.name.rpartition(".")[0]
 
     def member(self, name: str) -> str:
         """The qualified name of what the module calls `name`."""
@@ -74,12 +80,10 @@ class Class:
         symbol = self.scope.names.get(name) if self.scope else None
         return symbol if isinstance(symbol, (Function, Class)) else self.fields.get(name)
 
-    def find(self, name: str, *, beyond: Class | None = None) -> Symbol | None:
-        """What objects of the class call `name`; with `beyond`, only what comes after that class is looked at."""
-        found = self.ancestors()
-        if beyond is not None:
-            found = iter(list(found)[1:]) if beyond is self else (c for c in list(found)[1:])
-        return next((symbol for c in found if (symbol := c.member(name)) is not None), None)
+    def find(self, name: str, *, above: bool = False) -> Symbol | None:
+        """What objects of the class call `name`; from `above`, as `super()` finds it, what they would without the class itself."""
+        found = islice(self.ancestors(), 1 if above else 0, None)
+        return next((symbol for cls in found if (symbol := cls.member(name)) is not None), None)
 
 
 @dataclass(eq=False)
@@ -136,7 +140,7 @@ class Variable:
 
 @dataclass(eq=False)
 class Import:
-    """A name that an import binds: the module `path`, or the member `member` of it; `sure` when nothing else may be bound instead."""
+    """A name that an import binds: the module `path`, or the member `member` of it."""
 
     path: str
     member: str = ""

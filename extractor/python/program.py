@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from pathlib import Path
 
@@ -39,14 +39,15 @@ class Program:
         self.modules: dict[str, Module | None] = dict(modules)
         self._external: dict[str, Class] = {}
         self._functions: dict[str, Function] = {}
-        self.resolve_bases(modules.values())
+        self._resolve_bases(modules.values())
 
-    def resolve_bases(self, modules: object) -> None:
+    def _resolve_bases(self, modules: Iterable[Module]) -> None:
         """Find the bases of all classes of `modules`."""
-        for module in modules:  # type: ignore[attr-defined]
-            for cls in module.classes.values():
-                for base in cls.node.bases:
-                    found = self.dotted(base, cls.scope.parent)
+        for module in modules:
+            for node, cls in module.classes.items():
+                outer = cls.scope.parent if cls.scope else None
+                for base in node.bases:
+                    found = self.dotted(base, outer or module.scope)
                     cls.bases += [value.cls for value in found if isinstance(value, ClassValue) and cls not in value.cls.ancestors()]
                     cls.bases += [self.external_class(value.path) for value in found if isinstance(value, ExternalValue)]
 
@@ -58,7 +59,7 @@ class Program:
             if stub is not None:
                 module = self.modules[name] = Module(name, stub[0], is_package=stub[1])
                 open_module(module)
-                self.resolve_bases([module])
+                self._resolve_bases([module])
         return self.modules[name]
 
     def builtin(self, name: str) -> Class | Function | None:
@@ -81,7 +82,7 @@ class Program:
             self._functions[name] = Function(name, name, "constructor" if constructs else "method" if owner else "function", owner=owner)
         return self._functions[name]
 
-    def values_of(self, symbol: Symbol, scope: Scope) -> Values:
+    def values_of(self, symbol: Symbol) -> Values:
         """What a symbol that is no variable stands for."""
         match symbol:
             case Function():
@@ -99,7 +100,7 @@ class Program:
         module = self.module(path)
         symbol = self.symbol_of(path, member)
         if isinstance(symbol, (Function, Class)):
-            return self.values_of(symbol, module.scope if module else None)  # type: ignore[arg-type]
+            return self.values_of(symbol)
         if isinstance(symbol, Import) and symbol.member and (symbol.path, symbol.member) != (path, member):
             return self.of_module(symbol.path, symbol.member)  # where the imports lead no further
         if isinstance(symbol, Import) and not symbol.member:
@@ -156,7 +157,7 @@ class Program:
         match node:
             case ast.Name(id=name):
                 symbol = self.lookup(name, scope)
-                return self.values_of(symbol, scope) if symbol is not None else NOTHING
+                return self.values_of(symbol) if symbol is not None else NOTHING
             case ast.Attribute(value=inner, attr=name):
                 return frozenset().union(*(self.member(value, name) for value in self.dotted(inner, scope)))
             case ast.Subscript(value=inner):  # Generic[T]
@@ -173,7 +174,7 @@ class Program:
             case ClassValue(cls):
                 symbol = cls.find(name)
                 if isinstance(symbol, (Function, Class)):
-                    return self.values_of(symbol, cls.scope)  # type: ignore[arg-type]
+                    return self.values_of(symbol)
                 if symbol is None and not all(ancestor.own for ancestor in cls.ancestors()):
                     return frozenset({ExternalValue(f"{cls.name.replace('::', '.')}.{name}")}) if cls.module is None else NOTHING
         return NOTHING

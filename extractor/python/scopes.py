@@ -5,7 +5,10 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Sequence
 
+from rosarch.extractor.python_syntax import absolute_name
+
 from .model import Class, Function, FunctionNode, Import, Module, Scope, Source, Symbol, Variable
+from .shapes import defaults_of, place
 
 _ENUMERATIONS = frozenset({"Enum", "IntEnum", "Flag", "IntFlag", "StrEnum"})
 
@@ -16,11 +19,6 @@ def open_module(module: Module) -> None:
     module.function = Function(identifier, module.name, "function", module=module)
     module.scope = module.function.scope = Scope("module", module, None, function=module.function)
     _Binder(module.scope).statements(module.tree.body)
-
-
-def place(module: Module, node: ast.AST) -> tuple[int, int]:
-    """Line and column, both from 1, at which `node` begins."""
-    return getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1
 
 
 class _Binder:
@@ -91,11 +89,7 @@ class _Binder:
             self.scope.names[name] = symbol
 
     def _import_from(self, node: ast.ImportFrom) -> None:
-        path = node.module or ""
-        if node.level:
-            parts = self.module.name.split(".")
-            parts = parts[: len(parts) - node.level + self.module.is_package] if node.level <= len(parts) else []
-            path = ".".join([*parts, *([path] if path else [])])
+        path = absolute_name(node.module or "", node.level, self.module.package)
         for alias in node.names:
             if alias.name == "*":
                 self.scope.stars.append(path)
@@ -110,7 +104,7 @@ class _Binder:
             qualified = module.member(name)
         else:
             qualified = f"{self.scope.function.name if self.scope.function else module.name}::{name}"
-        line, column = place(module, node)
+        line, column = place(node)
         if isinstance(node, ast.Lambda):
             identifier = f"lambda@{module.key}:{line}:{column}"
         else:
@@ -141,12 +135,11 @@ class _Binder:
         named = [*arguments.posonlyargs, *arguments.args]
         if function.owner is not None and function.kind != "static_method" and named:
             function.receiver = named.pop(0).arg
-        defaults = dict(zip(reversed([a.arg for a in named]), reversed(arguments.defaults), strict=False))
-        defaults.update({a.arg: d for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if d is not None})
+        defaults = defaults_of(arguments)
         outer = scope.parent or scope
         for index, argument in enumerate([*named, *arguments.kwonlyargs]):
             variable = Variable(
-                f"{function.identifier}#{index}", argument.arg, "parameter", self.module, *place(self.module, argument), function=function
+                f"{function.identifier}#{index}", argument.arg, "parameter", self.module, *place(argument), function=function
             )
             variable.positional = index < len(named)
             if argument.annotation is not None:
@@ -159,7 +152,7 @@ class _Binder:
         for rest in (arguments.vararg, arguments.kwarg):
             if rest is not None:
                 scope.names[rest.arg] = Variable(
-                    f"{function.identifier}#{rest.arg}", rest.arg, "local", self.module, *place(self.module, rest), function=function
+                    f"{function.identifier}#{rest.arg}", rest.arg, "local", self.module, *place(rest), function=function
                 )
 
     def _class(self, node: ast.ClassDef) -> None:
@@ -222,7 +215,7 @@ class _Binder:
         known = owner.fields.get(target.attr)
         begins = self.scope.function is not None and self.scope.function.kind == "constructor"
         if known is None or (begins and known.kind == "field" and known.first is None):
-            at = place(self.module, target)
+            at = place(target)
             if known is None:
                 known = owner.fields[target.attr] = Variable(
                     f"{owner.name}::{target.attr}", target.attr, "field", self.module, *at, owner=owner
@@ -241,7 +234,7 @@ class _Binder:
             return known
         if known is not None:
             return None
-        line, column = place(self.module, node)
+        line, column = place(node)
         if scope.kind == "module":
             variable = Variable(self.module.member(name), name, "global", self.module, line, column)
         elif scope.kind == "class" and scope.owner is not None:
@@ -284,18 +277,17 @@ def _statements(body: Sequence[ast.stmt]) -> Iterator[ast.stmt]:
     for node in body:
         yield node
         if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-            for inner in blocks(node):
-                yield from _statements(inner)
+            for block in _blocks(node):
+                yield from _statements(block)
 
 
-def blocks(node: ast.stmt) -> Iterator[Sequence[ast.stmt]]:
+def _blocks(node: ast.stmt) -> Iterator[Sequence[ast.stmt]]:
     """The blocks of statements in a statement."""
-    for name in ("body", "handlers", "orelse", "finalbody", "cases"):
-        for part in [getattr(node, name, [])]:
-            if name in ("handlers", "cases"):
-                yield from (inner.body for inner in part)
-            elif part:
-                yield part
+    yield getattr(node, "body", ())
+    yield from (handler.body for handler in getattr(node, "handlers", ()))
+    yield getattr(node, "orelse", ())
+    yield getattr(node, "finalbody", ())
+    yield from (case.body for case in getattr(node, "cases", ()))
 
 
 def _expressions(node: ast.stmt) -> Iterator[ast.expr]:

@@ -8,6 +8,19 @@ from collections.abc import Iterable
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, ModuleValue, Scope, Value, Values, Variable
 
 
+def place(node: ast.AST) -> tuple[int, int]:
+    """Line and column, both from 1, at which `node` begins."""
+    return getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1
+
+
+def defaults_of(arguments: ast.arguments) -> dict[str, ast.expr]:
+    """The defaults of parameters, by their names."""
+    named = [*arguments.posonlyargs, *arguments.args]
+    found = {argument.arg: default for argument, default in zip(reversed(named), reversed(arguments.defaults), strict=False)}
+    keywords = zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+    return found | {argument.arg: default for argument, default in keywords if default is not None}
+
+
 def arguments_of(call: ast.Call, function: Function, *, skip: int = 0) -> dict[Variable, ast.expr]:
     """The parameters of `function` with the arguments that `call` gives them, as far as it writes them out, without the first `skip`."""
     found: dict[Variable, ast.expr] = {}

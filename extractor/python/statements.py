@@ -49,22 +49,26 @@ def _assign(body: Body, node: ast.Assign) -> None:
                 assign(body, part, value, part)
             return
     value = lower(body, node.value, text=True)
-    declared = _declared(body, target, node) if len(node.targets) == 1 else None
-    if declared is not None:
-        body.facts.add("variable_initializer", declared, value)
-        body.flow.evaluate(value)
+    if len(node.targets) == 1 and _declares(body, target, value, node):
         return
     for target in node.targets:
         assign(body, target, value, node, node.value)
 
 
-def _declared(body: Body, target: ast.expr, node: ast.stmt) -> str | None:
-    """The variable that this statement declares: its first assignment."""
-    if isinstance(target, ast.Name):
-        variable = body.scope.holder(target.id).names.get(target.id)
-        if isinstance(variable, Variable) and variable.first is node:
-            return body.facts.variable(variable)
-    return None
+def _declares(body: Body, target: ast.expr, value: str, node: ast.stmt) -> bool:
+    """Record `value` as that of the variable that `node` declares; whether it is the first assignment, and declares one."""
+    variable = _variable(body, target)
+    if variable is None or variable.first is not node:
+        return False
+    body.facts.add("variable_initializer", body.facts.variable(variable), value)
+    body.flow.evaluate(value)
+    return True
+
+
+def _variable(body: Body, target: ast.expr) -> Variable | None:
+    """The variable that an assignment to a name is to."""
+    symbol = body.scope.holder(target.id).names.get(target.id) if isinstance(target, ast.Name) else None
+    return symbol if isinstance(symbol, Variable) else None
 
 
 def _annotated(body: Body, node: ast.AnnAssign) -> None:
@@ -72,11 +76,7 @@ def _annotated(body: Body, node: ast.AnnAssign) -> None:
 
     if node.value is not None:
         value = lower(body, node.value, text=True)
-        declared = _declared(body, node.target, node)
-        if declared is not None:
-            body.facts.add("variable_initializer", declared, value)
-            body.flow.evaluate(value)
-        else:
+        if not _declares(body, node.target, value, node):
             assign(body, node.target, value, node)
 
 
@@ -175,11 +175,10 @@ def _begin_range(body: Body, target: ast.expr, container: ast.expr) -> str:
     from .expressions import lower
 
     expr = lower(body, container, text=True)
-    if isinstance(target, ast.Name):
-        variable = body.scope.holder(target.id).names.get(target.id)
-        if isinstance(variable, Variable):
-            body.facts.add("range_variable", body.facts.variable(variable), expr)
-            body.flow.evaluate(expr)
+    variable = _variable(body, target)
+    if variable is not None:
+        body.facts.add("range_variable", body.facts.variable(variable), expr)
+        body.flow.evaluate(expr)
     return expr
 
 

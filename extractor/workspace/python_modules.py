@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
-from rosarch.extractor.python_syntax import parse_python
+from rosarch.extractor.python_syntax import absolute_name, parse_python
 
 MAX_MODULES = 2000
 _IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+\(?([\w, \t*]+)|import[ \t]+([\w., \t]+))", re.MULTILINE)
@@ -26,11 +26,23 @@ class Import:
     members: tuple[str, ...]
 
 
+@dataclass(frozen=True)
+class Outline:
+    """What a file imports, wherever in it, whether running it does more than define, and whether there is more in it than texts.
+
+    Of a file with another syntax than Python 3's, those imports that begin a line.
+    """
+
+    imports: tuple[Import, ...]
+    acts: bool
+    says_anything: bool
+
+
 class Modules:
     """Reads modules, each once."""
 
     def __init__(self) -> None:
-        self._imports: dict[Path, tuple[Import, ...]] = {}
+        self._outlines: dict[Path, Outline] = {}
         self._files: dict[tuple[str, Path], Path | None] = {}
 
     def find(self, name: str, roots: Sequence[Path]) -> Path | None:
@@ -52,33 +64,26 @@ class Modules:
                     found[name] = target
                     waiting.append((name, target))
         first = found.pop(module)
-        kept = {name: path for name, path in found.items() if path != first and self._says_anything(path)}
+        kept = {name: path for name, path in found.items() if path != first and self._outline(path).says_anything}
         return ((module, first), *kept.items()), frozenset(elsewhere - {name.partition(".")[0] for name in found})
 
     def does_something(self, file: Path) -> bool:
         """Whether a file does more than define when it is run."""
-        text = _text(file)
-        tree = _tree(text)
-        return _MAIN.search(text) is not None if tree is None else any(map(_acts, tree.body))
+        return self._outline(file).acts
 
     def _named(self, module: str, path: Path) -> Iterator[str]:
         """All modules that the imports of a file may mean: `from a import b` is `a`, and `a.b` where that is a module."""
         package = module if path.name == "__init__.py" else module.rpartition(".")[0]
-        for found in self.imports(path):
-            parts = package.split(".") if package else []
-            above = parts[: len(parts) - found.level + 1] if found.level else []
-            name = ".".join([*above, *([found.name] if found.name else [])])
+        for found in self._outline(path).imports:
+            name = absolute_name(found.name, found.level, package)
             words = name.split(".") if name else []
             yield from (".".join(words[:count]) for count in range(1, len(words) + 1))
             yield from (f"{name}.{member}" if name else member for member in found.members if member.isidentifier())
 
-    def imports(self, path: Path) -> tuple[Import, ...]:
-        """The imports of a file, wherever in it; of one with another syntax than Python 3's, those that begin a line."""
-        if path not in self._imports:
-            text = _text(path)
-            tree = _tree(text)
-            self._imports[path] = tuple(_imports_of_text(text) if tree is None else _imports_of_tree(tree))
-        return self._imports[path]
+    def _outline(self, path: Path) -> Outline:
+        if path not in self._outlines:
+            self._outlines[path] = _outline(_text(path))
+        return self._outlines[path]
 
     def _below(self, name: str, root: Path) -> Path | None:
         key = (name, root)
@@ -88,11 +93,6 @@ class Modules:
             self._files[key] = next((path for path in candidates if os.path.isfile(path)), None)
         return self._files[key]
 
-    @staticmethod
-    def _says_anything(path: Path) -> bool:
-        tree = _tree(_text(path))
-        return tree is None or any(not _is_text(node) for node in tree.body)
-
 
 def _text(path: Path) -> str:
     try:
@@ -101,11 +101,12 @@ def _text(path: Path) -> str:
         return ""  # reported where it is analysed
 
 
-def _tree(text: str) -> ast.Module | None:
+def _outline(text: str) -> Outline:
     try:
-        return parse_python(text)
+        tree = parse_python(text)
     except SyntaxError:
-        return None
+        return Outline(tuple(_imports_of_text(text)), acts=_MAIN.search(text) is not None, says_anything=True)
+    return Outline(tuple(_imports_of_tree(tree)), any(map(_acts, tree.body)), not all(map(_is_text, tree.body)))
 
 
 def _imports_of_tree(tree: ast.Module) -> Iterator[Import]:
