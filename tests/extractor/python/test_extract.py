@@ -114,7 +114,7 @@ def test_main_is_what_is_run_and_not_what_is_imported(tmp_path: Path) -> None:
     imported, _ = extract(tmp_path, source, function="main")
     assert {value for _, value in script["expr_constant"]} == {"1"}
     assert {value for _, value in imported["expr_constant"]} == {"0"}
-    assert len(script["program_entry"]), len(imported["program_entry"]) == (1, 2)
+    assert (len(script["program_entry"]), len(imported["program_entry"])) == (1, 2)
 
 
 def test_what_is_not_understood_is_told_and_the_rest_is_read(tmp_path: Path) -> None:
