@@ -9,6 +9,8 @@ from typing import Any
 
 from rosarch.composition.inputs import content_path
 from rosarch.extractor.messages import Field, MessageStore
+from rosarch.extractor.messages.model import UNBOUNDED
+from rosarch.models.machine.conditions import MIRRORED, Comparison, Negation, number, parse_condition
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 
 Values = Mapping[str, float | str]
@@ -18,7 +20,8 @@ _FORMATS = {
     "bool": "?", "byte": "b", "char": "B", "float32": "f", "float64": "d", "int8": "b", "uint8": "B", "int16": "h", "uint16": "H",
     "int32": "i", "uint32": "I", "int64": "q", "uint64": "Q",
 }  # fmt: skip
-_COMPARED = re.compile(r"(.+?)\s*(<=|(?<!-)>=|==|!=|<|(?<!-)>)\s*(.+)")
+_BESIDE = {"<": (-1.0, 0.0), ">": (1.0, 0.0), "<=": (0.0, 1.0), ">=": (0.0, -1.0), "==": (0.0, 1.0)}
+"""What is added to a number so that a comparison with it holds, and so that it does not."""
 _DEEPEST = 20
 
 
@@ -31,47 +34,44 @@ def needed(subject: Subject, value: str, members: Collection[str], known: Mappin
 
     `members` are the component's own names, `known` those of which the number is known.
     """
-    path = content_path(subject.text, members)
-    if path is not None and re.fullmatch(r"[\w.]+", path):
+    path = _field_path(subject.text, members)
+    if path is not None:
         if subject.values == BOOLEAN:
             return {path: float(value == "true")}
-        number = _number(value, known)
         if value == OTHER:
             taken = {_number(each, known) for each in subject.values}
             return {path: next(float(free) for free in range(100, 200) if free not in taken)}
-        return None if number is None else {path: number}
-    match = _COMPARED.fullmatch(subject.text)
-    if match is None or subject.values != BOOLEAN:
+        wanted = _number(value, known)
+        return None if wanted is None else {path: wanted}
+    condition, holds = parse_condition(subject.text), value == "true"
+    if isinstance(condition, Negation):
+        condition, holds = condition.inner, not holds
+    if not isinstance(condition, Comparison) or subject.values != BOOLEAN:
         return None
-    return _compared((match[1], match[2], match[3]), value == "true", members, known)
+    return _compared(condition, holds, members, known)
 
 
-def _compared(parts: tuple[str, str, str], holds: bool, members: Collection[str], known: Mapping[str, float]) -> Values | None:
+def _compared(condition: Comparison, holds: bool, members: Collection[str], known: Mapping[str, float]) -> Values | None:
     """The field of a comparison with a number, on one side or the other."""
-    left, sign, right = parts
-    for operand, bound, own in ((left, right, sign), (right, left, _TURNED.get(sign, sign))):
-        path, number = content_path(operand, members), _number(bound, known)
-        if path is not None and re.fullmatch(r"[\w.]+", path) and number is not None:
-            return {path: _beside(number, own, holds)}
+    left, sign, right = condition.left, condition.op, condition.right
+    for operand, op, other in ((left, sign, right), (right, MIRRORED.get(sign, sign), left)):
+        path, bound = _field_path(operand, members), _number(other, known)
+        if path is not None and bound is not None:
+            return {path: bound + _BESIDE[op][0 if holds else 1]}
     return None
 
 
-_TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
-_OPPOSITE = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}
-
-
-def _beside(number: float, sign: str, holds: bool) -> float:
-    """A number for which the comparison holds, or does not."""
-    return {"<": -1.0, ">": 1.0, "!=": 1.0}.get(sign if holds else _OPPOSITE[sign], 0.0) + number
+def _field_path(text: str, members: Collection[str]) -> str | None:
+    """The field that a text names, if it is one of the message itself and no element of a list."""
+    path = content_path(text, members)
+    return path if path is not None and re.fullmatch(r"[\w.]+", path) else None
 
 
 def _number(text: str, known: Mapping[str, float]) -> float | None:
     if text in BOOLEAN:
         return float(text == "true")
-    try:
-        return float(text.rstrip("fFlLuU"))
-    except ValueError:
-        return known.get(text.rsplit("::", 1)[-1])
+    literal = number(text)
+    return known.get(text.rsplit("::", 1)[-1]) if literal is None else literal
 
 
 def encoded(store: MessageStore, type_: str, values: Values) -> bytes:
@@ -96,14 +96,13 @@ def _message(store: MessageStore, type_: str, above: str, values: dict[str, floa
 
 
 def _field(store: MessageStore, field: Field, path: str, values: dict[str, float | str], depth: int) -> Iterator[bytes]:
-    if field.array is not None:
-        if field.array < 0:
-            yield struct.pack("<I", 0)
-            return
-        for number in range(field.array):
-            yield from _single(store, field.type, f"{path}[{number}]", values, depth)
-        return
-    yield from _single(store, field.type, path, values, depth)
+    if field.array is None:
+        yield from _single(store, field.type, path, values, depth)
+    elif field.array == UNBOUNDED:
+        yield struct.pack("<I", 0)
+    else:
+        for index in range(field.array):
+            yield from _single(store, field.type, f"{path}[{index}]", values, depth)
 
 
 def _single(store: MessageStore, type_: str, path: str, values: dict[str, float | str], depth: int) -> Iterator[bytes]:
