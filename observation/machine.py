@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import product
+from itertools import islice, product
 
 from rosarch.composition.components import Component
 from rosarch.composition.reactions import Effect, TooManyCases, effects
 from rosarch.models.machine.logic import Subject
-from rosarch.models.machine.reactions import PERIODIC, Row
+from rosarch.models.machine.reactions import Row
 
 State = frozenset[tuple[str, str]]
 """The value of each variable."""
@@ -74,12 +74,11 @@ class Machine:
         found = [each for state in belief for each in self._ways(given.port, state, content, without)]
         return _joined(found) if found else Outcome(belief, Expected())
 
-    def _ways(self, port: str, state: State, content: Content, without: Row | None) -> list[tuple[State, Effect, bool]]:
+    def _ways(self, port: str, state: State, content: Content, without: Row | None) -> list[tuple[State, Effect]]:
         values = dict(state)
         possible = [e for e in self.reactions.get(port, ()) if all(values.get(key) == value for key, value in e.before.items())]
         fitting = [e for e in possible if all(content[s] in allowed for s, allowed in e.choices.items() if s in content)]
-        sure = len(fitting) == 1
-        return [(_after(state, effect, without), effect, sure) for effect in fitting]
+        return [(_after(state, effect, without), effect) for effect in fitting]
 
     def wait(self, belief: Belief, without: Row | None = None) -> tuple[Outcome, int]:
         """What time brings, and in how many rounds of the loops."""
@@ -101,7 +100,7 @@ class Machine:
                 ways = self._ways(trigger, state, {}, without)
                 if len(ways) > 1 or (ways and self.loops[trigger] is None):
                     return self._anything(frozenset(before)), len(before) + 1
-                for after, effect, _ in ways:
+                for after, effect in ways:
                     state = after
                     sent.update(effect.sent)
                     rows.update(effect.rows)
@@ -114,7 +113,7 @@ class Machine:
         while waiting and len(known) < _MOST_STATES:
             state = waiting.pop()
             for trigger in self.loops:
-                for after, effect, _ in self._ways(trigger, state, {}, None):
+                for after, effect in self._ways(trigger, state, {}, None):
                     sent.update(effect.sent)
                     if after not in known:
                         known.add(after)
@@ -128,11 +127,10 @@ def _after(state: State, effect: Effect, without: Row | None) -> State:
     return frozenset({**dict(state), **changed}.items())
 
 
-def _joined(found: Iterable[tuple[State, Effect, bool]]) -> Outcome:
-    ways = list(found)
-    states = frozenset(state for state, _, _ in ways)
-    sent = [frozenset(effect.sent) for _, effect, _ in ways]
-    rows = [frozenset(effect.rows) for _, effect, _ in ways]
+def _joined(ways: Sequence[tuple[State, Effect]]) -> Outcome:
+    states = frozenset(state for state, _ in ways)
+    sent = [frozenset(effect.sent) for _, effect in ways]
+    rows = [frozenset(effect.rows) for _, effect in ways]
     return Outcome(states, Expected(frozenset.intersection(*sent), frozenset[str]().union(*sent)), frozenset.intersection(*rows))
 
 
@@ -140,9 +138,9 @@ Solve = Callable[[str, Subject, str], bool]
 """Whether a message on a port can be made for which a condition's subject has a value."""
 
 
-def machine(component: Component, ports: Iterable[str], solve: Solve, initial: Mapping[str, str]) -> Machine:
+def machine(component: Component, ports: Collection[str], solve: Solve, initial: Mapping[str, str]) -> Machine:
     """The machine of a component into whose `ports` something can be put; `initial` are first values that are known otherwise."""
-    triggers = [trigger for trigger in component.steps if trigger in set(ports) or trigger.split(" ")[0] == PERIODIC]
+    triggers = [trigger for trigger in component.steps if trigger in ports or trigger in component.rates]
     reactions: dict[str, tuple[Effect, ...]] = {}
     unsolved: dict[str, tuple[str, ...]] = {}
     for trigger in triggers:
@@ -156,9 +154,9 @@ def machine(component: Component, ports: Iterable[str], solve: Solve, initial: M
         solved = [subject for subject in asked if all(solve(port, subject, value) for value in subject.values)]
         unsolved[port] = tuple(subject.text for subject in asked if subject not in solved)
         contents = product(*([(subject, value) for value in subject.values] for subject in solved))
-        inputs += [Input(port, content) for _, content in zip(range(_MOST_CONTENTS), contents, strict=False)]
+        inputs += [Input(port, content) for content in islice(contents, _MOST_CONTENTS)]
     first = [[(key, value) for value in _first(variable.initial, initial.get(key))] for key, variable in component.variables.items()]
-    start = frozenset(frozenset(values) for _, values in zip(range(_MOST_STATES), product(*first), strict=False))
+    start = frozenset(map(frozenset, islice(product(*first), _MOST_STATES)))
     loops = {trigger: hz for trigger, hz in component.rates.items() if trigger in reactions}
     return Machine(reactions, loops, tuple(inputs), start, unsolved)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from rosarch.composition.system import System
 from rosarch.reports.sequence_mermaid import Arrow, Remark, arrows, sequence_text
@@ -14,7 +15,7 @@ MOST_ITEMS = 60
 
 def sequence_diagram(record: Record, system: System, most: int = MOST_ITEMS) -> str:
     """The first events."""
-    return sequence_text([item for _, item in zip(range(most), _items(record, system), strict=False)], record.system)
+    return sequence_text(list(islice(_items(record, system), most)), record.system)
 
 
 def _items(record: Record, system: System) -> Iterator[Arrow | Remark]:
