@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -95,7 +95,8 @@ def _tried(subject: Subject, experiment: Experiment, command: Sequence[str], end
 def _verdict(subject: Subject, experiment: Experiment, command: Sequence[str], measured: Measured) -> Verdict:
     row = experiment.row
     try:
-        with private_graph() as graph, _Trial(subject, graph, command, measured) as trial:
+        with private_graph() as graph, Peer(graph.master.uri, NAME) as peer:
+            trial = _started(subject, graph, peer, command, measured)
             for stimulus in experiment.stimuli[:-1]:
                 seen = trial.give(stimulus)
                 if not stimulus.expected.fits(seen):
@@ -116,37 +117,36 @@ def _names(subject: Subject, ports: frozenset[str]) -> str:
     return " and ".join(sorted(subject.places[port].name for port in ports)) or "nothing"
 
 
-class _Trial:
-    """A node that runs for one experiment, and the peer that puts messages in and reads what it sends."""
+def _started(subject: Subject, graph: PrivateGraph, peer: Peer, command: Sequence[str], measured: Measured) -> _Trial:
+    """Start the node, with `peer` at the other end of all its topics."""
+    heard: dict[str, list[float]] = defaultdict(list)
+    for place in subject.outlets:
+        peer.subscribe(place.name, _listener(heard[place.port]))
+    topics = [place for place in subject.inlets if not place.service]
+    for place in topics:
+        peer.advertise(place.name, MessageType(place.type, ANY))
+    process = graph.start(Start(tuple(command), subject.name))
+    if not wait_until(lambda: all(peer.readers(place.name) for place in topics), _LINKS):
+        left = " and ".join(place.name for place in topics if not peer.readers(place.name))
+        raise _ProbeError(f"it does not read {left}")
+    return _Trial(subject, peer, process, heard, measured)
 
-    def __init__(self, subject: Subject, graph: PrivateGraph, command: Sequence[str], measured: Measured) -> None:
+
+def _listener(times: list[float]) -> Heard:
+    return lambda _sender, at, _message: times.append(at)
+
+
+class _Trial:
+    """A node that runs for one experiment, and the peer that puts messages in and `heard`, by ports, when it sends some."""
+
+    def __init__(self, subject: Subject, peer: Peer, process: Process, heard: Mapping[str, list[float]], measured: Measured) -> None:
         self._subject = subject
-        self._graph = graph
+        self._peer = peer
+        self._process = process
+        self._heard = heard
         self._measured = measured
-        self._command = tuple(command)
-        self._heard: dict[str, list[float]] = defaultdict(list)
         self._before: frozenset[str] = frozenset()
         self._timed = frozenset(port for row in subject.document.get("periodic") or () for port in row["publishes"])
-        self._peer = Peer(graph.master.uri, NAME)
-        self._process: Process | None = None
-
-    def __enter__(self) -> _Trial:
-        for place in self._subject.outlets:
-            self._peer.subscribe(place.name, self._listener(place.port))
-        topics = [place for place in self._subject.inlets if not place.service]
-        for place in topics:
-            self._peer.advertise(place.name, MessageType(place.type, ANY))
-        self._process = self._graph.start(Start(self._command, self._subject.name))
-        if not wait_until(lambda: all(self._peer.readers(place.name) for place in topics), _LINKS):
-            left = " and ".join(place.name for place in topics if not self._peer.readers(place.name))
-            raise _ProbeError(f"it does not read {left}")
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._peer.__exit__()
-
-    def _listener(self, port: str) -> Heard:
-        return lambda _sender, at, _message: self._heard[port].append(at)
 
     def give(self, stimulus: Stimulus) -> frozenset[str]:
         """Put something in, and wait; the ports that something came through."""
@@ -161,7 +161,7 @@ class _Trial:
                 begin = self._peer.publish(place.name, message)
         periods = [1 / hz for hz in self._subject.machine.loops.values() if hz]
         time.sleep(_PATIENCE + stimulus.rounds * max(periods, default=0.0))
-        if self._process is not None and self._process.ended is not None:
+        if self._process.ended is not None:
             raise _ProbeError(f"after {self.told(stimulus)} it {self._process.ended}")
         late = {port: [at for at in list(times) if at >= begin] for port, times in self._heard.items()}
         seen = {port for port, times in late.items() if times}
@@ -175,12 +175,12 @@ class _Trial:
 
     def measure(self, row: Row) -> None:
         """How often something is sent through the ports of a timed loop."""
-        entry = self._subject.document["periodic"][row.index]
+        entry = self._subject.entry(row)
         hz = entry.get("hz")
         begin = time.monotonic()
         time.sleep(min(_LONGEST_MEASURE, _PERIODS / hz) if hz else 1.0)
         for port in entry["publishes"]:
-            times = [at for at in list(self._heard[port]) if at >= begin]
+            times = [at for at in list(self._heard.get(port, ())) if at >= begin]
             intervals = [after - before for before, after in pairwise(times)]
             if intervals:
                 self._measured.rates[row, port] = 1 / median(intervals)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from rosarch.composition.components import Component, component
 from rosarch.extractor.messages import MessageStore
@@ -59,12 +60,12 @@ class Subject:
         graph_name = name if name.startswith("/") else f"{self.name}/{name.lstrip('~/')}" if name.startswith("~") else f"/{name}"
         return Place(port["id"], port["kind"], graph_name, port["type"])
 
-    @property
+    @cached_property
     def inlets(self) -> list[Place]:
         """What something can be put into."""
         return [place for place in self.places.values() if place.kind in _INLETS and self._encoded(place, {}) is not None]
 
-    @property
+    @cached_property
     def outlets(self) -> list[Place]:
         """What sends."""
         return [place for place in self.places.values() if place.kind in ("publisher", "tf_broadcaster")]
@@ -86,6 +87,16 @@ class Subject:
         for trigger, steps in self.component.steps.items():
             for step in steps:
                 found[step.row] = (*found.get(step.row, ()), trigger)
+        return found
+
+    def entry(self, row: Row) -> Mapping[str, Any]:
+        """What the document of its component says in a row."""
+        found: Mapping[str, Any] = self.component.document[row.kind][row.index]
+        return found
+
+    def index(self, row: Row) -> int:
+        """Where that is in the document of the model, of which the component leaves out loops that are another one's twin."""
+        found: int = self.document[row.kind].index(self.entry(row))
         return found
 
     @cached_property

@@ -42,7 +42,7 @@ def _ports(subject: Subject, ports: frozenset[str]) -> str:
 
 def _row(subject: Subject, row: Row) -> str:
     """A row of the model in a few words."""
-    entry = subject.document[row.kind][row.index]
+    entry = subject.entry(row)
     if row.kind == "transitions":
         return f"{entry['variable']}{entry.get('field') or ''} becomes {entry['value']}"
     if row.kind == "periodic":
@@ -94,7 +94,7 @@ def _spread(seconds: Sequence[float], factor: float = 1.0) -> tuple[int, float, 
 
 def _rates(subject: Subject, results: Results) -> Iterator[tuple[str, float | None, float]]:
     for (row, port), hz in results.measured.rates.items():
-        yield subject.places[port].name, subject.document["periodic"][row.index]["hz"], hz
+        yield subject.places[port].name, subject.entry(row)["hz"], hz
 
 
 def results_json(subject: Subject, results: Results) -> str:
@@ -102,7 +102,13 @@ def results_json(subject: Subject, results: Results) -> str:
     document: dict[str, Any] = {
         "node": subject.name,
         "verdicts": [
-            {"kind": each.row.kind, "index": each.row.index, "at": each.row.at, "verdict": each.verdict, "reason": each.reason or None}
+            {
+                "kind": each.row.kind,
+                "index": subject.index(each.row),
+                "at": each.row.at,
+                "verdict": each.verdict,
+                "reason": each.reason or None,
+            }
             for each in results.verdicts
         ],
         "times": [

@@ -61,6 +61,15 @@ def test_what_cannot_be_reached_has_a_reason(store: MessageStore) -> None:
     assert reasons[4] == "nothing can be put into what triggers it"
 
 
+def test_a_loop_that_is_left_out_leaves_other_rows_what_they_are(store: MessageStore) -> None:
+    """Of a loop that waits at several places one is taken: its rows are named by their own entries of the document."""
+    document = json.loads((EXAMPLES / "docking_states/expected/auto_docking/docking.json").read_text())
+    whole, odd = (Probed(each, store, "/docking") for each in (document, {**document, "periodic": [{"at": None}, *document["periodic"]]}))
+    assert [odd.entry(row) for row in odd.rows] == [whole.entry(row) for row in whole.rows]
+    assert plan_text(odd, plan(odd.machine, odd.rows)) == plan_text(whole, plan(whole.machine, whole.rows))
+    assert {odd.index(row) for row in odd.rows if row.kind == "periodic"} == {1}
+
+
 MODE = Subject("msg.mode", "msg.mode", ("AUTO", "3", OTHER))
 
 
