@@ -22,9 +22,9 @@ from pathlib import Path
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, arguments_of
+from rosarch.extractor.cxx.units import UnitReader
 from rosarch.extractor.messages import Interfaces
 from rosarch.extractor.pipeline import compile_units
-from rosarch.extractor.units import UnitReader
 from rosarch.extractor.workspace import Workspace, components, discover
 from rosarch.extractor.workspace.compile_commands import read_compile_commands
 
@@ -57,7 +57,7 @@ def measure(workspace: Workspace, units: Sequence[CompileUnit], scratch: Path) -
     reader = UnitReader(workspace.root, finder, scratch / "extraction", None)
     reader.scratch.mkdir()
     total = dict.fromkeys(COLUMNS, 0.0)
-    total["extraction"] += seconds(reader.prepare)
+    total["extraction"] += seconds(reader.precompiled)
     for unit in units:
         total["extraction"] += seconds(lambda unit=unit: reader.read(unit))  # type: ignore[misc]
         includes = finder.closure(unit.source, unit.folders)

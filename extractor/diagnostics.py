@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+SourceProblem = tuple[str, int, int, str]
+"""What was not understood of a source, as it is kept with its facts: path, line, column and message."""
+
 
 @dataclass(frozen=True)
 class Diagnostic:

@@ -19,6 +19,7 @@ from rosarch.extractor.cache import Cache, hash_of, write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
 from rosarch.extractor.cxx.unit import file_key, merge
+from rosarch.extractor.cxx.units import UnitReader, odd_source
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.facts_text import facts_text
 from rosarch.extractor.files import path_text
@@ -30,7 +31,7 @@ from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.sharing import CommonUnits
 from rosarch.extractor.unit_store import unit_rows
-from rosarch.extractor.units import Outcome, Progress, UnitFile, UnitReader, odd_source, read_units
+from rosarch.extractor.units import Outcome, Progress, UnitFile, read_units
 from rosarch.extractor.workspace import (
     Component,
     Diagnostic,

@@ -19,6 +19,7 @@ from rosarch.extractor.cxx.recover import declared_names, recover
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.unit import UnitFacts, file_key
 from rosarch.extractor.cxx.walk import walk_declaration
+from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import path_text
 from rosarch.extractor.workspace.model import ROS1
 
@@ -34,7 +35,6 @@ CUDA_ARGUMENTS = ("-x", "cuda", "--cuda-host-only", "-nocudainc", "-nocudalib", 
 C_ARGUMENTS = ("-x", "c", "-std=gnu11", *(word for word in BASE_ARGUMENTS[3:] if word not in ("-nostdinc++", "-fno-access-control")))
 
 Rows = Mapping[str, set[tuple[str | int, ...]]]
-Problem = tuple[str, int, int, str]
 """An error in a source: path, line, column, message."""
 
 
@@ -112,7 +112,7 @@ def extract_unit(
     *,
     includes: Includes | None = None,
     heal: bool = False,
-    problems: list[Problem] | None = None,
+    problems: list[SourceProblem] | None = None,
     headers: SharedHeaders | None = None,
 ) -> Rows:
     """Return the rows of one translation unit; `heal` declares what absent headers would have declared.
@@ -159,7 +159,7 @@ _LOSING = re.compile(
 )
 
 
-def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[Problem]:
+def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProblem]:
     """The first error of each file that makes clang pass over what follows: braces that do not match, comments that do not end.
 
     Other errors cost a declaration or an expression, and without third-party headers most sources have some.

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from rosarch.extractor.cxx.unit import file_key
+from rosarch.extractor.diagnostics import SourceProblem, why
 from rosarch.extractor.files import path_text
 from rosarch.extractor.flow import Flow
 from rosarch.extractor.workspace.model import PythonEntry
@@ -22,7 +23,6 @@ from .source import Problem, read_source
 
 Rows = dict[str, set[tuple[str | int, ...]]]
 RECURSION = 20_000
-SourceProblem = tuple[str, int, int, str]
 
 
 def extract_program(root: Path, entry: PythonEntry) -> tuple[Rows, list[SourceProblem]]:
@@ -39,12 +39,12 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
     try:
         parsed = read_source(path)
     except OSError as error:
-        parsed = Problem(1, 1, f"not analysed: {error.strerror or error}")
+        parsed = Problem(1, 1, f"not analysed: {why(error)}")
     found = (parsed,) if isinstance(parsed, Problem) else parsed.problems
     problems += [(str(path), problem.line, problem.column, problem.message) for problem in found]
     if isinstance(parsed, Problem) or not path.is_relative_to(root):
         return
-    for line, column in dynamic_imports(parsed.tree):
+    for line, column in _dynamic_imports(parsed.tree):
         problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
     relative = path_text(path.relative_to(root))
     main = path == entry.file and entry.function is None
@@ -60,13 +60,14 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
 def _rows(modules: dict[str, Module], entry: PythonEntry, problems: list[SourceProblem]) -> Rows:
     program = Program(modules)
     facts = Facts(program, Inference(program, modules.values()))
+    paths = dict(entry.modules)
     for module in modules.values():
         facts.add("source_file", module.key, module.path)
         facts.add("source_language", module.key, "python")
         try:
             lower_module(Body(facts, module, module.scope, Flow()), module)
         except RecursionError:
-            problems.append((module.path, 1, 1, "not analysed as a whole: nested too deeply"))
+            problems.append((str(paths[module.name]), 1, 1, "not analysed as a whole: nested too deeply"))
     first = modules.get(entry.module)
     if first is not None:
         facts.add("program_entry", first.function.identifier)
@@ -77,7 +78,7 @@ def _rows(modules: dict[str, Module], entry: PythonEntry, problems: list[SourceP
     return dict(facts.rows)
 
 
-def dynamic_imports(tree: ast.Module) -> Iterator[tuple[int, int]]:
+def _dynamic_imports(tree: ast.Module) -> Iterator[tuple[int, int]]:
     """Where a module imports something by a name that is made up at run time."""
     for node in ast.walk(tree):
         match node:

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.cache import Cache, extractor_version, hash_of
+from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import path_text, read_file
 from rosarch.extractor.unit_store import UnitStore
 from rosarch.extractor.units import UnitFile
 from rosarch.extractor.workspace.model import PythonEntry
 
-from .extract import SourceProblem, extract_program
+from .extract import extract_program
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class PythonReader:
     scratch: Path
     cache: Cache | None
 
-    def prepare(self) -> None:
+    def prepare(self, timeout: float) -> None:
         """Python components share nothing that has to be made first."""
 
     def anything_known(self) -> bool:

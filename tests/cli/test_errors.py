@@ -294,15 +294,15 @@ def test_a_full_disk_ends_the_run(rosarch: Callable, workspace: Path, monkeypatc
     def full(*_arguments: object, **_options: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "/tmp/rosarch-x/y.unit")
 
-    monkeypatch.setattr("rosarch.extractor.units.extract_unit", full)
+    monkeypatch.setattr("rosarch.extractor.cxx.units.extract_unit", full)
     outcome = rosarch("analyze", "ws", "--no-cache")
     assert (outcome.code, outcome.out) == (2, "")
     assert outcome.err == "rosarch: error: /tmp/rosarch-x/y.unit: cannot write (no space left on device)\n"
 
 
 def test_no_room_for_the_declarations(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosarch.extractor.units.build_prelude", lambda *_arguments: os.abort())
-    monkeypatch.setattr("rosarch.extractor.units.PRELUDE_BYTES", 1 << 60)
+    monkeypatch.setattr("rosarch.extractor.cxx.units.build_prelude", lambda *_arguments: os.abort())
+    monkeypatch.setattr("rosarch.extractor.cxx.units.PRELUDE_BYTES", 1 << 60)
     outcome = rosarch("analyze", "ws", "--no-cache")
     assert (outcome.code, outcome.out) == (2, "")
     assert re.search(r"^rosarch: error: .*/rosarch\.run-\w+: cannot write \(no space left on device\)$", outcome.err, re.MULTILINE)

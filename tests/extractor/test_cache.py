@@ -65,7 +65,7 @@ def test_a_second_run_reads_nothing_and_gives_the_same_facts(workspace: Path, tm
     def refuse(*_args: object, **_options: object) -> None:
         raise AssertionError("read again")
 
-    monkeypatch.setattr("rosarch.extractor.units.extract_unit", refuse)
+    monkeypatch.setattr("rosarch.extractor.cxx.units.extract_unit", refuse)
     assert facts(workspace, cache) == first == facts(workspace, cache)
 
 
@@ -140,7 +140,7 @@ TWO = CMAKE.replace("talker.cpp)", "talker.cpp other.cpp third.cpp)")
 @pytest.fixture
 def sources_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[str]]:
     """The names of the sources that were extracted since it was last asked."""
-    from rosarch.extractor import units
+    from rosarch.extractor.cxx import units
 
     log, real = tmp_path / "log", units.extract_unit
 

@@ -148,7 +148,7 @@ def test_one_unreadable_source_costs_itself(root: Path) -> None:
 
 
 def test_a_crash_in_one_source_costs_itself(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rosarch.extractor import units
+    from rosarch.extractor.cxx import units
 
     real = units.extract_unit
 
@@ -168,7 +168,7 @@ def test_a_crash_in_one_source_costs_itself(root: Path, monkeypatch: pytest.Monk
 
 
 def test_an_error_in_one_source_is_one_line(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rosarch.extractor import units
+    from rosarch.extractor.cxx import units
 
     def fail(unit, *_arguments, **_options):  # type: ignore[no-untyped-def]
         raise ValueError("broken")

@@ -383,7 +383,7 @@ def comments(data: bytes, folder: Path) -> None:
 def source_text(data: bytes, folder: Path) -> None:
     """A C++ source, as far as it is read as text: includes, registered plug-ins."""
     from rosarch.extractor.cxx.includes import HeaderFinder
-    from rosarch.extractor.units import odd_source
+    from rosarch.extractor.cxx.units import odd_source
     from rosarch.extractor.workspace.plugins import registrations
 
     path = folder / "here" / "node.cpp"

@@ -1,0 +1,148 @@
+"""Translation units as units of work, with the files of the headers that they share and their precompiled declarations."""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import shutil
+import sys
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rosarch.extractor.cache import Cache, extractor_version, hash_of, write_whole
+from rosarch.extractor.cxx.includes import HeaderFinder, Includes
+from rosarch.extractor.cxx.recover import Names
+from rosarch.extractor.cxx.shared import SharedHeaders
+from rosarch.extractor.cxx.translation_unit import CompileUnit, Rows, build_prelude, extract_unit, unit_key
+from rosarch.extractor.diagnostics import Diagnostic, SourceProblem
+from rosarch.extractor.files import read_file
+from rosarch.extractor.pool import Failure, run_tasks
+from rosarch.extractor.unit_store import UnitStore
+from rosarch.extractor.units import UnitFile, refuse_full_disk
+from rosarch.extractor.workspace.model import ROS1
+
+PRELUDE_BYTES = 64 << 20
+"""More than the precompiled declarations take."""
+PRELUDE_SECONDS = 60.0
+"""A limit for what is done once and takes a second."""
+_SELF_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class UnitReader:
+    """Extracts translation units into files below `scratch`, or takes them from the cache."""
+
+    root: Path
+    finder: HeaderFinder
+    scratch: Path
+    cache: Cache | None
+    _names: dict[str, Names] = field(default_factory=dict)
+
+    @property
+    def files(self) -> UnitStore:
+        """The files of units and headers."""
+        return UnitStore(self.scratch, self.cache)
+
+    def prepare(self, timeout: float) -> None:
+        """Make what all units share, the precompiled declarations, in a worker: without room on the disk, clang ends its process."""
+        for _, outcome in run_tasks(lambda _task: self.precompiled(), [None], jobs=1, timeout=max(timeout, PRELUDE_SECONDS)):
+            if isinstance(outcome, Failure):
+                refuse_full_disk(outcome)
+                full = shutil.disk_usage(self.scratch).free < PRELUDE_BYTES
+                raise OSError(errno.ENOSPC if full else errno.EIO, os.strerror(errno.ENOSPC) if full else outcome.detail, str(self.scratch))
+
+    def precompiled(self, headers: tuple[str, ...] = (), middleware: str = ROS1) -> Path:
+        """The precompiled declarations, with those of some further headers."""
+        key = hash_of([extractor_version(), middleware, *headers]) if headers or middleware != ROS1 else extractor_version()
+        path = self.scratch / f"{key}.pch"
+        if not path.is_file():
+            data = self.cache.load(key) if self.cache else None
+            if data is not None:
+                write_whole(path, data)
+                return path
+            made = path.with_name(f"{path.name}.{os.getpid()}")
+            build_prelude(made, headers, middleware)
+            made.replace(path)
+            if self.cache:
+                self.cache.store(key, path.read_bytes())
+        return path
+
+    def precompiled_for(self, unit: CompileUnit, includes: Includes) -> Path | None:
+        """The precompiled declarations that a unit begins with; it includes all of them."""
+        return self.precompiled(self.finder.large_headers(includes, unit.middleware), unit.middleware) if unit.language == "c++" else None
+
+    def anything_known(self) -> bool:
+        """Whether an earlier run left anything in the cache: the first that it left are the declarations."""
+        return self.cache is not None and self.cache.load(extractor_version()) is not None
+
+    def known(self, unit: CompileUnit) -> UnitFile | None:
+        """The unit as it is in the cache."""
+        start = time.perf_counter()
+        includes = self.finder.closure(unit.source, unit.folders)
+        if not (self.cache and includes.predictable):
+            return None
+        key = unit_key(unit, self.root, includes, self.finder)
+        head = self.files.head(key)
+        if head is None or any(self.files.head(header) is None for header in head[1] if header not in self._names):
+            return None
+        return self._file(key, head, start)
+
+    def load(self, key: str) -> Names | None:
+        """The names that a header declares; None when no unit has read it yet (see `HeaderStore`)."""
+        if key not in self._names:
+            head = self.files.head(key)
+            if head is None:
+                return None
+            self._names[key] = Names(*head)
+        return self._names[key]
+
+    def store(self, key: str, names: Names, rows: Rows) -> None:
+        """Keep the facts of a header."""
+        self.files.keep(key, tuple(names), rows)
+        self._names[key] = names
+
+    def read(self, unit: CompileUnit) -> UnitFile:
+        """Extract one unit."""
+        start = time.perf_counter()
+        sys.setrecursionlimit(20_000)
+        includes = self.finder.closure(unit.source, unit.folders)
+        key = unit_key(unit, self.root, includes, self.finder)
+        problems: list[SourceProblem] = []
+        headers = SharedHeaders(unit.source, unit.folders, (unit.language, unit.middleware, *unit.definitions), self.finder, self)
+        prelude = self.precompiled_for(unit, includes)
+        rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
+        head = problems, sorted(headers.keys.values())
+        self.files.keep(key, head, rows, lasting=includes.predictable)
+        return self._file(key, head, start, certain=includes.predictable)
+
+    def _file(self, key: str, head: tuple[list[SourceProblem], list[str]], start: float, *, certain: bool = True) -> UnitFile:
+        problems, headers = head
+        paths = tuple(map(self.files.path, headers))
+        return UnitFile(self.files.path(key), paths, key if certain else None, time.perf_counter() - start, problems)
+
+
+def odd_source(path: Path) -> list[Diagnostic]:
+    """What a reader would want to know of a source before wondering why little was found in it: one diagnostic."""
+    try:
+        data = read_file(path)
+    except OSError:
+        return []  # reported where it is read
+    if not data.strip():
+        return [Diagnostic("source", path, 1, 1, "empty source")]
+    if b"\0" in data:
+        return [_at(path, data, data.index(b"\0"), "not a text file")]
+    for match in _SELF_INCLUDE.finditer(data):
+        if match.group(1).decode("utf-8", "replace") == path.name and (path.parent / path.name).samefile(path):
+            return [_at(path, data, match.start(), "the source includes itself")]
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        return [_at(path, data, error.start, f"not UTF-8 (byte 0x{data[error.start]:02x}); read as it is")]
+    return []
+
+
+def _at(path: Path, data: bytes, offset: int, message: str) -> Diagnostic:
+    start = data.rfind(b"\n", 0, offset) + 1
+    return Diagnostic("source", path, data.count(b"\n", 0, offset) + 1, offset - start + 1, message)
