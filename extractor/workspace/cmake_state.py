@@ -115,5 +115,5 @@ class PackageDraft:
     component_nodes: list[tuple[str, str, str, int]] = field(default_factory=list)
     plugin_exports: list[tuple[str, str]] = field(default_factory=list)
     found_packages: list[str] = field(default_factory=list)
-    programs: list[tuple[str, str, str, int]] = field(default_factory=list)
+    programs: list[tuple[str, str]] = field(default_factory=list)
     python_folders: list[str] = field(default_factory=list)

@@ -23,7 +23,7 @@ def _install(run: Evaluator, call: Call) -> None:
     renamed = (words.get("RENAME") or [""])[0]
     if not run.testing:
         for name in words.get("PROGRAMS", []):
-            run.draft.programs.append((renamed or os.path.basename(name), run.source_path(name), run.file, call.command.line))
+            run.draft.programs.append((renamed or os.path.basename(name), run.source_path(name)))
 
 
 @command("ament_python_install_package")

@@ -62,11 +62,11 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
     return package, problems
 
 
-def _programs(installed: Iterable[tuple[str, str, str, int]]) -> Iterator[Program]:
+def _programs(installed: Iterable[tuple[str, str]]) -> Iterator[Program]:
     """The files that CMake installs as programs, of those that exist."""
-    for name, path, cmake_file, line in dict.fromkeys(installed):
+    for name, path in dict.fromkeys(installed):
         if os.path.isfile(path):
-            yield Program(name, Path(os.path.normpath(path)), Path(cmake_file), line)
+            yield Program(name, Path(os.path.normpath(path)))
 
 
 def _files(names: Iterable[str]) -> tuple[Path, ...]:

@@ -23,7 +23,7 @@ def loose_workspace(root: Path, sources: Iterable[Path]) -> Workspace:
 def _package(root: Path, source: Path) -> Package:
     name = loose_name(root, source)
     if source.suffix == ".py":
-        return Package(name, source.parent, source, build_type="", programs=(Program(source.stem, source, source, 1),))
+        return Package(name, source.parent, source, build_type="", programs=(Program(source.stem, source),))
     kind = SHARED if registrations(source) else EXECUTABLE
     target = Target(source.stem, source.stem, kind, name, source, 1, sources=(source,))
     return Package(name, source.parent, source, build_type="ament_cmake" if _is_ros2(source) else "catkin", targets=(target,))

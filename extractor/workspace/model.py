@@ -19,6 +19,7 @@ IMPORTED = "imported"
 TEST = "test"
 PYTHON_NODE = "python_node"
 LIBRARY_KINDS = frozenset({SHARED, STATIC, MODULE, OBJECT, INTERFACE})
+_ROS2_TOOLS = frozenset({"rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
 
 
 @dataclass(frozen=True)
@@ -72,17 +73,12 @@ class Configured:
     output: Path
 
 
-_ROS2_TOOLS = frozenset({"rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
-
-
 @dataclass(frozen=True)
 class Program:
     """A file that is installed as it is, to be run under `name`."""
 
     name: str
     path: Path
-    cmake_file: Path
-    line: int
 
 
 @dataclass(frozen=True)

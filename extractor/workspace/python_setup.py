@@ -43,7 +43,7 @@ def read_setup(folder: Path) -> tuple[Setup, list[Diagnostic]]:
         if keyword.arg == "entry_points":
             points.extend(_entry_points(keyword.value, names, script))
         elif keyword.arg == "scripts":
-            programs.extend(_script(folder, text, script, node.lineno) for text, node in _texts(keyword.value, names))
+            programs.extend(Program(text.rpartition("/")[2], folder / text) for text, _ in _texts(keyword.value, names))
         elif keyword.arg == "package_dir":
             found = _value(keyword.value, names)
             roots.extend(_roots(folder, found) if isinstance(found, dict) else ())
@@ -161,10 +161,6 @@ def _entry_point(text: str, path: Path, line: int) -> Iterator[EntryPoint]:
     module, colon, function = target.partition("[")[0].partition(":")
     if equals and colon and name.strip() and module.strip() and function.strip():
         yield EntryPoint(name.strip(), module.strip(), function.strip(), path, line)
-
-
-def _script(folder: Path, text: str, path: Path, line: int) -> Program:
-    return Program(text.rpartition("/")[2], folder / text, path, line)
 
 
 def _roots(folder: Path, package_dir: Mapping[Any, Any]) -> Iterator[Path]:
