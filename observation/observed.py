@@ -75,7 +75,7 @@ def recorded_rows(recorded: Recorded) -> Rows:
         facts.add("port", stream.sender or _UNTOLD, "publisher", stream.topic, sight)
         facts.add("type", "topic", stream.topic, stream.type, sight)
     for topic, streams in by_topic.items():
-        rate = rate_of([stream for _, stream in streams])
+        rate = _rate_of([stream for _, stream in streams])
         if rate is not None:
             facts.add("rate", topic, rate, streams[0][0])
     for (source, sink), answers in recorded.summary.ordered.items():
@@ -84,7 +84,7 @@ def recorded_rows(recorded: Recorded) -> Rows:
     return facts.rows
 
 
-def rate_of(streams: Sequence[Stream]) -> float | None:
+def _rate_of(streams: Sequence[Stream]) -> float | None:
     """Messages a second of all senders of a topic together; None when there are too few to tell."""
     if any(stream.latched for stream in streams) or sum(stream.arrivals.count for stream in streams) <= _FEWEST:
         return None

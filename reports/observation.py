@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from itertools import pairwise
 from typing import Any
@@ -14,6 +13,7 @@ from rosarch.observation.graph import Snapshot
 from rosarch.observation.observed import Recorded, Watched, delays
 from rosarch.observation.statistics import Distribution
 from rosarch.observation.summary import Stream, Summary
+from rosarch.reports.json_models import dump
 from rosarch.reports.printable import printable
 from rosarch.reports.tables import Table, table_markdown, table_text, tables_as
 
@@ -23,39 +23,40 @@ Seen = Recorded | Watched
 
 def observation_text(seen: Seen, comparison: Comparison) -> str:
     """Tables of what was seen and of the comparison, then contradictions."""
-    parts = [f"{_headline(seen)}\n", *map(table_text, [*seen_tables(seen), *comparison_tables(comparison)])]
-    lines = [*(f"note: {printable(problem)}" for problem in seen.problems), *_finding_lines(comparison.contradictions)]
-    return "\n".join(parts) + ("\n" if lines else "") + "".join(f"{line}\n" for line in lines)
+    return f"{_headline(seen)}\n\n" + _body(table_text, "", seen, comparison)
 
 
 def observation_markdown(seen: Seen, comparison: Comparison) -> str:
     """The same for documentation and pull requests."""
-    tables = tables_as(table_markdown, [*seen_tables(seen), *comparison_tables(comparison)])
-    lines = [f"- note: {printable(problem)}" for problem in seen.problems]
-    lines += [f"- {line}" for line in _finding_lines(comparison.contradictions)]
-    return f"# {_headline(seen)}\n\n{tables}" + ("\n" if lines else "") + "".join(f"{line}\n" for line in lines)
+    return f"# {_headline(seen)}\n\n" + _body(table_markdown, "- ", seen, comparison)
+
+
+def _body(table: Callable[[Table], str], mark: str, seen: Seen, comparison: Comparison) -> str:
+    lines = [*(f"note: {printable(problem)}" for problem in seen.problems), *_finding_lines(comparison.contradictions)]
+    tables = tables_as(table, [*_seen_tables(seen), *_comparison_tables(comparison)])
+    return tables + ("\n" if lines else "") + "".join(f"{mark}{line}\n" for line in lines)
 
 
 def observation_json(seen: Seen, comparison: Comparison) -> str:
     """All of it."""
     what = _recorded(seen.summary) if isinstance(seen, Recorded) else {"snapshots": list(map(_snapshot, seen.snapshots))}
     source = {"recording": seen.name} if isinstance(seen, Recorded) else {"graph": seen.uri}
-    return json.dumps({**source, **what, "problems": list(seen.problems), "comparison": _compared(comparison)}, indent=2) + "\n"
+    return dump({**source, **what, "problems": list(seen.problems), "comparison": _compared(comparison)})
 
 
 def comparison_text(comparison: Comparison) -> str:
     """Only how well model and observation agree."""
-    return tables_as(table_text, comparison_tables(comparison))
+    return tables_as(table_text, _comparison_tables(comparison))
 
 
 def comparison_markdown(comparison: Comparison) -> str:
     """The same as Markdown."""
-    return tables_as(table_markdown, comparison_tables(comparison))
+    return tables_as(table_markdown, _comparison_tables(comparison))
 
 
 def comparison_json(comparison: Comparison) -> str:
     """The same, with all elements."""
-    return json.dumps(_compared(comparison), indent=2) + "\n"
+    return dump(_compared(comparison))
 
 
 def _headline(seen: Seen) -> str:
@@ -70,7 +71,7 @@ def _headline(seen: Seen) -> str:
 # what was seen
 
 
-def seen_tables(seen: Seen) -> list[Table]:
+def _seen_tables(seen: Seen) -> list[Table]:
     """Topics, gaps and delays of a recording; what came and went in a graph."""
     found = _recorded_tables(seen.summary) if isinstance(seen, Recorded) else [*_graph_tables(seen)]
     return [table for table in found if table.rows]
@@ -146,7 +147,7 @@ def _changes(snapshots: Sequence[Snapshot]) -> Iterator[tuple[float, str]]:
 # what is compared
 
 
-def comparison_tables(comparison: Comparison) -> list[Table]:
+def _comparison_tables(comparison: Comparison) -> list[Table]:
     """How much of each kind agrees, what does not, and what was filled."""
     percent = tuple(
         (a.kind, a.predicted, a.observed, a.confirmed, a.filled, _percent(a.under), _percent(a.over)) for a in comparison.accuracies()

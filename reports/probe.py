@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
@@ -12,6 +11,7 @@ from rosarch.models.machine.reactions import Row
 from rosarch.observation.plan import Plan, Stimulus
 from rosarch.observation.probe import CONFIRMED, REFUTED, UNREACHED, Results
 from rosarch.observation.subject import Subject
+from rosarch.reports.json_models import dump
 from rosarch.reports.tables import Table, table_markdown, table_text, tables_as
 
 _MILLI = 1000
@@ -120,7 +120,7 @@ def results_json(subject: Subject, results: Results) -> str:
             for topic, predicted, hz in _rates(subject, results)
         ],
     }
-    return json.dumps(document, indent=2) + "\n"
+    return dump(document)
 
 
 def scenario_text(subject: Subject, results: Results) -> str:
