@@ -8,7 +8,6 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
-from rosarch.observation.parameters import leaves
 from rosarch.observation.peer import Peer
 from rosarch.observation.rpc import CallError, Remote
 
@@ -36,14 +35,14 @@ class State:
 class Snapshot:
     """A graph at `at` seconds after the first snapshot.
 
-    `types` are those of topics and services by (`topic` or `service`, name), `parameters` the values by name, `connections` sender, reader
+    `types` are those of topics and services by (`topic` or `service`, name), `parameters` the names of values, `connections` sender, reader
     and topic; `silent` are nodes that the master knows and that do not answer, each with the reason.
     """
 
     at: float
     state: State
     types: dict[tuple[str, str], str]
-    parameters: dict[str, Any]
+    parameters: frozenset[str]
     connections: frozenset[tuple[str, str, str]]
     silent: dict[str, str]
 
@@ -92,8 +91,7 @@ class Graph:
             except CallError as error:
                 silent[node] = str(error)
         types.update((("service", service), type_) for service, type_ in self._services(state, silent).items())
-        parameters = {name: value for name, value in leaves(self._master.call("getParam", "/"))}
-        return Snapshot(at, state, types, parameters, frozenset(connections), silent)
+        return Snapshot(at, state, types, frozenset(self._master.call("getParamNames")), frozenset(connections), silent)
 
     def _services(self, state: State, silent: dict[str, str]) -> dict[str, str]:
         """The types of services, which only those tell who serve them."""

@@ -68,17 +68,16 @@ class Parameters:
 
     def names(self) -> list[str]:
         """The names of all values that are no trees."""
-        return [name for name, _ in leaves(self._tree)]
+        return list(_leaves(self._tree))
 
 
-def leaves(tree: Any, above: str = "") -> Iterator[tuple[str, Any]]:
-    """The names below `above`, with the values that are no trees."""
-    if not isinstance(tree, dict):
-        if above:
-            yield above, tree
-        return
+def _leaves(tree: dict[str, Any], above: str = "") -> Iterator[str]:
+    """The names of the values in a tree that are no trees."""
     for part, value in tree.items():
-        yield from leaves(value, f"{above}/{part}")
+        if isinstance(value, dict):
+            yield from _leaves(value, f"{above}/{part}")
+        else:
+            yield f"{above}/{part}"
 
 
 def _parts(name: str) -> list[str]:

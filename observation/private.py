@@ -8,11 +8,9 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 from rosarch.observation.graph import Graph
 from rosarch.observation.master import Master
-from rosarch.observation.parameters import leaves
 from rosarch.observation.processes import Process, wait_until
 from rosarch.observation.rpc import LOOPBACK
 
@@ -23,12 +21,11 @@ class StartError(Exception):
 
 @dataclass(frozen=True)
 class Start:
-    """How a node is started: a command, its name, remappings and private parameters."""
+    """How a node is started: a command, its name and remappings."""
 
     command: tuple[str, ...]
     name: str
     remappings: Mapping[str, str] = field(default_factory=dict)
-    parameters: Mapping[str, Any] = field(default_factory=dict)
 
 
 class PrivateGraph:
@@ -50,8 +47,6 @@ class PrivateGraph:
         Raises:
             StartError: it ended, or did not come up in time.
         """
-        for key, value in leaves(dict(start.parameters), start.name):
-            self.master.parameters.set(key, value)
         words = [f"{name}:={target}" for name, target in start.remappings.items()]
         namespace, _, own = start.name.rpartition("/")
         environment = {**self.environment(), **({"ROS_NAMESPACE": namespace} if namespace else {})}

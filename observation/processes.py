@@ -18,11 +18,9 @@ class Process:
     """A running executable; `with` ends it and all that it started. What it prints goes to `log`."""
 
     def __init__(self, command: Sequence[str], folder: Path, log: Path, environment: Mapping[str, str]) -> None:
-        self.command = tuple(command)
-        self.log = log
         with log.open("wb") as output:
             self._process = subprocess.Popen(
-                self.command, cwd=folder, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
+                list(command), cwd=folder, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
                 env=dict(environment), start_new_session=True, preexec_fn=_die_with_parent(),
             )  # fmt: skip
 

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from nodes import EXAMPLES, build, needs_ros
 
-from rosarch.observation.meter import measure
-from rosarch.observation.peer import MessageType, Peer
+from rosarch.observation.peer import Heard, MessageType, Peer
 from rosarch.observation.private import Start, private_graph
 from rosarch.observation.processes import wait_until
+from rosarch.observation.statistics import Arrivals
 
 DRIVE = "delivery_robot/src/delivery_robot/src/drive.cpp"
 LAMP = "docking_states/src/auto_docking/src/dock_lamp.cpp"
@@ -32,8 +32,15 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> dict[str, float]:
         assert wait_until(lambda: meter.readers("/bumper"), 5)
         meter.publish("/bumper", b"\1")
         time.sleep(0.6)
-        arrivals = measure(meter, TOPICS, 4.5)
+        arrivals = {topic: Arrivals() for topic in TOPICS}
+        for topic, found in arrivals.items():
+            meter.subscribe(topic, counted_by(found))
+        time.sleep(4.5)
     return {topic: found.hz or 0.0 for topic, found in arrivals.items()}
+
+
+def counted_by(arrivals: Arrivals) -> Heard:
+    return lambda _sender, at, _message: arrivals.add(at)
 
 
 @needs_ros
