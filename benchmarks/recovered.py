@@ -22,6 +22,7 @@ from xml.sax.saxutils import quoteattr
 from rosbags.typesys import Stores, get_typestore
 
 from rosarch.cli.main import main as rosarch
+from rosarch.observation.compare import Accuracy
 from rosarch.observation.peer import MessageType, Peer
 from rosarch.observation.private import Start, private_graph
 from rosarch.observation.processes import wait_until
@@ -165,6 +166,7 @@ def main() -> None:
     parser.add_argument("--node", action="append", help="only this type; may be repeated")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
+    os.environ.setdefault("ROSARCH_CACHE_DIR", str(given.folder / "cache"))
     absent = sorted({node.debian for node in (*NODES, *OF_THE_LIBRARY) if node.program is None})
     if absent:
         print(f"not installed, left out: {' '.join(absent)}")
@@ -180,28 +182,23 @@ def _table(title: str, nodes: list[Node], folder: Path) -> None:
         elements = compared(node, fetched(node.source, folder), folder)
         counted = Counter(element["outcome"] for element in elements)
         total += counted
-        print(_line(f"{node.package}/{node.type}", counted))
+        print(_line(f"{node.package}/{node.type}", _accuracy(counted)))
         for element in elements:
             if element["outcome"] != "confirmed":
                 print(f"    {element['outcome']} {element['kind']} {element['name']}  {'; '.join(element['reasons'])}")
-    print(_line("all", total))
-    if seen := _seen(total):
-        under, over = (seen - total["confirmed"]) / seen, total["unseen"] / max(1, _predicted(total))
-        print(f"under-approximation {100 * under:.1f} %, over-approximation {100 * over:.1f} %\n")
+    every = _accuracy(total)
+    print(_line("all", every))
+    if every.under is not None:
+        print(f"under-approximation {100 * every.under:.1f} %, over-approximation {100 * (every.over or 0):.1f} %\n")
 
 
-def _line(name: str, counted: Counter[str]) -> str:
-    return f"{name:44} {_predicted(counted):>9} {_seen(counted):>5} {counted['missed'] + counted['filled']:>7} {counted['unseen']:>7}"
+def _line(name: str, found: Accuracy) -> str:
+    return f"{name:44} {found.predicted:>9} {found.observed:>5} {found.missed + found.filled:>7} {found.unseen:>7}"
 
 
-def _predicted(counted: Counter[str]) -> int:
-    return counted["confirmed"] + counted["unseen"]
-
-
-def _seen(counted: Counter[str]) -> int:
-    return counted["confirmed"] + counted["missed"] + counted["filled"]
+def _accuracy(counted: Counter[str]) -> Accuracy:
+    return Accuracy("port", counted["confirmed"], counted["filled"], counted["missed"], counted["unseen"], complete=True)
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("ROSARCH_CACHE_DIR", "/tmp/rosarch-recovered/cache")
     main()
