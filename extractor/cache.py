@@ -127,6 +127,11 @@ def unsealed(content: bytes) -> bytes | None:
     return data if hashlib.sha256(data).digest() == digest else None
 
 
+def below_seal(content: bytes) -> memoryview:
+    """What was sealed, in a file that is known to be whole."""
+    return memoryview(content)[_DIGEST_SIZE:]
+
+
 def hash_of(parts: Iterable[str | bytes]) -> str:
     """A hash of a sequence of texts, which tells apart where one ends and the next begins."""
     found = hashlib.sha256()

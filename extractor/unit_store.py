@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.cache import Cache, sealed, unsealed, write_whole
+from rosarch.extractor.cache import Cache, below_seal, sealed, write_whole
 
 Row = tuple[str | int, ...]
 
@@ -36,6 +36,11 @@ class UnitStore:
         data = self.cache.load_to(path, key) if self.cache else None
         return None if data is None else marshal.loads(data)[0]
 
+    def has(self, key: str) -> bool:
+        """Whether there is such a file, of this run or of an earlier one, which then lies below `scratch`."""
+        path = self.path(key)
+        return path.is_file() or (self.cache is not None and self.cache.load_to(path, key) is not None)
+
     def keep(self, key: str, head: Any, rows: Mapping[str, Iterable[Row]], *, lasting: bool = True) -> None:
         """Write a file, also for later runs if it is `lasting`."""
         data = marshal.dumps((head, marshal.dumps({name: list(found) for name, found in rows.items()})))  # sets would be sorted first
@@ -51,7 +56,5 @@ def unit_rows(path: Path) -> Mapping[str, list[Row]]:
 
 
 def _parts(path: Path) -> Any:
-    data = unsealed(path.read_bytes())
-    if data is None:
-        raise ValueError(f"{path}: damaged")
-    return marshal.loads(data)
+    """Head and rows, these still packed; that the file is whole was seen when it came from the cache, or this run has written it."""
+    return marshal.loads(below_seal(path.read_bytes()))

@@ -85,7 +85,7 @@ class UnitReader:
             return None
         key = unit_key(unit, self.root, includes, self.finder)
         head = self.files.head(key)
-        if head is None or any(self.files.head(header) is None for header in head[1] if header not in self._names):
+        if head is None or not all(map(self.files.has, head[1])):
             return None
         return self._file(key, head, start)
 
