@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
 
@@ -34,7 +35,7 @@ def _escape(character: str) -> str:
 
 
 def all_printable(value: Value) -> Value:
-    """A model with every text in it printable."""
+    """A model or document with every text in it printable."""
     return _all_printable(value)  # type: ignore[no-any-return]
 
 
@@ -43,6 +44,10 @@ def _all_printable(value: Any) -> Any:
         return printable(value)
     if isinstance(value, tuple):
         return tuple(map(_all_printable, value))
+    if isinstance(value, list):
+        return list(map(_all_printable, value))
+    if isinstance(value, Mapping):
+        return {printable(key): _all_printable(inner) for key, inner in value.items()}
     if is_dataclass(value) and not isinstance(value, type):
         return replace(value, **{each.name: _all_printable(getattr(value, each.name)) for each in fields(value)})
     return value

@@ -18,7 +18,7 @@ from rosarch.reports.html.components import component_data
 from rosarch.reports.html.findings import findings_data
 from rosarch.reports.html.sources import excerpts, places_in
 from rosarch.reports.html.systems import system_data
-from rosarch.reports.printable import printable
+from rosarch.reports.printable import all_printable
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ def report_document(subject: Subject, read: Callable[[str], str | None]) -> dict
     }
     data["sources"] = excerpts(places_in(data), read)
     data["proofs"] = {name: _proofs(found) for name, found in sorted(subject.derivations.items())}
-    return _printable(data)  # type: ignore[no-any-return]
+    return all_printable(data)
 
 
 def _proofs(found: Derivations) -> dict[str, Any]:
@@ -65,12 +65,3 @@ def _diagnostic(diagnostic: Diagnostic, folder: Path) -> dict[str, Any]:
     path = diagnostic.path
     inside = path.relative_to(folder) if path.is_relative_to(folder) else path
     return {"kind": diagnostic.kind, "message": diagnostic.message, "at": f"{inside.as_posix()}:{diagnostic.line}"}
-
-
-def _printable(value: Any) -> Any:
-    """A document in which no text moves the cursor or turns what is beside it around."""
-    if isinstance(value, str):
-        return printable(value)
-    if isinstance(value, Mapping):
-        return {printable(key): _printable(inner) for key, inner in value.items()}
-    return [_printable(inner) for inner in value] if isinstance(value, list) else value
