@@ -7,7 +7,7 @@ import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const out = join(here, "..", "reports", "html", "static");
-const bundled = ["preact", "elkjs"];
+const { dependencies } = JSON.parse(readFileSync(join(here, "package.json"), "utf8"));
 
 const common = { bundle: true, minify: true, target: "es2022", legalComments: "none", charset: "ascii" };
 await build({
@@ -21,7 +21,7 @@ await build({
 await build({ ...common, entryPoints: { layout: join(here, "src/layout-worker.ts") }, outdir: out, format: "iife" });
 await build({ ...common, entryPoints: { report: join(here, "src/styles/report.css") }, outdir: out });
 
-const licences = bundled.map((name) => {
+const licences = Object.keys(dependencies).map((name) => {
   const folder = join(here, "node_modules", name);
   const { version, license, homepage } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
   const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
@@ -30,7 +30,7 @@ const licences = bundled.map((name) => {
 writeFileSync(join(out, "THIRD_PARTY_LICENSES"), licences.join(`\n${"-".repeat(100)}\n\n`));
 writeFileSync(join(out, "sources.sha256"), `${sourcesHash()}\n`);
 
-/** A hash of all that the bundle is made of: names and contents, as tests/reports/test_html_bundle.py makes it. */
+/** A hash of all that the bundle is made of: names and contents, as tests/reports/test_html.py makes it. */
 function sourcesHash() {
   const names = readdirSync(join(here, "src"), { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())

@@ -14,10 +14,7 @@ def findings_data(reported: Reported, read: Callable[[str], str | None]) -> dict
     """All that is reported, with the checks that are named."""
     marks = Marks(read)
     shown = [_finding(finding, marks) for finding in (*reported.shown, *reported.known)]
-    suppressed = [
-        {**_finding(each.finding, marks), "reason": each.suppression.reason, "comment_line": each.suppression.line}
-        for each in reported.suppressed
-    ]
+    suppressed = [{**_finding(each.finding, marks), "reason": each.suppression.reason} for each in reported.suppressed]
     named = [*reported.shown, *reported.known, *(each.finding for each in reported.suppressed)]
     return {"shown": shown, "suppressed": suppressed, "checks": _checks(finding.check for finding in named)}
 
@@ -37,8 +34,6 @@ def _checks(checks: Iterable[Check]) -> dict[str, Any]:
     return {
         check.id: {
             "title": check.title,
-            "confidence": check.confidence,
-            "impact": check.impact,
             "description": check.description,
             "scenario": check.scenario,
             "recommendation": check.recommendation,

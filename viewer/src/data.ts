@@ -213,8 +213,6 @@ export interface Finding {
 
 export interface Check {
   title: string;
-  confidence: string;
-  impact: string;
   description: string;
   scenario: string;
   recommendation: string;

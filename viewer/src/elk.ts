@@ -1,5 +1,5 @@
 /** elkjs, in a worker, or where there can be none on this thread. */
-import ELK, { type ElkNode, type LayoutOptions } from "elkjs/lib/elk-api";
+import ELK, { type ElkExtendedEdge, type ElkNode, type LayoutOptions } from "elkjs/lib/elk-api";
 import { unpack } from "./data";
 
 export interface Point {
@@ -19,6 +19,15 @@ let running: Promise<Elk> | null = null;
 export async function arrange(graph: ElkNode, layoutOptions: LayoutOptions): Promise<ElkNode> {
   running ??= start();
   return (await running).layout(graph, { layoutOptions });
+}
+
+/** The points that a line leads through. */
+export function pointsOf(edge: ElkExtendedEdge | undefined): Point[] {
+  return (edge?.sections ?? []).flatMap(({ startPoint, bendPoints = [], endPoint }) => [
+    startPoint,
+    ...bendPoints,
+    endPoint,
+  ]);
 }
 
 interface ElkGlobal {

@@ -1,5 +1,5 @@
 /** The report with what its pages look up often. */
-import type { Component, Finding, Place, Port, ReportDocument, Severity, System, SystemNode } from "./data";
+import type { Component, Finding, Place, Port, Rate, ReportDocument, Severity, System, SystemNode } from "./data";
 
 export interface Instance {
   system: System;
@@ -59,13 +59,23 @@ function listIn<Key, Value>(map: Map<Key, Value[]>, key: Key): Value[] {
   return found;
 }
 
-export function portNames(component: Component): Map<string, Port> {
+export function portsById(component: Component): Map<string, Port> {
   return new Map(component.ports.map((port) => [port.id, port]));
+}
+
+/** A port as the keys of proofs name it; see models/derivations.py. */
+export function portKey(port: Port | undefined): string {
+  return port ? `${port.kind} ${port.name} ${port.at}` : "";
 }
 
 export function counted(number: number, noun: string): string {
   if (number === 1) return `1 ${noun}`;
   return `${number.toLocaleString("en")} ${noun.endsWith("y") ? `${noun.slice(0, -1)}ies` : `${noun}s`}`;
+}
+
+/** How many of all there are are shown. */
+export function countedOf(shown: number, all: number, noun: string): string {
+  return shown === all ? counted(all, noun) : `${shown} of ${counted(all, noun)}`;
 }
 
 /** Numbers as people write them: at most four digits that count. */
@@ -75,6 +85,12 @@ export function amount(value: number): string {
 
 export function frequency(hz: number | null): string {
   return hz === null ? "rate not known" : `${amount(hz)} Hz`;
+}
+
+/** Messages a second. */
+export function rateText(rate: Rate): string {
+  if (rate.high === null) return rate.low ? `${amount(rate.low)} or more` : "not known";
+  return rate.low === rate.high ? amount(rate.low) : `${amount(rate.low)} to ${amount(rate.high)}`;
 }
 
 export function grouped<Key, Value>(values: Iterable<Value>, keyOf: (value: Value) => Key): Map<Key, Value[]> {

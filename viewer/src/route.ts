@@ -6,7 +6,7 @@ export interface Route {
   params: URLSearchParams;
 }
 
-export function currentRoute(): Route {
+function currentRoute(): Route {
   const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?", 2);
   return { path: path.split("/").filter(Boolean).map(decoded), params: new URLSearchParams(query) };
 }
@@ -19,7 +19,7 @@ function decoded(text: string): string {
   }
 }
 
-export type Params = Record<string, string | number | null | undefined>;
+type Params = Record<string, string | number | null | undefined>;
 
 /** The address of a page; parameters without a value are left out. */
 export function href(path: readonly string[], params: Params = {}): string {
@@ -30,6 +30,8 @@ export function href(path: readonly string[], params: Params = {}): string {
   const text = query.toString();
   return `#/${path.map(encodeURIComponent).join("/")}${text ? `?${text}` : ""}`;
 }
+
+export const componentHref = (name: string): string => href(["component", ...name.split("/")]);
 
 /** Change parameters of the present page, without a step in the history. */
 export function setParams(changed: Params): void {

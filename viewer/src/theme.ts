@@ -1,7 +1,7 @@
 /** Light or dark: as the system has it, or as the reader chose. */
 import { useEffect, useState } from "preact/hooks";
 
-export type Theme = "auto" | "light" | "dark";
+type Theme = "auto" | "light" | "dark";
 const THEMES: readonly Theme[] = ["auto", "light", "dark"];
 const KEY = "rosarch-theme";
 

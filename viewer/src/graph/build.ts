@@ -60,7 +60,7 @@ export interface ShownGraph {
   hidden: Map<string, number>;
 }
 
-export type FindingsOf = (node: SystemNode) => Finding[];
+type FindingsOf = (node: SystemNode) => Finding[];
 
 export function buildGraph(system: System, options: GraphOptions, findingsOf: FindingsOf): ShownGraph {
   const hidden = new Map<string, number>();
@@ -116,8 +116,7 @@ function pieces(
         .map(([box]) => box)
         .sort()
         .join();
-    const oneSided = !connector.sources.length || !connector.sinks.length;
-    return [{ ...ends, id: `bundle:${connector.kind}:${side(from)}>${side(to)}${oneSided ? "" : "!"}` }];
+    return [{ ...ends, id: `bundle:${connector.kind}:${side(from)}>${side(to)}${isOneSided(connector) ? "" : "!"}` }];
   }
   const bundle = (source: string, sink: string, sources: End[], sinks: End[]): Piece => ({
     connector,
@@ -132,20 +131,21 @@ function pieces(
       source === sink && boxes.get(source)?.isGroup ? [] : [bundle(source, sink, sources, sinks)],
     ),
   );
-  if (!found.length) hidden.set("inside one group", (hidden.get("inside one group") ?? 0) + 1);
+  if (!found.length) increment(hidden, "inside one group");
   return found;
 }
 
+const isOneSided = ({ sources, sinks }: Connector): boolean => !sources.length || !sinks.length;
+
 function isWanted(connector: Connector, options: GraphOptions, hidden: Map<string, number>): boolean {
-  const oneSided = !connector.sources.length || !connector.sinks.length;
   const reason = !options.kinds.has(connector.kind)
     ? `of kind ${connector.kind}`
     : connector.implicit && !options.implicit && connector.kind !== "tf"
       ? "made by libraries"
-      : oneSided && !options.oneSided
+      : isOneSided(connector) && !options.oneSided
         ? "with one side only"
         : "";
-  if (reason) hidden.set(reason, (hidden.get(reason) ?? 0) + 1);
+  if (reason) increment(hidden, reason);
   return !reason;
 }
 
@@ -209,7 +209,7 @@ function arranged(system: System, shown: ReadonlySet<number>, options: GraphOpti
     const box = boxes.get(id) ?? newBox(id, node, closed < 0 ? null : (groups[closed] ?? null), frame.label, options);
     if (!boxes.has(id)) frame.boxes.push(box);
     boxes.set(id, box);
-    if (!box.nodes.includes(node)) box.nodes.push(node);
+    box.nodes.push(node);
     boxOf.set(at, id);
   }
   for (const box of boxes.values()) {
@@ -234,6 +234,10 @@ function newBox(id: string, node: SystemNode, group: string | null, frame: strin
   };
 }
 
+function increment(counts: Map<string, number>, key: string) {
+  counts.set(key, (counts.get(key) ?? 0) + 1);
+}
+
 function groupsOf(node: SystemNode, options: GraphOptions): string[] {
   if (options.grouping === "none") return [];
   if (options.grouping === "package") return [node.package];
@@ -244,8 +248,7 @@ function groupsOf(node: SystemNode, options: GraphOptions): string[] {
 function groupSizes(system: System, shown: ReadonlySet<number>, options: GraphOptions): Map<string, number> {
   const sizes = new Map<string, number>();
   for (const at of shown) {
-    for (const group of groupsOf(system.nodes[at] as SystemNode, options))
-      sizes.set(group, (sizes.get(group) ?? 0) + 1);
+    for (const group of groupsOf(system.nodes[at] as SystemNode, options)) increment(sizes, group);
   }
   return sizes;
 }
@@ -266,7 +269,7 @@ function connect(
     id,
     kind,
     connectors,
-    oneSided: connectors.every(({ sources, sinks }) => !sources.length || !sinks.length),
+    oneSided: connectors.every(isOneSided),
     matched: !options.filter || connectors.some((connector) => matchesConnector(options.filter, connector)),
   });
   const links = new Map<string, { link: Link; ports: SystemPort[] }>();

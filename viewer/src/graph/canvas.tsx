@@ -1,5 +1,5 @@
 /** The drawing of a graph in a frame that can be moved, with what the pointer and keys do on it. */
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { ShownGraph } from "./build";
 import { type Camera, useCamera } from "./camera";
 import { GraphDrawing } from "./drawing";
@@ -24,11 +24,9 @@ export function GraphCanvas(props: Props) {
   const { graph, drawing, filtered, selected, chain, label, onSelect, onOpen, onGroup, onHover, onCamera } = props;
   const svg = useRef<SVGSVGElement>(null);
   const scene = useRef<SVGGElement>(null);
-  const whole = useRef({ x: 0, y: 0, width: drawing.width, height: drawing.height });
-  if (whole.current.width !== drawing.width || whole.current.height !== drawing.height) {
-    whole.current = { x: 0, y: 0, width: drawing.width, height: drawing.height };
-  }
-  const camera = useCamera(svg, scene, whole.current);
+  const { width, height } = drawing;
+  const whole = useMemo(() => ({ x: 0, y: 0, width, height }), [width, height]);
+  const camera = useCamera(svg, scene, whole);
   useEffect(() => onCamera(camera));
   const rest = () => (selected ? light(scene.current, selected) : lightAll(scene.current, chain));
   useEffect(rest, [selected, chain, drawing]);

@@ -2,7 +2,8 @@
 import { memo } from "preact/compat";
 import type { ConnectorKind } from "../data";
 import type { Point, Rectangle } from "../elk";
-import { SIGN_PATHS } from "../parts/kinds";
+import { SEVERITY_SIGNS } from "../parts/controls";
+import { CONNECTOR_KINDS, SIGN_PATHS } from "../parts/kinds";
 import { rounded } from "../parts/lines";
 import type { Box, BoxPort, Frame, ShownConnector, ShownGraph } from "./build";
 import type { Drawing } from "./layout";
@@ -18,7 +19,7 @@ interface Props {
 export const GraphDrawing = memo(({ graph, drawing, filtered, selected }: Props) => (
   <>
     <defs>
-      {(["topic", "service", "action", "tf"] as const).map((kind) => (
+      {CONNECTOR_KINDS.map((kind) => (
         <marker
           key={kind}
           id={`arrow-${kind}`}
@@ -133,7 +134,7 @@ function BoxShape({ box, at, ports, pale, selected }: ShapeProps & { box: Box; p
       {box.severity && (
         <g class={`flag ${box.severity}`} transform={`translate(${at.x + at.width - 4} ${at.y + 3})`}>
           <circle r="7" />
-          <text y="3.500">{box.severity === "error" ? "✕" : box.severity === "warning" ? "!" : "i"}</text>
+          <text y="3.500">{SEVERITY_SIGNS[box.severity]}</text>
         </g>
       )}
       {box.ports.map((port) => (

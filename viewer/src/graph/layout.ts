@@ -1,6 +1,6 @@
 /** Where everything of a graph is drawn. */
 import type { ElkExtendedEdge, ElkNode, LayoutOptions } from "elkjs/lib/elk-api";
-import { arrange, type Point, type Rectangle } from "../elk";
+import { arrange, type Point, pointsOf, type Rectangle } from "../elk";
 import { textWidth } from "../parts/measure";
 import type { Box, Frame, ShownConnector, ShownGraph } from "./build";
 import { boxLines, CONNECTOR_HEIGHT, connectorLines } from "./measure";
@@ -126,14 +126,9 @@ function read(root: ElkNode): Drawing {
   for (const edge of edges(root)) {
     const { container } = edge as { container?: string };
     const origin = origins.get(container ?? "root") ?? { x: 0, y: 0 };
-    const points = (edge.sections ?? []).flatMap(({ startPoint, bendPoints, endPoint }) => [
-      startPoint,
-      ...(bendPoints ?? []),
-      endPoint,
-    ]);
     drawing.lines.set(
       edge.id,
-      points.map(({ x, y }) => ({ x: x + origin.x, y: y + origin.y })),
+      pointsOf(edge).map(({ x, y }) => ({ x: x + origin.x, y: y + origin.y })),
     );
   }
   return drawing;

@@ -2,7 +2,7 @@
 import type { ConnectorKind, System } from "../data";
 import { CONNECTOR_KINDS } from "../parts/kinds";
 
-export type Grouping = "namespace" | "package" | "none";
+type Grouping = "namespace" | "package" | "none";
 const GROUPINGS: readonly Grouping[] = ["namespace", "package", "none"];
 
 export interface GraphOptions {
@@ -30,7 +30,7 @@ export interface GraphOptions {
 }
 
 /** Systems with more nodes than this are shown with groups closed at first. */
-export const MANY_NODES = 48;
+const MANY_NODES = 48;
 const MANY_CONNECTORS = 40;
 const SHOWN_AT_FIRST: readonly ConnectorKind[] = ["topic", "service", "action"];
 
@@ -45,7 +45,7 @@ export function readOptions(params: URLSearchParams, system: System): GraphOptio
     ),
     implicit: params.has("implicit"),
     oneSided: !params.has("joined"),
-    bundled: (params.get("bundle") ?? (isLarge(system) ? "1" : "0")) === "1",
+    bundled: (params.get("bundle") ?? (system.connectors.length > MANY_CONNECTORS ? "1" : "0")) === "1",
     filter: params.get("filter") ?? "",
     only: params.has("only"),
     findings: params.has("findings"),
@@ -58,10 +58,6 @@ export function readOptions(params: URLSearchParams, system: System): GraphOptio
     from: params.get("from") ?? "",
     to: params.get("to") ?? "",
   };
-}
-
-function isLarge(system: System): boolean {
-  return system.connectors.length > MANY_CONNECTORS;
 }
 
 function listed(params: URLSearchParams, name: string, otherwise: readonly string[]): string[] {

@@ -1,16 +1,14 @@
 /** What is known of the box or connector that is selected, and what can be done with it. */
 
 import { useReport } from "../context";
-import type { Component, System, SystemNode } from "../data";
-import { amount, counted } from "../model";
-import { componentHref } from "../pages/components";
-import { rateText } from "../pages/timing";
+import type { End, System, SystemNode } from "../data";
+import { amount, counted, portKey, rateText } from "../model";
 import { SeverityBadge } from "../parts/controls";
 import { PortKind, portLabel } from "../parts/kinds";
 import { Why } from "../parts/proof";
 import { Source } from "../parts/source";
 import { Condition, Name, shortened } from "../parts/text";
-import { href, setParams } from "../route";
+import { componentHref, href, setParams } from "../route";
 import type { Box, ShownConnector, ShownGraph } from "./build";
 
 interface Props {
@@ -133,7 +131,7 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
                   {node.origin === "source" && node.component && port.at && (
                     <Why
                       owner={node.component}
-                      of={whyPort(own, port.id)}
+                      of={`port ${portKey(own?.ports.find(({ id }) => id === port.id))}`}
                       title={`${portLabel(port.kind)} ${port.name}`}
                     />
                   )}
@@ -161,12 +159,6 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
   );
 }
 
-/** The key of the proof of a component's port. */
-function whyPort(component: Component | undefined, id: string): string {
-  const port = component?.ports.find((each) => each.id === id);
-  return port ? `port ${port.kind} ${port.name} ${port.at}` : "";
-}
-
 const MOST = 30;
 
 function ConnectorDetails({ shown, system }: { shown: ShownConnector; system: System }) {
@@ -174,6 +166,7 @@ function ConnectorDetails({ shown, system }: { shown: ShownConnector; system: Sy
     <>
       {shown.connectors.slice(0, MOST).map((connector) => {
         const rate = system.rates.find(({ topic }) => topic === connector.name);
+        const asked = connector.kind === "service" || connector.kind === "action";
         return (
           <section key={connector.name}>
             <h2>
@@ -184,16 +177,8 @@ function ConnectorDetails({ shown, system }: { shown: ShownConnector; system: Sy
               {connector.types.length ? <Name text={connector.types.join(" or ")} /> : "type not known"}
               {rate && `, ${rateText(rate)}${rate.high === null && !rate.low ? " rate" : " messages a second"}`}
             </p>
-            <Ends
-              title={connector.kind === "service" || connector.kind === "action" ? "Called by" : "Sent by"}
-              ends={connector.sources}
-              system={system}
-            />
-            <Ends
-              title={connector.kind === "service" || connector.kind === "action" ? "Served by" : "Received by"}
-              ends={connector.sinks}
-              system={system}
-            />
+            <Ends title={asked ? "Called by" : "Sent by"} ends={connector.sources} system={system} />
+            <Ends title={asked ? "Served by" : "Received by"} ends={connector.sinks} system={system} />
           </section>
         );
       })}
@@ -202,7 +187,7 @@ function ConnectorDetails({ shown, system }: { shown: ShownConnector; system: Sy
   );
 }
 
-function Ends({ title, ends, system }: { title: string; ends: [number, number][]; system: System }) {
+function Ends({ title, ends, system }: { title: string; ends: End[]; system: System }) {
   return (
     <>
       <h3>{title}</h3>

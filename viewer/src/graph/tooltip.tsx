@@ -1,7 +1,6 @@
 /** What hovering tells: type, rate, lines. */
 import type { System } from "../data";
-import { amount, counted } from "../model";
-import { rateText } from "../pages/timing";
+import { amount, counted, rateText } from "../model";
 import { shortened } from "../parts/text";
 import type { ShownGraph } from "./build";
 

@@ -1,7 +1,7 @@
 /** Where the states and transitions of a machine are drawn. */
 import type { ElkNode, LayoutOptions } from "elkjs/lib/elk-api";
 import type { Effect, Region } from "../data";
-import { arrange, type Point, type Rectangle } from "../elk";
+import { arrange, type Point, pointsOf, type Rectangle } from "../elk";
 import { textWidth } from "../parts/measure";
 import { shortened } from "../parts/text";
 
@@ -11,7 +11,7 @@ const WIDEST = 46; // characters of a line
 const MOST_LINES = 5;
 const MOST_EFFECTS = 6;
 
-export type LineKind = "on" | "if" | "sends";
+type LineKind = "on" | "if" | "sends";
 
 export interface TextLine {
   kind: LineKind;
@@ -22,7 +22,6 @@ export interface StateShape {
   id: string;
   title: string;
   kind: "state" | "any" | "unreachable";
-  initial: boolean;
   inner: TextLine[][];
   inside: Effect[];
   at: Rectangle;
@@ -33,7 +32,7 @@ export interface TransitionShape {
   effects: Effect[];
   texts: TextLine[][];
   points: Point[];
-  label: Rectangle | null;
+  label: Rectangle;
 }
 
 export interface MachineDrawing {
@@ -62,7 +61,7 @@ const OPTIONS: LayoutOptions = {
 };
 
 /** The lines of what is told of an effect: its trigger, `[guard]`, and what is sent. */
-export function effectLines(effect: Effect): TextLine[] {
+function effectLines(effect: Effect): TextLine[] {
   return [
     ...wrapped(effect.on, "on"),
     ...(effect.if ? wrapped(`[${effect.if}]`, "if") : []),
@@ -122,35 +121,26 @@ export async function layOutMachine(region: Region): Promise<MachineDrawing> {
   return read(root, states, transitions, starts);
 }
 
-type Unplaced = TransitionShape & { source: string; target: string };
+type Unplaced = Pick<TransitionShape, "id" | "effects" | "texts"> & { source: string; target: string };
 
 function shapes(region: Region): { states: StateShape[]; transitions: Unplaced[] } {
   const idOf = (state: number) => (state < 0 ? "any" : `s${state}`);
   const inside = new Map(
     region.edges.filter(({ source, target }) => source === target).map(({ source, effects }) => [source, effects]),
   );
-  const state = (
-    id: string,
-    title: string,
-    kind: StateShape["kind"],
-    effects: Effect[],
-    initial = false,
-  ): StateShape => {
+  const state = (id: string, title: string, kind: StateShape["kind"], effects: Effect[]): StateShape => {
     const inner = texts(effects);
     const width = Math.max(70, textWidth(shortened(title, 60), 13, 600) + 32, widthOf(inner) + 24);
     return {
       id,
       title,
       kind,
-      initial,
       inner,
       inside: effects,
       at: { x: 0, y: 0, width, height: TITLE + (inner.length ? heightOf(inner) + 8 : 0) },
     };
   };
-  const states = region.states.map((title, at) =>
-    state(idOf(at), title, "state", inside.get(at) ?? [], region.initial.includes(at)),
-  );
+  const states = region.states.map((title, at) => state(idOf(at), title, "state", inside.get(at) ?? []));
   if (region.edges.some(({ source }) => source < 0)) states.push(state("any", "any state", "any", []));
   states.push(...region.unreachable.map((title, at) => state(`u${at}`, title, "unreachable", [])));
   const transitions = region.edges
@@ -159,8 +149,6 @@ function shapes(region: Region): { states: StateShape[]; transitions: Unplaced[]
       id: `t${at}`,
       effects,
       texts: texts(effects),
-      points: [],
-      label: null,
       source: idOf(source),
       target: idOf(target),
     }));
@@ -172,20 +160,15 @@ function read(root: ElkNode, states: StateShape[], transitions: Unplaced[], star
     (root.children ?? []).map(({ id, x = 0, y = 0, width = 0, height = 0 }) => [id, { x, y, width, height }]),
   );
   const edges = new Map((root.edges ?? []).map((edge) => [edge.id, edge]));
-  const points = (id: string) =>
-    (edges.get(id)?.sections ?? []).flatMap(({ startPoint, bendPoints, endPoint }) => [
-      startPoint,
-      ...(bendPoints ?? []),
-      endPoint,
-    ]);
   return {
     width: root.width ?? 0,
     height: root.height ?? 0,
     states: states.map((shape) => ({ ...shape, at: places.get(shape.id) ?? shape.at })),
-    transitions: transitions.map((shape) => {
-      const { x = 0, y = 0, width = 0, height = 0 } = edges.get(shape.id)?.labels?.[0] ?? {};
-      return { ...shape, points: points(shape.id), label: { x, y, width, height } };
+    transitions: transitions.map(({ id, effects, texts }) => {
+      const edge = edges.get(id);
+      const { x = 0, y = 0, width = 0, height = 0 } = edge?.labels?.[0] ?? {};
+      return { id, effects, texts, points: pointsOf(edge), label: { x, y, width, height } };
     }),
-    starts: starts.map(({ id }) => points(`${id}e`)),
+    starts: starts.map(({ id }) => pointsOf(edges.get(`${id}e`))),
   };
 }

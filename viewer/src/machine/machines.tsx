@@ -162,7 +162,6 @@ function State({ state: { at, kind, title, inner, inside } }: { state: StateShap
 }
 
 function TransitionLabel({ transition: { label, texts, effects } }: { transition: TransitionShape }) {
-  if (!label) return null;
   return (
     <g class="transition">
       <rect x={label.x} y={label.y} width={label.width} height={label.height} rx="3" />

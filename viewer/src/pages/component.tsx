@@ -3,7 +3,7 @@
 import { useReport } from "../context";
 import type { Component, Port } from "../data";
 import { Machines } from "../machine/machines";
-import { amount, counted, frequency, type Instance, portNames } from "../model";
+import { amount, counted, frequency, type Instance, portKey, portsById } from "../model";
 import { Section, Table } from "../parts/controls";
 import { PortKind, portLabel, portOrder } from "../parts/kinds";
 import { Why } from "../parts/proof";
@@ -138,11 +138,6 @@ function PortTable({ owner, ports, label }: { owner: string; ports: readonly Por
   );
 }
 
-/** A port as the keys of proofs name it. */
-function portKey(port: Port | undefined): string {
-  return port ? `${port.kind} ${port.name} ${port.at}` : "";
-}
-
 function PortName({ port }: { port: Port }) {
   return (
     <>
@@ -193,7 +188,7 @@ function Parameters({ component }: { component: Component }) {
 }
 
 function Behaviour({ component }: { component: Component }) {
-  const ports = portNames(component);
+  const ports = portsById(component);
   const names = (ids: readonly string[]) =>
     ids.map((id, at) => (
       <span key={id}>

@@ -2,12 +2,10 @@
 
 import { useReport } from "../context";
 import type { Component } from "../data";
-import { counted } from "../model";
+import { countedOf } from "../model";
 import { Filter, matches, SeverityBadge, Table } from "../parts/controls";
 import { Name } from "../parts/text";
-import { href, type Route } from "../route";
-
-export const componentHref = (name: string): string => href(["component", ...name.split("/")]);
+import { componentHref, type Route } from "../route";
 
 export function ComponentsPage({ route }: { route: Route }) {
   const { document } = useReport();
@@ -27,9 +25,7 @@ export function ComponentsPage({ route }: { route: Route }) {
       <div class="controls">
         <Filter label="Filter by name, port, type" param="filter" value={filter} />
         <span class="muted" aria-live="polite">
-          {shown.length === document.components.length
-            ? counted(shown.length, "component")
-            : `${shown.length} of ${counted(document.components.length, "component")}`}
+          {countedOf(shown.length, document.components.length, "component")}
         </span>
       </div>
       <Table

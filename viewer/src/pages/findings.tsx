@@ -2,7 +2,7 @@
 import { useState } from "preact/hooks";
 import { useReport } from "../context";
 import type { Evidence, Finding, Severity } from "../data";
-import { bySeverity, counted, SEVERITIES } from "../model";
+import { bySeverity, counted, countedOf, SEVERITIES } from "../model";
 import { Filter, matches, SeverityBadge, Toggle } from "../parts/controls";
 import { ProofTree } from "../parts/proof";
 import { Excerpt, Source } from "../parts/source";
@@ -63,9 +63,7 @@ export function FindingsPage({ route }: { route: Route }) {
       </div>
       {check && checks[check] && <p class="lead">{checks[check].description}</p>}
       <p class="muted" aria-live="polite">
-        {found.length === shown.length
-          ? counted(found.length, "finding")
-          : `${found.length} of ${counted(shown.length, "finding")}`}
+        {countedOf(found.length, shown.length, "finding")}
       </p>
       {found.slice(0, most).map((finding) => (
         <FindingCard key={finding.id} finding={finding} />

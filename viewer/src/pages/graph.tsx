@@ -13,7 +13,7 @@ import { Toolbar } from "../graph/toolbar";
 import { Tooltip } from "../graph/tooltip";
 import { counted } from "../model";
 import { NoSystem, useSystem } from "../parts/system";
-import { href, type Route, setParams } from "../route";
+import { componentHref, type Route, setParams } from "../route";
 
 export function GraphPage({ route }: { route: Route }) {
   const system = useSystem(route);
@@ -43,7 +43,7 @@ function SystemGraph({ system, route }: { system: System; route: Route }) {
     const box = laid?.graph.boxes.get(id);
     const component = box?.nodes[0]?.component;
     if (box?.isGroup) toggle(box.label);
-    else if (component && report.component.has(component)) location.hash = href(["component", ...component.split("/")]);
+    else if (component && report.component.has(component)) location.hash = componentHref(component);
     else select(id);
   };
   return (

@@ -1,12 +1,11 @@
 /** The launch files of a system: which includes which, and what each starts. */
-import type { ComponentChildren } from "preact";
-import type { LaunchFile, System } from "../data";
+import { Fragment } from "preact";
+import type { LaunchFile, Place, System } from "../data";
 import { counted } from "../model";
-import { Source } from "../parts/source";
+import { Source, splitPlace } from "../parts/source";
 import { NoSystem, SystemChoice, useSystem } from "../parts/system";
 import { Name } from "../parts/text";
-import { href, type Route } from "../route";
-import { componentHref } from "./components";
+import { componentHref, href, type Route } from "../route";
 
 export function LaunchPage({ route }: { route: Route }) {
   const system = useSystem(route);
@@ -56,7 +55,7 @@ function File({ file, system }: { file: LaunchFile; system: System }) {
         {entries.length > 0 && (
           <ul class="tree">
             {entries.map(({ key, item }) => (
-              <Keyed key={key}>{item}</Keyed>
+              <Fragment key={key}>{item}</Fragment>
             ))}
           </ul>
         )}
@@ -65,11 +64,7 @@ function File({ file, system }: { file: LaunchFile; system: System }) {
   );
 }
 
-const Keyed = ({ children }: { children: ComponentChildren }) => <>{children}</>;
-
-function lineOf(at: string | null): number {
-  return at ? Number(at.slice(at.lastIndexOf(":") + 1)) : 0;
-}
+const lineOf = (at: Place | null): number => (at ? splitPlace(at)[1] : 0);
 
 function Node({ node, system }: { node: LaunchFile["nodes"][number]; system: System }) {
   const started = system.nodes.find((each) => each.name === node.name && each.lines.at(-1) === node.at);

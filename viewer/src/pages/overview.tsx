@@ -7,7 +7,7 @@ import { Section, SeverityBadge, Table } from "../parts/controls";
 import { portLabel } from "../parts/kinds";
 import { Source } from "../parts/source";
 import { Name } from "../parts/text";
-import { href } from "../route";
+import { componentHref, href } from "../route";
 
 const MOST = 12;
 
@@ -37,9 +37,8 @@ export function OverviewPage() {
 
 function Found({ document }: { document: ReportDocument }) {
   const { shown, suppressed, checks } = document.findings;
-  const byCheck = new Map<string, number>();
-  for (const finding of shown) byCheck.set(finding.check, (byCheck.get(finding.check) ?? 0) + 1);
-  const frequent = [...byCheck].sort((a, b) => b[1] - a[1]).slice(0, MOST);
+  const byCheck = grouped(shown, (finding) => finding.check);
+  const frequent = [...byCheck].sort(([, a], [, b]) => b.length - a.length).slice(0, MOST);
   return (
     <Section id="found" title="Findings" count={shown.length}>
       <p class="badges">
@@ -52,13 +51,13 @@ function Found({ document }: { document: ReportDocument }) {
       </p>
       {frequent.length > 0 && (
         <Table label="Findings by check" head={["Check", "What it finds", "Findings"]}>
-          {frequent.map(([check, count]) => (
+          {frequent.map(([check, found]) => (
             <tr key={check}>
               <td>
                 <a href={href(["findings"], { check })}>{check}</a>
               </td>
               <td>{checks[check]?.title}</td>
-              <td class="number">{count}</td>
+              <td class="number">{found.length}</td>
             </tr>
           ))}
         </Table>
@@ -154,7 +153,7 @@ function Unknown({ document }: { document: ReportDocument }) {
             {ports.map(({ component, port }) => (
               <tr key={`${component.name} ${port.id}`}>
                 <td>
-                  <a href={href(["component", ...component.name.split("/")])}>
+                  <a href={componentHref(component.name)}>
                     <Name text={component.name} />
                   </a>
                 </td>

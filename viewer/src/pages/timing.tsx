@@ -1,10 +1,10 @@
 /** How often topics of a system are sent on, and what influences what. */
 import { useMemo } from "preact/hooks";
-import type { End, Rate, System } from "../data";
+import type { End, System } from "../data";
 import { endKey, endName, endsOf, findChain } from "../graph/chains";
-import { amount } from "../model";
+import { rateText } from "../model";
 import { Filter, matches, Table } from "../parts/controls";
-import { portLabel } from "../parts/kinds";
+import { CONNECTOR_KINDS, portLabel } from "../parts/kinds";
 import { Source } from "../parts/source";
 import { NoSystem, SystemChoice, useSystem } from "../parts/system";
 import { Name, shortened } from "../parts/text";
@@ -74,7 +74,7 @@ function Chains({ system, route }: { system: System; route: Route }) {
         <>
           <p>
             {chain.certain ? "Always, as long as no message is lost. " : "It can. "}
-            <a href={href(["graph"], { system: system.name, from, to, kinds: "topic,service,action,tf" })}>
+            <a href={href(["graph"], { system: system.name, from, to, kinds: CONNECTOR_KINDS.join() })}>
               Show it in the graph
             </a>
           </p>
@@ -133,9 +133,4 @@ function EndChoice({
       </select>
     </label>
   );
-}
-
-export function rateText(rate: Rate): string {
-  if (rate.high === null) return rate.low ? `${amount(rate.low)} or more` : "not known";
-  return rate.low === rate.high ? amount(rate.low) : `${amount(rate.low)} to ${amount(rate.high)}`;
 }

@@ -38,7 +38,7 @@ export function Toggle({ pressed, onToggle, children, title }: ToggleProps) {
   );
 }
 
-const SEVERITY_SIGNS: Record<Severity, string> = { error: "✕", warning: "!", note: "i" };
+export const SEVERITY_SIGNS: Record<Severity, string> = { error: "✕", warning: "!", note: "i" };
 
 export function SeverityBadge({ severity, count }: { severity: Severity; count?: number }) {
   return (

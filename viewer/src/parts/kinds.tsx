@@ -30,7 +30,7 @@ export const portOrder = (kind: string): number => {
 };
 
 /** What kind of connector a port meets. */
-export function familyOf(kind: string): ConnectorKind {
+function familyOf(kind: string): ConnectorKind {
   if (kind.startsWith("service") || kind.startsWith("dynamic")) return "service";
   if (kind.startsWith("action")) return "action";
   return kind.startsWith("tf") ? "tf" : "topic";

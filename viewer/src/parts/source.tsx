@@ -10,7 +10,7 @@ export function splitPlace(place: Place): [string, number] {
 }
 
 /** The address of a place on a forge, when the report was told one. */
-export function forgeLink(document: ReportDocument, place: Place): string | undefined {
+function forgeLink(document: ReportDocument, place: Place): string | undefined {
   const [path, line] = splitPlace(place);
   const encoded = path.split("/").map(encodeURIComponent).join("/");
   return document.link?.replaceAll("{path}", () => encoded).replaceAll("{line}", String(line));
@@ -83,7 +83,7 @@ function marked(text: string, [from, to]: [number, number]) {
   );
 }
 
-export function linesAround(runs: readonly Run[], line: number, around: number): [number, string][] {
+function linesAround(runs: readonly Run[], line: number, around: number): [number, string][] {
   for (const [first, texts] of runs) {
     if (line >= first && line < first + texts.length) {
       return texts

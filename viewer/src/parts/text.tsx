@@ -24,10 +24,6 @@ function breakable(text: string) {
   return parts.length > 40 ? text : parts.flatMap((part, at) => (at ? [<wbr key={`b${at}`} />, part] : [part]));
 }
 
-export function Code({ text }: { text: string }) {
-  return <code>{text}</code>;
-}
-
 export function Maybe({ text }: { text: string | number | boolean | null | undefined }) {
   return text === null || text === undefined || text === "" ? <span class="none">–</span> : <span>{String(text)}</span>;
 }
