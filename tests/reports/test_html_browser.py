@@ -11,7 +11,7 @@ import sys
 import urllib.error
 import urllib.request
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -304,7 +304,7 @@ def test_state_machines_lead_to_the_source(reader: Reader) -> None:
 def test_chains_are_found_and_lit(reader: Reader, report: str, tmp_path: Path) -> None:
     page = reader.open(f"timing?system={DELIVERY}")
     expect(page.locator("main")).to_contain_text("--chains")
-    reader.address = with_a_step(Path(report.removeprefix("file://")), tmp_path / "chains.html")
+    reader.address = changed(report, tmp_path / "chains.html", add_step)
     page = reader.open(f"timing?system={DELIVERY}")
     page.get_by_label("What passes through").select_option(label="/drive /battery")
     page.get_by_label("has an influence on").select_option(label="/courier /battery")
@@ -317,13 +317,29 @@ def test_chains_are_found_and_lit(reader: Reader, report: str, tmp_path: Path) -
     expect(page.locator(".lit")).to_have_count(0)
 
 
-def with_a_step(report: Path, out: Path) -> str:
-    """The address of the same report, made with a chain: the battery's messages arrive."""
-    block = re.search(r'id="document">([^<]*)<', report.read_text(encoding="utf-8"))
-    document = json.loads(zlib.decompress(base64.b64decode(block[1])))  # type: ignore[index]
+def add_step(document: Any) -> None:
+    """A chain: the battery's messages arrive."""
     system = next(system for system in document["systems"] if system["name"] == DELIVERY)
     battery = next(connector for connector in system["connectors"] if connector["name"] == "/battery")
     system["steps"] = [[battery["sources"][0], battery["sinks"][0], "data", "connection", True]]
+
+
+def test_groups_have_the_flag_of_their_worst_finding(reader: Reader, report: str, tmp_path: Path) -> None:
+    reader.address = changed(report, tmp_path / "flags.html", only_the_last_node_has_errors)
+    page = reader.open(f"graph?system={DELIVERY}&by=package&groups=delivery_robot")
+    expect(page.locator(".box.group .flag.error")).to_have_count(1)
+
+
+def only_the_last_node_has_errors(document: Any) -> None:
+    for finding in document["findings"]["shown"]:
+        finding["severity"] = "error" if finding["check"] == "duplicate-node" else "note"
+
+
+def changed(report: str, out: Path, change: Callable[[Any], None]) -> str:
+    """The address of a report whose document is another."""
+    block = re.search(r'id="document">([^<]*)<', Path(report.removeprefix("file://")).read_text(encoding="utf-8"))
+    document = json.loads(zlib.decompress(base64.b64decode(block[1])))  # type: ignore[index]
+    change(document)
     out.write_text(page_text(document), encoding="utf-8")
     return out.as_uri()
 

@@ -53,6 +53,10 @@ export function bySeverity(a: Finding, b: Finding): number {
   return SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity);
 }
 
+export function worst(findings: readonly Finding[]): Severity | null {
+  return SEVERITIES.find((severity) => findings.some((finding) => finding.severity === severity)) ?? null;
+}
+
 function listIn<Key, Value>(map: Map<Key, Value[]>, key: Key): Value[] {
   const found = map.get(key) ?? [];
   map.set(key, found);

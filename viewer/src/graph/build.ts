@@ -1,6 +1,6 @@
 /** From a system to what is drawn: boxes (nodes and groups of nodes), connectors, and the links between their ports. */
 import type { Connector, ConnectorKind, End, Finding, Severity, System, SystemNode, SystemPort } from "../data";
-import { grouped } from "../model";
+import { grouped, worst } from "../model";
 import { matches } from "../parts/controls";
 import { isOutgoing } from "../parts/kinds";
 import { type GraphOptions, isOpen, namespaceOf } from "./options";
@@ -213,7 +213,7 @@ function arranged(system: System, shown: ReadonlySet<number>, options: GraphOpti
     boxOf.set(at, id);
   }
   for (const box of boxes.values()) {
-    box.severity = box.nodes.flatMap(findingsOf)[0]?.severity ?? null;
+    box.severity = worst(box.nodes.flatMap(findingsOf));
     box.matched = !options.filter || box.nodes.some((node) => matchesNode(options.filter, node));
     if (box.isGroup) box.detail = `${box.nodes.length} nodes`;
   }

@@ -15,6 +15,9 @@ export function useSystem(route: Route): System | undefined {
   return systems.find(({ name }) => name === wanted) ?? largest;
 }
 
+/** Parameters that name something in one system. */
+const OF_ONE_SYSTEM = { focus: null, at: null, groups: null, from: null, to: null };
+
 export function SystemChoice({ system }: { system: System }) {
   const { systems } = useReport().document;
   if (systems.length < 2) return null;
@@ -23,7 +26,7 @@ export function SystemChoice({ system }: { system: System }) {
       aria-label="System"
       class="system"
       value={system.name}
-      onChange={(event) => setParams({ system: event.currentTarget.value, focus: null, chain: null })}
+      onChange={(event) => setParams({ ...OF_ONE_SYSTEM, system: event.currentTarget.value })}
     >
       {systems.map(({ name, nodes }) => (
         <option key={name} value={name}>
