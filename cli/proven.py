@@ -73,6 +73,8 @@ def _about_findings(question: SystemQuestion, rules: RuleSet, configuration: Con
     for finding in (*reported.shown, *reported.known):
         for system in finding.systems[:1]:
             asked[system].add(finding.fingerprint)
+    if not asked:
+        return []
     shared, launches = load_surrounding(question.inputs(rules), configuration)
 
     def prove_in(index: int) -> Derivations:

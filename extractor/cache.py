@@ -9,14 +9,16 @@ from __future__ import annotations
 import hashlib
 import marshal
 import os
+import pickle
 import sys
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
+Value = TypeVar("Value")
 LIMIT = 1 << 30
 """Bytes beyond which the entries that were not used for longest are removed."""
 
@@ -94,6 +96,19 @@ class Cache:
         """Keep an entry; without room, there is none."""
         with suppress(OSError):
             write_whole(self._path(key), sealed(data))
+
+    def load_value(self, key: str, kind: type[Value]) -> Value | None:
+        """The value that was kept by `store_value`; None when there is none of this kind."""
+        data = self.load(key)
+        try:
+            found = None if data is None else pickle.loads(data)
+        except Exception:  # the checksum was right, so that it is another version's; whatever pickle then says
+            return None
+        return found if isinstance(found, kind) else None
+
+    def store_value(self, key: str, value: object) -> None:
+        """Keep a value."""
+        self.store(key, pickle.dumps(value, protocol=pickle.HIGHEST_PROTOCOL))
 
     def trim(self, limit: int = LIMIT) -> None:
         """Remove what was not used for longest until three quarters of `limit` bytes remain, when there are more than `limit`."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -30,19 +29,12 @@ class ModelCache:
 
     def load(self, component: str, facts: str | None) -> ComponentModel | None:
         """The model of a component, found by the hash of its facts; None when there is none, or the facts have no hash."""
-        data = self.cache.load(self._key(component, facts)) if facts else None
-        if data is None:
-            return None
-        try:
-            model = pickle.loads(data)
-        except Exception:  # the checksum was right, so that it is another version's; whatever pickle then says
-            return None
-        return model if isinstance(model, ComponentModel) else None
+        return self.cache.load_value(self._key(component, facts), ComponentModel) if facts else None
 
     def store(self, component: str, facts: str | None, model: ComponentModel) -> None:
         """Keep a model, when its facts have a hash."""
         if facts:
-            self.cache.store(self._key(component, facts), pickle.dumps(model, protocol=pickle.HIGHEST_PROTOCOL))
+            self.cache.store_value(self._key(component, facts), model)
 
     def _key(self, component: str, facts: str) -> str:
         return hash_of(["model", models_version(), self.system, self.engine, self.rules, component, facts])

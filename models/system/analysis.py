@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -100,15 +99,11 @@ class SystemCache:
 
     def load(self, launch: Launch, own: Rows) -> Composed | None:
         """A system, found by a hash of all its facts; None when there is none."""
-        data = self.cache.load(self._key(launch, own))
-        try:
-            return None if data is None else pickle.loads(data)
-        except Exception:  # the checksum was right, so that it is another version's; whatever pickle then says
-            return None
+        return self.cache.load_value(self._key(launch, own), tuple)
 
     def store(self, launch: Launch, own: Rows, composed: Composed) -> None:
         """Keep a system."""
-        self.cache.store(self._key(launch, own), pickle.dumps(composed, protocol=pickle.HIGHEST_PROTOCOL))
+        self.cache.store_value(self._key(launch, own), composed)
 
     def _key(self, launch: Launch, own: Rows) -> str:
         words = (launch.name, "", *launch.words, "")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -60,7 +59,7 @@ def tell(rules: SystemRules, shared: Surrounding, launches: Sequence[Launch], re
         if not isinstance(outcome, Failure):
             found[launches[index].name] = outcome
             if reading.cache:
-                reading.cache.store(_key(reading, shared, own[index]), pickle.dumps(outcome, protocol=pickle.HIGHEST_PROTOCOL))
+                reading.cache.store_value(_key(reading, shared, own[index]), outcome)
         if reading.progress:
             reading.progress("rates", len(launches) - len(waiting) + done + 1, len(launches))
     return found
@@ -86,12 +85,7 @@ def _end(port: tuple[str, str, str]) -> End:
 
 
 def _kept(reading: Reading, shared: Surrounding, own: Rows) -> Told | None:
-    data = reading.cache.load(_key(reading, shared, own)) if reading.cache else None
-    try:
-        known = None if data is None else pickle.loads(data)
-    except Exception:  # the checksum was right, so that it is another version's; whatever pickle then says
-        return None
-    return known if isinstance(known, Told) else None
+    return reading.cache.load_value(_key(reading, shared, own), Told) if reading.cache else None
 
 
 def _key(reading: Reading, shared: Surrounding, own: Rows) -> str:
