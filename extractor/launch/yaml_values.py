@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 import yaml
@@ -75,12 +76,21 @@ def load_yaml_lines(text: str, loader_class: type[Loader] = RosparamLoader) -> t
     Raises:
         YamlError: the text is not YAML, has a tag that makes an object, or unfolds to too much.
     """
+    with opened(text, loader_class) as (loader, node):
+        return constructed(loader, node), _key_lines(node)
+
+
+@contextmanager
+def opened(text: str, loader_class: type[Loader]) -> Iterator[tuple[Loader, yaml.Node | None]]:
+    """A loader, and the root of a document as it is written, None of an empty one.
+
+    Raises:
+        YamlError: the text is not YAML, or what is made of it meanwhile is refused.
+    """
     try:
         loader = loader_class(_ESCAPED_MARK.sub(r"\\uFFFD", text))
         try:
-            node = loader.get_single_node()
-            lines = _key_lines(node)
-            value = None if node is None else loader.construct_document(node)
+            yield loader, loader.get_single_node()
         finally:
             loader.dispose()
     except yaml.MarkedYAMLError as error:
@@ -93,8 +103,17 @@ def load_yaml_lines(text: str, loader_class: type[Loader] = RosparamLoader) -> t
         raise YamlError("nested too deeply") from None
     except (ValueError, LookupError, TypeError, OverflowError) as error:  # e.g. the date 2000-99-99
         raise YamlError(str(error)) from None
+
+
+def constructed(loader: Loader, node: yaml.Node | None) -> Any:
+    """The value of a node of an `opened` document.
+
+    Raises:
+        YamlError: aliases unfold to too much.
+    """
+    value = None if node is None else loader.construct_document(node)
     _check_size(value)
-    return value, lines
+    return value
 
 
 def _key_lines(document: yaml.Node | None) -> dict[tuple[str, ...], int]:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import yaml
 
 from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.unknowns import cleaned
-from rosarch.extractor.launch.yaml_values import Loader
-from rosarch.extractor.xml_reader import XmlError
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, constructed, opened
 
 from .frontend import Entity
 
@@ -21,70 +19,58 @@ def read_yaml(data: bytes, path: str) -> Entity:
     """The `launch:` of a document.
 
     Raises:
-        XmlError: it is no YAML, or no launch file.
+        YamlError: it is no YAML, or no launch file.
     """
-    try:
-        loader = Loader(cleaned(data.decode("utf-8", "replace")))
-        try:
-            node = loader.get_single_node()
-        finally:
-            loader.dispose()
-    except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        raise XmlError(
-            " ".join(filter(None, (error.context, error.problem))), mark.line + 1 if mark else 1, mark.column + 1 if mark else 1
-        ) from None
-    except (yaml.YAMLError, ValueError, RecursionError) as error:
-        raise XmlError(" ".join(str(error).split()) or "nested too deeply", 1, 1) from None
-    if not isinstance(node, yaml.MappingNode):
-        raise XmlError("a launch file in YAML is a map with the key `launch`", 1, 1)
     root = Entity("launch", {}, Place(path, 1))
-    for key, value in node.value:
-        if isinstance(key, yaml.ScalarNode) and key.value == "launch":
-            root.children.extend(_elements(value, path, 0))
+    with opened(cleaned(data.decode("utf-8", "replace")), Loader) as (loader, node):
+        constructed(loader, node)  # bounds what aliases unfold to
+        if not isinstance(node, yaml.MappingNode):
+            raise YamlError("a launch file in YAML is a map with the key `launch`")
+        for key, value in node.value:
+            if isinstance(key, yaml.ScalarNode) and key.value == "launch":
+                root.children.extend(_Elements(loader, path).of_list(value, 0))
     return root
 
 
-def _elements(node: yaml.Node, path: str, depth: int) -> Iterator[Entity]:
-    """The elements of a list: each is a map with one key."""
+class _Elements:
+    """Makes elements of the nodes of a document."""
+
+    def __init__(self, loader: Loader, path: str) -> None:
+        self.loader, self.path = loader, path
+
+    def of_list(self, node: yaml.Node, depth: int) -> Iterator[Entity]:
+        """The elements of a list: each is a map with one key."""
+        _check_depth(node, depth)
+        for item in node.value if isinstance(node, yaml.SequenceNode) else [node]:
+            if isinstance(item, yaml.MappingNode):
+                for key, value in item.value:
+                    if isinstance(key, yaml.ScalarNode):
+                        yield self.element(key.value, key.start_mark, value, depth + 1)
+
+    def element(self, name: str, mark: yaml.Mark, node: yaml.Node, depth: int) -> Entity:
+        """An element called `name`, which is at `mark`."""
+        entity = Entity(name, {}, Place(self.path, mark.line + 1, mark.column + 1))
+        if isinstance(node, yaml.SequenceNode):
+            entity.children.extend(self.of_list(node, depth))
+        for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
+            if not isinstance(key, yaml.ScalarNode):
+                continue
+            if key.value == "children" or (name == "launch" and isinstance(value, yaml.SequenceNode)):
+                entity.children.extend(self.of_list(value, depth))
+            elif isinstance(value, yaml.SequenceNode) and any(isinstance(item, yaml.MappingNode) for item in value.value):
+                entity.children.extend(self.named(key.value, value, depth))
+            else:
+                entity.attributes[key.value] = constructed(self.loader, value)
+        return entity
+
+    def named(self, name: str, node: yaml.SequenceNode, depth: int) -> Iterator[Entity]:
+        """`param: [{name: a, value: 1}, ...]`: one element a map."""
+        _check_depth(node, depth)
+        for item in node.value:
+            if isinstance(item, yaml.MappingNode):
+                yield self.element(name, item.start_mark, item, depth + 1)
+
+
+def _check_depth(node: yaml.Node, depth: int) -> None:
     if depth > MAX_DEPTH:
-        raise XmlError("nested too deeply", node.start_mark.line + 1, node.start_mark.column + 1)
-    for item in node.value if isinstance(node, yaml.SequenceNode) else [node]:
-        if isinstance(item, yaml.MappingNode):
-            for key, value in item.value:
-                if isinstance(key, yaml.ScalarNode):
-                    yield _element(key, value, path, depth + 1)
-
-
-def _element(key: yaml.ScalarNode, node: yaml.Node, path: str, depth: int) -> Entity:
-    entity = Entity(key.value, {}, Place(path, key.start_mark.line + 1, key.start_mark.column + 1))
-    if isinstance(node, yaml.SequenceNode):
-        entity.children.extend(_elements(node, path, depth))
-    for name, value in node.value if isinstance(node, yaml.MappingNode) else ():
-        if not isinstance(name, yaml.ScalarNode):
-            continue
-        if name.value == "children" or (entity.name == "launch" and isinstance(value, yaml.SequenceNode)):
-            entity.children.extend(_elements(value, path, depth))
-        elif isinstance(value, yaml.SequenceNode) and any(isinstance(item, yaml.MappingNode) for item in value.value):
-            entity.children.extend(_items(name, value, path, depth))
-        else:
-            entity.attributes[name.value] = _plain(value)
-    return entity
-
-
-def _items(name: yaml.ScalarNode, node: yaml.SequenceNode, path: str, depth: int) -> Iterator[Entity]:
-    """`param: [{name: a, value: 1}, ...]`: one element a map."""
-    if depth > MAX_DEPTH:
-        raise XmlError("nested too deeply", node.start_mark.line + 1, node.start_mark.column + 1)
-    for item in node.value:
-        if isinstance(item, yaml.MappingNode):
-            place = yaml.ScalarNode("", name.value, item.start_mark, item.end_mark)
-            yield _element(place, item, path, depth + 1)
-
-
-def _plain(node: yaml.Node) -> Any:
-    loader = Loader("")
-    try:
-        return loader.construct_object(node, deep=True)
-    finally:
-        loader.dispose()
+        raise YamlError("nested too deeply", node.start_mark.line + 1, node.start_mark.column + 1)

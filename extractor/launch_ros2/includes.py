@@ -6,7 +6,8 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError
+from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError, Place
+from rosarch.extractor.launch.yaml_values import YamlError
 from rosarch.extractor.xml_reader import XmlError
 
 from .actions import carries_out, visit
@@ -101,8 +102,8 @@ def _frontend(world: World, file: str) -> Any:
     state = world.state
     try:
         root: Entity = state.files.parsed(file, read_yaml if file.endswith((".yaml", ".yml")) else read_xml)
-    except XmlError as error:
-        before, state.here = state.here, type(state.here)(file, error.line, error.column)
+    except (XmlError, YamlError) as error:
+        before, state.here = state.here, Place(file, error.line, error.column)
         state.report(LaunchError("xml", file, error.message))
         state.here = before
         return None
@@ -124,7 +125,7 @@ def _python(world: World, file: str) -> Any:
         found = run.apply(function, [], {}) if isinstance(function, Function) else function
         return found[0] if isinstance(found, tuple) and found else found
     except SyntaxError as error:
-        place = type(world.state.here)(file, error.lineno or 1, error.offset or 1)
+        place = Place(file, error.lineno or 1, error.offset or 1)
         before, world.state.here = world.state.here, place
         world.state.report(LaunchError("xml", file, f"not Python: {error.msg}"))
         world.state.here = before

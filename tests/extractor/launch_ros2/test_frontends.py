@@ -10,6 +10,10 @@ from ros2_launch_builder import HEAD, MANIFEST, composed, names, params, problem
 from rosarch.extractor.launch import Files, PackagePath, launch_files, ros_version, top_level
 
 
+_TENFOLD = [f"x{i}: &x{i} [{', '.join([f'*x{i - 1}'] * 10)}]\n" for i in range(1, 8)]
+UNFOLDING = f"x0: &x0 [a]\n{''.join(_TENFOLD)}launch:\n- arg: {{name: a, default: *x7}}\n"
+
+
 def test_xml(tmp_path: Path) -> None:
     content = """<arg name="a" default="1"><choice value="1"/><choice value="2"/></arg><let name="b" value="$(eval '$(var a) + 1')"/>
 <group><push-ros-namespace namespace="g"/><set_remap from="x" to="y"/>
@@ -81,10 +85,19 @@ def test_bad_xml(tmp_path: Path, content: str, said: str) -> None:
         ("launch: [", "main.launch.yaml:1:10: while parsing a flow node expected the node content, but found '<stream end>'"),
         ("- a", "main.launch.yaml:1:1: a launch file in YAML is a map with the key `launch`"),
         ("launch:\n- nope: {}\n", "main.launch.yaml:2:3: unknown element <nope> in <launch>"),
+        ("launch:\n- arg: {name: a, default: 2000-99-99}\n", "main.launch.yaml:1:1: month must be in 1..12"),
+        ("launch:\n- arg: {name: a, default: !own x}\n", "main.launch.yaml:2:27: could not determine a constructor for the tag '!own'"),
+        ("launch:\n- group: &a [group: *a]\n", "main.launch.yaml:1:1: a value that contains itself"),
+        (UNFOLDING, "main.launch.yaml:1:1: more than 1000000 values when aliases are unfolded"),
     ],
 )
 def test_bad_yaml(tmp_path: Path, text: str, said: str) -> None:
     assert problems(composed(tmp_path, {"main.launch.yaml": text}), tmp_path) == [said]
+
+
+def test_yaml_cannot_pose_as_an_unknown(tmp_path: Path) -> None:
+    text = 'launch:\n- node: {pkg: here, exec: run, name: "n\\U00100000"}\n'
+    assert names(composed(tmp_path, {"main.launch.yaml": text})) == ["/n\ufffd"]
 
 
 @pytest.mark.parametrize(
