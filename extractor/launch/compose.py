@@ -105,12 +105,10 @@ class _Composer:
         try:
             launch = self.state.files.parsed(path, read_launch)
         except LaunchError as error:
-            self.state.report(error, fatal=error.kind not in ("outside", "size"))
+            self.state.report_unread(error)
             return None
         except XmlError as error:
-            before, self.state.here = self.state.here, Place(path, error.line, error.column)
-            self.state.report(LaunchError("xml", path, error.message))
-            self.state.here = before
+            self.state.report(LaunchError("xml", path, error.message), place=Place(path, error.line, error.column))
             return None
         self.state.read.setdefault(path)
         return launch

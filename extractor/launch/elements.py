@@ -101,7 +101,7 @@ def _param_value(state: State, source: str, text: str, kind: str) -> _Value:
         state.spend(len(content))
         plugins = plugins_of_file(state, text, content)
     except LaunchError as error:
-        state.report(error, fatal=error.kind not in ("outside", "size"))
+        state.report_unread(error)
         return state.unknowns.mark(f"$({source} {text})"), ()
     return _converted(content, kind), plugins
 
@@ -181,7 +181,7 @@ def _yaml_text(state: State, file: str) -> str | None:
             raise LaunchError("file", file, f"no such file: {file}")
         return state.files.read_text(file)
     except LaunchError as error:
-        state.report(error, fatal=error.kind not in ("outside", "size"))
+        state.report_unread(error)
         return None
 
 

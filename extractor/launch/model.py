@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -42,6 +42,10 @@ class Condition:
     def excludes(self, other: Condition) -> bool:
         """Whether both cannot hold at once."""
         return self.key == other.key and self.holds != other.holds
+
+    def contrary(self) -> Condition:
+        """The condition that holds when this one does not."""
+        return replace(self, holds=not self.holds)
 
 
 def exclusive(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> bool:

@@ -74,10 +74,18 @@ class State:
         Raises:
             Exhausted: too many elements were processed.
         """
+        self.count()
+        self.at(element, scope)
+
+    def count(self) -> None:
+        """Count an element, or an action, that is processed.
+
+        Raises:
+            Exhausted: there were too many.
+        """
         self.elements += 1
         if self.elements > MAX_ELEMENTS:
             raise Exhausted(f"more than {MAX_ELEMENTS} elements, the rest is left out")
-        self.at(element, scope)
 
     def spend(self, characters: int) -> None:
         """Count a text that was made.
@@ -97,17 +105,19 @@ class State:
         """The file that `scope` is in, as it is shown."""
         return self.unknowns.render(scope.filename)
 
-    def report(self, error: LaunchError, fatal: bool = True) -> None:
-        """Note a problem at the present element, once."""
+    def report(self, error: LaunchError, fatal: bool = True, place: Place | None = None) -> None:
+        """Note a problem, once: at the present element, unless it has a place of its own."""
         render = self.unknowns.render
-        problem = Problem(
-            error.kind, render(error.subject), render(error.message), self.here, fatal, self.scope.conditions + self.own_conditions
-        )
-        self.problems.setdefault(problem)
+        conditions = self.scope.conditions + self.own_conditions
+        self.problems.setdefault(Problem(error.kind, render(error.subject), render(error.message), place or self.here, fatal, conditions))
 
-    def warn(self, kind: str, subject: str, message: str) -> None:
+    def report_unread(self, error: LaunchError) -> None:
+        """Note why a file is not read; what is not read here only is no fault of the launch file."""
+        self.report(error, fatal=error.kind not in ("outside", "size"))
+
+    def warn(self, kind: str, subject: str, message: str, place: Place | None = None) -> None:
         """Note something that roslaunch only warns of."""
-        self.report(LaunchError(kind, subject, message), fatal=False)
+        self.report(LaunchError(kind, subject, message), fatal=False, place=place)
 
     def text(self, element: Element, name: str, scope: Scope) -> str | None:
         """An attribute, resolved; None when it is not there."""
@@ -183,8 +193,8 @@ class State:
                 self.warn("param-conflict", setting.name, f"parameter `{setting.name}` lies below parameter `{parent}`, which has a value")
         settle(self.params, setting)
 
-    def add_node(self, node: NodeStart) -> None:
-        """Start a node; two of one name are refused unless they are alternatives."""
+    def add_node(self, node: NodeStart, fatal: bool = True) -> None:
+        """Start a node; two of one name are refused, or (not `fatal`) only reported, unless they are alternatives."""
         self.nodes.append(node)
         if not node.name:
             return
@@ -192,7 +202,7 @@ class State:
         other = next((other for other in others if not exclusive(node.conditions, other.conditions)), None)
         if other is not None:
             message = f"a second node `{node.full_name}`, the first is at {other.lines[-1]}"
-            self.report(LaunchError("duplicate-node", node.full_name, message))
+            self.report(LaunchError("duplicate-node", node.full_name, message), fatal)
         others.append(node)
 
 

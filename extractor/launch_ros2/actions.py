@@ -10,7 +10,7 @@ from rosarch.extractor.launch.model import ArgumentDeclared, LaunchError, Remap
 from rosarch.extractor.launch.names import canonical
 from rosarch.extractor.launch.scope import Scope
 
-from .conditions import contrary, holds
+from .conditions import holds
 from .context import Context, Given
 from .expressions import Raised
 from .registry import NATIVES
@@ -22,7 +22,13 @@ if TYPE_CHECKING:
 
 Handler = Callable[["World", Made, Context], None]
 HANDLERS: dict[str, Handler] = {}
-_SILENT = frozenset({"LogInfo", "Shutdown", "EmitEvent", "UnregisterEventHandler", "ReadyToTest", "LifecycleTransition", "SetROSLogDir"})
+_SILENT = frozenset(
+    {
+        *("LogInfo", "Shutdown", "EmitEvent", "UnregisterEventHandler", "ReadyToTest", "LifecycleTransition", "SetROSLogDir"),
+        # groups do this; by hand it is next to never done
+        *("PushLaunchConfigurations", "PopLaunchConfigurations", "PushEnvironment", "PopEnvironment", "ResetEnvironment"),
+    }
+)
 
 
 def carries_out(*kinds: str) -> Callable[[Handler], Handler]:
@@ -44,8 +50,8 @@ def visit(world: World, entity: Any, context: Context) -> None:
         for item in entity:
             visit(world, item, context)
     elif isinstance(entity, Either):
-        for condition, item in ((entity.condition, entity.first), (contrary(entity.condition), entity.second)):
-            if not any(outer.excludes(condition) for outer in context.conditions):
+        for condition, item in entity.alternatives():
+            if context.allows(condition):
                 with context.within(condition):
                     visit(world, item, context)
     elif isinstance(entity, Instance) and entity.made is not None:
@@ -71,9 +77,7 @@ def _visit_instance(world: World, entity: Instance, context: Context) -> None:
 
 def _visit_made(world: World, action: Made, context: Context) -> None:
     state = world.state
-    state.elements += 1
-    if state.elements > 500_000:
-        raise LaunchError("size", context.file, "more than 500000 actions, the rest is left out")
+    state.count()
     world.here(action.place)
     state.scope = Scope("/", context.file, conditions=context.conditions)
     try:
@@ -96,7 +100,7 @@ def conditional(world: World, condition: Any, context: Context) -> Iterator[bool
     found = holds(world, condition, context)
     if isinstance(found, bool):
         yield found
-    elif any(outer.excludes(found) for outer in context.conditions):
+    elif not context.allows(found):
         yield False
     else:
         before = dict(context.configurations)
@@ -197,11 +201,6 @@ def _reset(world: World, made: Made, context: Context) -> None:
     kept = _performed(world, made.get("launch_configurations") or {}, context)
     context.configurations.clear()
     context.configurations.update(kept)
-
-
-@carries_out("PushLaunchConfigurations", "PopLaunchConfigurations", "PushEnvironment", "PopEnvironment", "ResetEnvironment")
-def _push(_world: World, _made: Made, _context: Context) -> None:
-    """Groups do this; by hand it is next to never done."""
 
 
 @carries_out("SetEnvironmentVariable", "AppendEnvironmentVariable")

@@ -56,9 +56,7 @@ class Calls(Expressions):
 
     def misunderstood(self, place: Place, message: str) -> None:
         """Report what was not understood, once."""
-        before, self.world.state.here = self.world.state.here, place
-        self.world.state.warn("python", message, message)
-        self.world.state.here = before
+        self.world.state.warn("python", message, message, place)
 
     def builtin(self, node: ast.Name, frame: Frame) -> Any:
         return NATIVES.get(node.id) or super().builtin(node, frame)

@@ -63,8 +63,3 @@ def _compared(world: World, condition: Made, context: Context) -> bool | Conditi
 
 def _open(world: World, text: str, wanted: bool) -> Condition:
     return Condition(world.state.unknowns.render(text), wanted, world.state.here, text)
-
-
-def contrary(condition: Condition) -> Condition:
-    """The condition that holds when this one does not."""
-    return Condition(condition.text, not condition.holds, condition.place, condition.key)

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rosarch.extractor.launch.model import Condition, Place, Remap
+from rosarch.extractor.launch.model import Condition, Place, Remap, exclusive
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,10 @@ class Context:
     def variable(self, name: str) -> str | None:
         """The value of an environment variable."""
         return self.environment[name] if name in self.environment else self.outside.get(name)
+
+    def allows(self, condition: Condition) -> bool:
+        """Whether something under this condition, too, may be there."""
+        return not exclusive(self.conditions, (condition,))
 
     @contextmanager
     def scoped(self) -> Iterator[None]:

@@ -6,7 +6,9 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from rosarch.extractor.launch.compose import MAX_INCLUDE_DEPTH, MAX_INCLUDES
 from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError, Place
+from rosarch.extractor.launch.state import Exhausted
 from rosarch.extractor.launch.yaml_values import YamlError
 from rosarch.extractor.xml_reader import XmlError
 
@@ -21,9 +23,6 @@ from .values import Function, Made, ModuleFrame, Unknown
 
 if TYPE_CHECKING:
     from .world import World
-
-MAX_DEPTH = 60
-MAX_INCLUDES = 20_000
 
 
 @carries_out("IncludeLaunchDescription")
@@ -42,7 +41,7 @@ def _include(world: World, made: Made, context: Context) -> None:
     path = perform(world, location, context)
     place = state.here
     if len(state.includes) >= MAX_INCLUDES:
-        raise LaunchError("size", path, f"more than {MAX_INCLUDES} includes, the rest is left out")
+        raise Exhausted(f"more than {MAX_INCLUDES} includes, the rest is left out")
     passed = _pass(world, made, context)
     file = None if state.unknowns.is_open(path) else world.located(path)
     entities = None if file is None else read(world, file, len(context.lines))
@@ -86,13 +85,13 @@ def _pass(world: World, made: Made, context: Context) -> dict[str, str]:
 def read(world: World, file: str, depth: int = 0) -> Any:
     """The actions of a launch file; None, with a report, when it cannot be read."""
     state = world.state
-    if depth >= MAX_DEPTH:
-        state.report(LaunchError("cycle", file, f"includes nested more than {MAX_DEPTH} deep"))
+    if depth >= MAX_INCLUDE_DEPTH:
+        state.report(LaunchError("cycle", file, f"includes nested more than {MAX_INCLUDE_DEPTH} deep"))
         return None
     try:
         found = _python(world, file) if file.endswith(".py") else _frontend(world, file)
     except LaunchError as error:
-        state.report(error, fatal=error.kind not in ("outside", "size"))
+        state.report_unread(error)
         return None
     state.read.setdefault(file)
     return found
@@ -103,9 +102,7 @@ def _frontend(world: World, file: str) -> Any:
     try:
         root: Entity = state.files.parsed(file, read_yaml if file.endswith((".yaml", ".yml")) else read_xml)
     except (XmlError, YamlError) as error:
-        before, state.here = state.here, Place(file, error.line, error.column)
-        state.report(LaunchError("xml", file, error.message))
-        state.here = before
+        state.report(LaunchError("xml", file, error.message), place=Place(file, error.line, error.column))
         return None
     return actions_of(world, root)
 
@@ -126,9 +123,7 @@ def _python(world: World, file: str) -> Any:
         return found[0] if isinstance(found, tuple) and found else found
     except SyntaxError as error:
         place = Place(file, error.lineno or 1, error.offset or 1)
-        before, world.state.here = world.state.here, place
-        world.state.report(LaunchError("xml", file, f"not Python: {error.msg}"))
-        world.state.here = before
+        world.state.report(LaunchError("xml", file, f"not Python: {error.msg}"), place=place)
         return None
     except (Raised, Stopped, Undecided, RecursionError) as error:
         place = (error.place if isinstance(error, Raised) else None) or world.state.here

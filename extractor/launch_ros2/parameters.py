@@ -16,7 +16,6 @@ from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch.state import YAML_COST
 from rosarch.extractor.launch.yaml_values import KeyLines, RepeatedKeysLoader, YamlError
 
-from .conditions import contrary
 from .context import Context, Given
 from .frontend import yaml_value
 from .substitutions import perform
@@ -66,7 +65,7 @@ def settings(world: World, given: Given, names: tuple[str, ...], context: Contex
     elif isinstance(value, Mapping):
         yield from _of_map(world, value, given, context)
     elif isinstance(value, Either):
-        for condition, one in ((value.condition, value.first), (contrary(value.condition), value.second)):
+        for condition, one in value.alternatives():
             if one is not NOTHING:
                 yield from settings(world, Given(one, given.place, (*given.conditions, condition)), names, context)
     elif isinstance(value, Made) and value.kind in ("Parameter", "ParameterGroup"):
@@ -150,7 +149,7 @@ def _of_file(world: World, value: Any, given: Given, names: tuple[str, ...], con
     try:
         sections, lines = sections_of(world, path, context if substituted else None)
     except LaunchError as error:
-        state.report(error, fatal=error.kind not in ("outside", "size"))
+        state.report_unread(error)
         yield Unread(path, given.place)
         return
     wanted = (given.node,) if given.node is not None else names

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.model import LaunchError, NodeStart, PackageNamed, ParamSetting, Place, ProgramNamed, Remap, exclusive
+from rosarch.extractor.launch.model import LaunchError, NodeStart, PackageNamed, ParamSetting, Place, ProgramNamed, Remap
 from rosarch.extractor.launch.names import canonical, ns_join
 
 from .actions import carries_out, conditional, joined
@@ -91,10 +91,8 @@ def _load_one(world: World, one: Any, container: str, context: Context) -> None:
     if isinstance(one, (list, tuple)):
         load(world, one, container, context)
     elif isinstance(one, Either):
-        from .conditions import contrary
-
-        for condition, item in ((one.condition, one.first), (contrary(one.condition), one.second)):
-            if not any(outer.excludes(condition) for outer in context.conditions):
+        for condition, item in one.alternatives():
+            if context.allows(condition):
                 with context.within(condition):
                     _load_one(world, item, container, context)
     elif isinstance(one, Unknown):
@@ -140,7 +138,6 @@ def _start(
         args=args,
         respawn=made.arguments.get("respawn") is True,
         output=made.arguments["output"] if isinstance(made.arguments.get("output"), str) else None,
-        environment=(),
         conditions=context.conditions,
         ros=2,
         called=called,
@@ -149,7 +146,10 @@ def _start(
     for given in params:
         for found in settings(world, given, (started.full_name,), context):
             _set(world, started, found, context)
-    _add(world, started)
+    if world.state.unknowns.is_open(started.full_name):
+        world.state.nodes.append(started)
+    else:
+        world.state.add_node(started, fatal=False)
     return started
 
 
@@ -201,19 +201,6 @@ def _for_node(remaps: Iterable[Remap], called: str, context: Context) -> Iterato
 def _private(name: str) -> str:
     """`~/x` as ROS 1 writes it."""
     return f"~{name[2:]}" if name.startswith("~/") else name
-
-
-def _add(world: World, started: NodeStart) -> None:
-    state = world.state
-    state.nodes.append(started)
-    if not started.name or state.unknowns.is_open(started.full_name):
-        return
-    others = state.named.setdefault(started.full_name, [])
-    other = next((other for other in others if not exclusive(started.conditions, other.conditions)), None)
-    if other is not None:
-        message = f"a second node `{started.full_name}`, the first is at {other.lines[-1]}"
-        state.report(LaunchError("duplicate-node", started.full_name, message), fatal=False)
-    others.append(started)
 
 
 def _refer(world: World, package: str, executable: str, place: Place) -> None:

@@ -49,6 +49,10 @@ class Either:
     first: Any
     second: Any
 
+    def alternatives(self) -> tuple[tuple[Condition, Any], tuple[Condition, Any]]:
+        """Both values, each with the condition that it is there under."""
+        return (self.condition, self.first), (self.condition.contrary(), self.second)
+
 
 @dataclass(eq=False)
 class Frame:

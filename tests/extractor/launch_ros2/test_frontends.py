@@ -9,7 +9,6 @@ from ros2_launch_builder import HEAD, MANIFEST, composed, names, params, problem
 
 from rosarch.extractor.launch import Files, PackagePath, launch_files, ros_version, top_level
 
-
 _TENFOLD = [f"x{i}: &x{i} [{', '.join([f'*x{i - 1}'] * 10)}]\n" for i in range(1, 8)]
 UNFOLDING = f"x0: &x0 [a]\n{''.join(_TENFOLD)}launch:\n- arg: {{name: a, default: *x7}}\n"
 
