@@ -48,7 +48,7 @@ class PackagePath:
     def names_in(self, folder: str) -> frozenset[str]:
         """The names of the files below a package's folder, and all words of its build files: what its programs may be called."""
         if folder not in self._names:
-            self._names[folder] = _names_below(folder)
+            self._names[folder] = _names_and_words(self.paths_in(folder))
         return self._names[folder]
 
     def paths_in(self, folder: str) -> Mapping[str, Sequence[str]]:
@@ -63,21 +63,22 @@ class PackagePath:
         return self._paths[folder]
 
 
-def _names_below(folder: str) -> frozenset[str]:
-    found: set[str] = set()
-    for here, folders, names in os.walk(folder):
-        folders[:] = [name for name in folders if not name.startswith(".")]
-        found.update(names)
-        for name in names:
-            if name in _BUILD_FILES or name.endswith(".cmake"):
-                try:
-                    text = read_file(os.path.join(here, name)).decode(errors="replace")
-                except OSError:
-                    continue  # where it is evaluated, that is reported
-                text = _LINE_COMMENT.sub("", text)
-                project = _PROJECT.search(text)
-                found.update(_WORD.findall(text.replace("${PROJECT_NAME}", project[1]) if project else text))
+def _names_and_words(paths: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    found = set(paths)
+    for name in paths:
+        if name in _BUILD_FILES or name.endswith(".cmake"):
+            found.update(*map(_words_of, paths[name]))
     return frozenset(found)
+
+
+def _words_of(build_file: str) -> list[str]:
+    try:
+        text = read_file(build_file).decode(errors="replace")
+    except OSError:
+        return []  # where it is evaluated, that is reported
+    text = _LINE_COMMENT.sub("", text)
+    project = _PROJECT.search(text)
+    return _WORD.findall(text.replace("${PROJECT_NAME}", project[1]) if project else text)
 
 
 def _packages_below(top: str, roots: tuple[str, ...]) -> Iterator[tuple[str, str]]:
