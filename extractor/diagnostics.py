@@ -23,6 +23,12 @@ class Diagnostic:
         return f"{self.path}:{self.line}:{self.column}: {self.message}"
 
 
+def shortened(text: str, most: int = 60) -> str:
+    """A text as a message quotes it: in one line, with no more characters than that."""
+    line = " ".join(text.split())
+    return line if len(line) <= most else line[: most - 3] + "..."
+
+
 def unreadable(path: str | Path, error: OSError) -> Diagnostic:
     """The diagnostic for a file or folder that cannot be read."""
     return Diagnostic("unreadable", Path(path), 1, 1, f"cannot be read: {why(error)}")

@@ -330,7 +330,7 @@ def radians(expression: str) -> float:
         tree = _parsed(expression.replace("pi", "math.pi").strip())
         names = _MathNames()
         plain = names.visit(tree)
-        return float(evaluate(ast.unparse(plain), _no_name, {name: MATH[name] for name in names.used}))
+        return float(evaluate(ast.unparse(plain), no_name, {name: MATH[name] for name in names.used}))
     except (SyntaxError, ValueError, TypeError, RecursionError, MemoryError) as error:
         raise EvalFailed(str(error)) from None
 
@@ -353,7 +353,8 @@ class _MathNames(ast.NodeTransformer):
         return node
 
 
-def _no_name(name: str) -> Any:
+def no_name(name: str) -> Any:
+    """The lookup of an expression in which there are no names but those of functions."""
     raise KeyError(name)
 
 

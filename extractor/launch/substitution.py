@@ -10,6 +10,8 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Protocol
 
+from rosarch.extractor.diagnostics import shortened
+
 from .evaluation import EvalFailed, UnknownInvolved, Unsupported, evaluate, is_known_value
 from .model import LaunchError
 from .packages import PackagePath
@@ -129,9 +131,9 @@ class Resolver:
         try:
             value = evaluate(expression, lambda name: self._eval_name(name, scope), functions)
         except EvalFailed as error:
-            raise LaunchError("eval", expression, f"$(eval {_short(expression)}): {error}") from None
+            raise LaunchError("eval", expression, f"$(eval {shortened(expression)}): {error}") from None
         except Unsupported as error:
-            self.report(LaunchError("eval-unsupported", expression, f"$(eval {_short(expression)}) stays unknown: {error}"), False)
+            self.report(LaunchError("eval-unsupported", expression, f"$(eval {shortened(expression)}) stays unknown: {error}"), False)
         except UnknownInvolved:
             pass
         else:
@@ -173,11 +175,11 @@ def collect(text: str) -> list[str]:
     for index, character in enumerate(text):
         if character == "$":
             if state in ("open", "in"):
-                raise _malformed(f"`$` within a substitution argument: {_short(text)}")
+                raise _malformed(f"`$` within a substitution argument: {shortened(text)}")
             state = "dollar"
         elif character == "(":
             if state in ("open", "in"):
-                raise _malformed(f"`(` within a substitution argument: {_short(text)}")
+                raise _malformed(f"`(` within a substitution argument: {shortened(text)}")
             state = "open" if state == "dollar" else state
         elif character == ")":
             if state == "in":
@@ -212,8 +214,3 @@ def _folder(filename: str) -> str:
 
 def _malformed(message: str) -> LaunchError:
     return LaunchError("substitution", message, message)
-
-
-def _short(text: str) -> str:
-    line = " ".join(text.split())
-    return line if len(line) <= 60 else line[:57] + "..."

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from rosarch.extractor.diagnostics import shortened
+
 from .unknowns import is_known
 
 
@@ -59,12 +61,7 @@ def convert(text: str, kind: str) -> Any:
     try:
         return int(text) if kind == "int" else float(text)
     except ValueError:
-        raise ValueError(f"`{_short(text)}` is not {'an int' if kind == 'int' else 'a double'}") from None
+        raise ValueError(f"`{shortened(text, 40)}` is not {'an int' if kind == 'int' else 'a double'}") from None
 
 
 _KINDS = frozenset({"auto", "str", "string", "int", "double", "bool", "boolean", "yaml"})
-
-
-def _short(text: str) -> str:
-    line = " ".join(text.split())
-    return line if len(line) <= 40 else line[:37] + "..."

@@ -32,7 +32,7 @@ def compose(
 ) -> Composition:
     """What roslaunch or `ros2 launch` would make of launch files, each by the version of ROS that it is for; see `compose.compose`."""
     compositions: list[Composition] = []
-    for version, group in itertools.groupby(launch_files, key=lambda path: ros_version(path)):
+    for version, group in itertools.groupby(launch_files, key=ros_version):
         if version == 1:
             composed = compose_ros1(list(group), arguments, files=files, environment=environment, namespace=namespace)
         else:

@@ -121,7 +121,7 @@ def _group(world: World, made: Made, context: Context) -> None:
     scoped, forwarding = made.arguments.get("scoped", True), made.arguments.get("forwarding", True)
     given = made.get("launch_configurations") or {}
     if scoped is False:
-        _set_all(world, given, context)
+        context.configurations.update(_performed(world, given, context))
         visit(world, made.get("actions"), context)
         return
     with context.scoped():
@@ -135,10 +135,6 @@ def _group(world: World, made: Made, context: Context) -> None:
 def _performed(world: World, given: Any, context: Context) -> dict[str, str]:
     pairs = given.items() if isinstance(given, dict) else given if isinstance(given, (list, tuple)) else ()
     return {perform(world, name, context): perform(world, value, context) for name, value in pairs}
-
-
-def _set_all(world: World, given: Any, context: Context) -> None:
-    context.configurations.update(_performed(world, given, context))
 
 
 @carries_out("TimerAction", "RosTimer", "ROSTimer")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.model import Place
 
 from .expressions import Expressions, Raised, Undecided, is_certain
+from .natives import attribute
 from .natives_files import environment_item
 from .registry import KNOWN_MODULES, NATIVES
 from .values import (
@@ -68,8 +69,6 @@ class Calls(Expressions):
 
     def member(self, owner: Any, name: str, node: ast.AST, frame: Frame) -> Any:
         """`owner.name`."""
-        from .natives import attribute
-
         if isinstance(owner, Module):
             return self._of_module(owner, name, node, frame)
         if isinstance(owner, Class):
@@ -80,7 +79,7 @@ class Calls(Expressions):
             return self._of_super(owner, name, node, frame)
         found = attribute(self, owner, name)
         if found is NOTHING:
-            return Unknown(f"{_text_of(node)}", self.place(node, frame))
+            return Unknown(_text_of(node), self.place(node, frame))
         return found
 
     def _of_module(self, module: Module, name: str, node: ast.AST, frame: Frame) -> Any:
@@ -106,8 +105,6 @@ class Calls(Expressions):
         return Bound(found, owner) if isinstance(found, Function) and self.kinds.get(id(found)) == "classmethod" else found
 
     def _of_instance(self, owner: Instance, name: str, node: ast.AST, frame: Frame) -> Any:
-        from .natives import attribute
-
         if name in owner.attributes:
             return owner.attributes[name]
         try:
@@ -219,9 +216,7 @@ class Calls(Expressions):
 
     def _plain(self, value: Any) -> bool:
         """Whether a value may be handed to a function of Python's own."""
-        return isinstance(value, (Function, Bound)) or (
-            is_certain(value) and not isinstance(value, (Made, Instance, Class, PathText, TextFile, Module))
-        )
+        return isinstance(value, (Function, Bound)) or (is_certain(value) and not isinstance(value, _OBJECTS))
 
     def _callable(self, value: Any) -> Any:
         return (lambda *arguments: self.apply(value, list(arguments), {})) if isinstance(value, (Function, Bound)) else value

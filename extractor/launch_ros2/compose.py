@@ -32,10 +32,9 @@ def compose_ros2(
 ) -> Composition:
     """What `ros2 launch` would make of launch files, one after the other; see `rosarch.extractor.launch.compose`."""
     state = State(files, environment or {})
-    variables = state.resolver.environment
-    world = World(state, variables)
+    world = World(state)
     for path in map(str, launch_files):
-        context = Context(path, outside=variables, namespace=joined("", namespace or ""))
+        context = Context(path, outside=world.environment, namespace=joined("", namespace or ""))
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
         _top(world, path, context)
     return replace(finished(state, _references(world)), ros=2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError
+from rosarch.extractor.launch.values import boolean
 
 from .context import Context
 from .substitutions import perform
@@ -12,8 +13,6 @@ from .values import Either, Instance, Made
 
 if TYPE_CHECKING:
     from .world import World
-
-_TRUE, _FALSE = ("true", "1"), ("false", "0")
 
 
 def holds(world: World, condition: Any, context: Context) -> bool | Condition:
@@ -25,13 +24,11 @@ def holds(world: World, condition: Any, context: Context) -> bool | Condition:
         return found if isinstance(found, bool) else _open(world, world.as_text(found), True)
     if isinstance(condition, Either):
         first, second = (holds(world, one, context) for one in (condition.first, condition.second))
-        return (
-            first
-            if first == second
-            else condition.condition
-            if first is True and second is False
-            else _open(world, world.as_text(condition), True)
-        )
+        if first == second:
+            return first
+        if first is True and second is False:
+            return condition.condition
+        return _open(world, world.as_text(condition), True)
     if not isinstance(condition, Made):
         return _open(world, world.as_text(condition), True)
     world.here(condition.place)
@@ -41,9 +38,10 @@ def holds(world: World, condition: Any, context: Context) -> bool | Condition:
     text = perform(world, condition.get("predicate_expression"), context)
     if world.state.unknowns.is_open(text):
         return _open(world, text, wanted)
-    if text.strip().lower() not in (*_TRUE, *_FALSE):
-        raise LaunchError("condition", text, f"{'if' if wanted else 'unless'}: `{text}` is not true or false")
-    return (text.strip().lower() in _TRUE) is wanted
+    try:
+        return boolean(text) is wanted
+    except ValueError:
+        raise LaunchError("condition", text, f"{'if' if wanted else 'unless'}: `{text}` is not true or false") from None
 
 
 def _compared(world: World, condition: Made, context: Context) -> bool | Condition:

@@ -9,6 +9,7 @@ import ast
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from rosarch.extractor.diagnostics import shortened
 from rosarch.extractor.launch.eval_functions import BUILTINS, METHODS, TooLarge, format_text, size_of
 from rosarch.extractor.launch.evaluation import BINARY, COMPARE, CONVERSIONS, PYTHON_ERRORS, UNARY, check_size
 from rosarch.extractor.launch.model import Condition, Place
@@ -51,7 +52,7 @@ class Expressions:
 
     def unknown(self, node: ast.expr, frame: Frame, reason: str = "") -> Unknown:
         """The value of an expression that cannot be told."""
-        return Unknown(_short(ast.unparse(node)), self.place(node, frame), reason)
+        return Unknown(_source(node), self.place(node, frame), reason)
 
     def step(self, count: int = 1) -> None:
         """Count work that was done."""
@@ -155,7 +156,7 @@ class Expressions:
         if isinstance(value, (list, tuple, set, dict, range, str)) and (not isinstance(value, str) or is_known(value)):
             return list(value)
         if isinstance(value, (Unknown, Either, Made, Instance, str)):
-            return [Unknown(f"each of {_short(ast.unparse(node))}", self.place(node, frame))]
+            return [Unknown(f"each of {_source(node)}", self.place(node, frame))]
         raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))
 
     # -- operators ------------------------------------------------------------------------------------------------------------
@@ -245,10 +246,10 @@ class Expressions:
         condition = self.condition(node.test, frame)
         return either(condition, self.value(node.body, frame), self.value(node.orelse, frame))
 
-    def condition(self, test: ast.expr, frame: Frame, holds: bool = True) -> Condition:
+    def condition(self, test: ast.expr, frame: Frame) -> Condition:
         """A condition of the launch file that cannot be known."""
-        text = _short(ast.unparse(test))
-        return Condition(text, holds, self.place(test, frame), f"{frame.module.file}: {text}")
+        text = _source(test)
+        return Condition(text, True, self.place(test, frame), f"{frame.module.file}: {text}")
 
     def _namedexpr(self, node: ast.NamedExpr, frame: Frame) -> Any:
         frame.variables[node.target.id] = found = self.value(node.value, frame)
@@ -356,6 +357,5 @@ def _is_object(value: Any) -> bool:
     return not (value is None or isinstance(value, (bool, int, float, str, bytes, list, tuple, set, dict, range, slice)))
 
 
-def _short(text: str) -> str:
-    line = " ".join(text.split())
-    return line if len(line) <= 80 else line[:77] + "..."
+def _source(node: ast.expr) -> str:
+    return shortened(ast.unparse(node), 80)

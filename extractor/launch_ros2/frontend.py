@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import LaunchError, Place
-from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
 
 from .texts import parsed
 from .values import Made
@@ -84,7 +83,7 @@ def text(child: Entity, name: str) -> Any:
 
 
 def _plain(value: Any) -> str:
-    return {True: "true", False: "false"}.get(value, str(value)) if isinstance(value, bool) else str(value)
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def required(child: Entity, *names: str) -> Any:
@@ -287,11 +286,3 @@ def value_of(child: Entity) -> Any:
 
 def _typed(found: str, kind: str, child: Entity) -> Any:
     return Made("ParameterValue", {"value": parsed(found, child.place), "value_type": kind}, child.place)
-
-
-def yaml_value(source: str) -> Any:
-    """What a text is as YAML; the text itself when it is none."""
-    try:
-        return load_yaml(source, Loader)
-    except YamlError:
-        return source

@@ -232,10 +232,11 @@ class Interpreter(Calls):
             return
         if len(self.path) >= MAX_FORKS:
             raise Undecided
-        self._both(self.condition(node.test, frame), self.condition(node.test, frame, holds=False), node, frame)
+        self._both(self.condition(node.test, frame), node, frame)
 
-    def _both(self, holds: Condition, fails: Condition, node: ast.If, frame: Frame) -> None:
+    def _both(self, holds: Condition, node: ast.If, frame: Frame) -> None:
         """Both branches of an undecided `if`, and what they come to."""
+        fails = holds.contrary()
         before = dict(frame.variables)
         first, first_return, first_dead = self._branch(node.body, holds, frame)
         frame.variables.clear()

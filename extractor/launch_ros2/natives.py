@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, METHODS
 from rosarch.extractor.launch.unknowns import is_known
 
+from .conditions import holds
 from .context import Context
 from .expressions import is_certain
 from .natives_files import FILE_METHODS, PATH_METHODS
 from .registry import NATIVES, native
+from .substitutions import perform
 from .values import NOTHING, Bound, Class, Constructor, Either, Function, Instance, Made, Native, PathText, TextFile, Unknown
 
 if TYPE_CHECKING:
@@ -58,8 +60,7 @@ def _of_plain(owner: Any, name: str) -> Any:
             return _formatted(owner, name, arguments, named)
         if any(isinstance(item, (Made, Instance, Function, PathText)) for item in arguments) and isinstance(owner, str):
             return NOTHING
-        found = method(owner, *arguments, **named)
-        return None if found is None else found
+        return method(owner, *arguments, **named)
 
     return Native(name, call)
 
@@ -157,14 +158,10 @@ def _add(run: Calls, owner: Made, item: Any, *_more: Any) -> Any:
 
 
 def _perform(run: Calls, owner: Made, context: Any = None) -> Any:
-    from .substitutions import perform
-
     return perform(run.world, owner, context) if isinstance(context, Context) else NOTHING
 
 
 def _evaluate(run: Calls, owner: Made, context: Any = None) -> Any:
-    from .conditions import holds
-
     found = holds(run.world, owner, context) if isinstance(context, Context) else None
     return NOTHING if found is None or not isinstance(found, bool) else found
 
@@ -178,8 +175,6 @@ _MADE["describe"] = lambda _run, _owner: NOTHING
 
 
 def _perform_substitution(run: Calls, context: Context, substitution: Any) -> Any:
-    from .substitutions import perform
-
     return perform(run.world, substitution, context)
 
 

@@ -14,10 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch.state import YAML_COST
-from rosarch.extractor.launch.yaml_values import KeyLines, RepeatedKeysLoader, YamlError
+from rosarch.extractor.launch.yaml_values import KeyLines, Loader, RepeatedKeysLoader, YamlError, load_yaml
 
 from .context import Context, Given
-from .frontend import yaml_value
 from .substitutions import perform
 from .texts import parsed
 from .values import NOTHING, Either, Instance, Made, Unknown
@@ -135,6 +134,14 @@ def _typed(world: World, made: Made, context: Context) -> Any:
     return float(found) if name in ("float", "double") and isinstance(found, int) and not isinstance(found, bool) else found
 
 
+def yaml_value(source: str) -> Any:
+    """What a text is as YAML; the text itself when it is none."""
+    try:
+        return load_yaml(source, Loader)
+    except YamlError:
+        return source
+
+
 # -- files --------------------------------------------------------------------------------------------------------------------
 
 
@@ -157,7 +164,7 @@ def _of_file(world: World, value: Any, given: Given, names: tuple[str, ...], con
         for name, found, keys in _leaves("", section.values, section.keys):
             line = lines.get(keys)
             written = Place(world.located(path), line) if line and path not in world.written else None
-            yield Setting(name, found, given.place, given.conditions, world.origins.get(path, path), written)
+            yield Setting(name, found, given.place, given.conditions, path, written)
 
 
 def sections_of(world: World, path: str, context: Context | None) -> tuple[list[Section], KeyLines]:

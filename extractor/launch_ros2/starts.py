@@ -13,8 +13,7 @@ from rosarch.extractor.launch.names import canonical, ns_join
 
 from .actions import carries_out, conditional, joined
 from .context import Context, Given
-from .frontend import yaml_value
-from .parameters import Setting, Unread, likely_name, sections_of, settings
+from .parameters import Setting, Unread, likely_name, sections_of, settings, yaml_value
 from .substitutions import perform
 from .values import Either, Instance, Made, Unknown
 

@@ -7,8 +7,11 @@ import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value
+from rosarch.extractor.launch.commands import words_of
+from rosarch.extractor.launch.descriptions import evaluated
+from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, no_name
 from rosarch.extractor.launch.model import ArgumentUsed, LaunchError
+from rosarch.extractor.launch.values import boolean
 from rosarch.extractor.urdf.command import xacro_call
 
 from .context import Context
@@ -176,9 +179,6 @@ def _content(world: World, made: Made, context: Context) -> str:
 @performs("Command")
 def _command(world: World, made: Made, context: Context) -> str:
     """What a command prints: it is not run. rosarch evaluates xacro files itself."""
-    from rosarch.extractor.launch.commands import words_of
-    from rosarch.extractor.launch.descriptions import evaluated
-
     command = perform(world, made.get("command"), context)
     unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
     try:
@@ -203,7 +203,7 @@ def _expression(world: World, made: Made, context: Context) -> str:
     text = perform(world, made.get("expression"), context)
     evaluator = Evaluator if "\\" in text else _WithUnknowns  # an escape could pose as an unknown
     try:
-        value = evaluator(_no_name, {}).evaluate(text)
+        value = evaluator(no_name, {}).evaluate(text)
     except EvalFailed as error:
         if _is_open(world, text):  # the unknown may be a part of the expression itself
             return _mark(world, f"$(eval {_rendered(world, text)})", text)
@@ -222,20 +222,14 @@ class _WithUnknowns(Evaluator):
         return node.value
 
 
-def _no_name(name: str) -> Any:
-    raise KeyError(name)
-
-
 def _boolean(world: World, text: str) -> bool | None:
     """A text as a Boolean; None when it is not known."""
     if _is_open(world, text):
         return None
-    lowered = text.strip().lower()
-    if lowered in ("true", "1"):
-        return True
-    if lowered in ("false", "0"):
-        return False
-    raise LaunchError("condition", text, f"`{text}` is not true or false")
+    try:
+        return boolean(text)
+    except ValueError:
+        raise LaunchError("condition", text, f"`{text}` is not true or false") from None
 
 
 def _told(world: World, found: bool | None, name: str, *texts: str) -> str:
@@ -262,7 +256,7 @@ def _both(world: World, made: Made, context: Context) -> str:
     parts = [*made.arguments.values(), *made.rest]
     texts = [perform(world, part, context) for part in parts]
     values = [_boolean(world, text) for text in texts]
-    wanted = made.kind[:2] in ("Or", "An") and made.kind not in ("AndSubstitution",)
+    wanted = made.kind in ("OrSubstitution", "AnySubstitution")
     found = wanted if wanted in values else None if None in values else not wanted
     return _told(world, found, made.kind.removesuffix("Substitution").lower(), *texts)
 

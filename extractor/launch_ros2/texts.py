@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from rosarch.extractor.diagnostics import shortened
 from rosarch.extractor.launch.model import LaunchError, Place
 
 from .values import Made
@@ -91,7 +92,7 @@ class _Parser:
             while index < len(text) and text[index].isspace():
                 index += 1
             if index >= len(text):
-                raise LaunchError("substitution", text, f"`$(` is not closed: {_short(text)}")
+                raise LaunchError("substitution", text, f"`$(` is not closed: {shortened(text)}")
             if text[index] == ")":
                 break
             if text[index] in "\"'":
@@ -122,8 +123,3 @@ class _Parser:
         if name == "optenv":
             given.setdefault("default_value", "")
         return Made(kind, given, self.place)
-
-
-def _short(text: str) -> str:
-    line = " ".join(text.split())
-    return line if len(line) <= 60 else line[:57] + "..."

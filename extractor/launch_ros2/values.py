@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -61,7 +61,6 @@ class Frame:
     variables: dict[str, Any]
     module: ModuleFrame
     above: Frame | None = None
-    conditions: int = 0
     returns: list[tuple[Condition, Any]] = field(default_factory=list)
     shared: set[str] = field(default_factory=set)
     yielded: list[Any] | None = None
@@ -181,18 +180,14 @@ class TextFile:
 
     name: str
     text: str | None
-    position: int = 0
 
 
-def _known_classes() -> Iterator[tuple[str, str, tuple[str, ...]]]:
-    for line in (Path(__file__).parent / "api.txt").read_text(encoding="utf-8").splitlines():
-        if line and not line.startswith("#"):
-            module, name, *parameters = line.split()
-            yield module, name, tuple(parameters)
-
-
-CLASSES = {name: parameters for _, name, parameters in _known_classes()}
+CLASSES: dict[str, tuple[str, ...]] = {}
 """The classes of launch with the names of their parameters."""
 MODULES: dict[str, list[str]] = {}
-for _module, _name, _parameters in _known_classes():
-    MODULES.setdefault(_module, []).append(_name)
+"""The modules of launch with the names of their classes."""
+for _line in (Path(__file__).parent / "api.txt").read_text(encoding="utf-8").splitlines():
+    if not _line.startswith("#"):
+        _module, _name, *_parameters = _line.split()
+        CLASSES[_name] = tuple(_parameters)
+        MODULES.setdefault(_module, []).append(_name)

@@ -25,18 +25,21 @@ _KNOWN_NAMES = frozenset(path.stem for path in _KNOWN.glob("*.txt"))
 class World:
     """One composition in progress."""
 
-    def __init__(self, state: State, environment: Mapping[str, str]) -> None:
+    def __init__(self, state: State) -> None:
         self.state = state
-        self.environment = environment
         self.interpreter = Interpreter(self)
         self.written: dict[str, str] = {}
         self.described: dict[str, tuple[SimulatorPlugin, ...]] = {}
-        self.origins: dict[str, str] = {}
         self.parameter_texts: dict[str, tuple[list[Section], KeyLines]] = {}
         self.performed: dict[tuple[int, frozenset[tuple[str, str]]], tuple[Any, str]] = {}
         self.references: list[Reference] = []
         self.asked: list[str] = []
         self.temporary = 0
+
+    @property
+    def environment(self) -> Mapping[str, str]:
+        """The environment variables that launch is started with."""
+        return self.state.resolver.environment
 
     def as_text(self, value: Any) -> str:
         """A value as a text, or a part of one; an unknown as what the source writes for it."""
@@ -65,10 +68,10 @@ class World:
         state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
         return state.unknowns.mark(f"$(find-pkg-share {package})")
 
-    def new_file(self, suffix: str = "") -> str:
+    def new_file(self) -> str:
         """The name of a temporary file."""
         self.temporary += 1
-        return self.state.unknowns.mark(f"$(temporary file {self.temporary}{suffix})", self.temporary)
+        return self.state.unknowns.mark(f"$(temporary file {self.temporary})", self.temporary)
 
     def source_of(self, path: str) -> str:
         """The text of a file, one that was written meanwhile included.

@@ -14,8 +14,9 @@ from typing import Any
 
 import yaml
 
+from rosarch.extractor.diagnostics import shortened
 from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, TooLarge
-from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value
+from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, no_name
 from rosarch.extractor.launch.model import LaunchError
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
 
@@ -41,7 +42,7 @@ def tokens(text: str, dialect: Dialect) -> tuple[tuple[str, str], ...]:
     while position < len(text):
         match = pattern.match(text, position)
         if match is None and dialect.prefixed:
-            raise XacroError(f"`{_short(text[position:])}` is not closed")
+            raise XacroError(f"`{shortened(text[position:])}` is not closed")
         if match is None:
             break  # the rest is dropped without a word
         found.append((str(match.lastgroup), match[0]))
@@ -99,9 +100,9 @@ class Texts:
             if isinstance(value, str) or is_known_value(value):
                 return value
         except EvalFailed as error:
-            raise XacroError(f"${{{_short(expression)}}}: {error}", expression) from None
+            raise XacroError(f"${{{shortened(expression)}}}: {error}", expression) from None
         except Unsupported as error:
-            self.context.report(LaunchError("eval-unsupported", expression, f"${{{_short(expression)}}} stays unknown: {error}"), False)
+            self.context.report(LaunchError("eval-unsupported", expression, f"${{{shortened(expression)}}} stays unknown: {error}"), False)
         except UnknownInvolved:
             pass
         finally:
@@ -206,22 +207,13 @@ def _scaled(factor: float) -> Callable[[_YamlLoader, yaml.Node], float]:
     def construct(loader: _YamlLoader, node: yaml.Node) -> float:
         text = str(loader.construct_scalar(node))  # type: ignore[arg-type]
         try:
-            return float(Evaluator(_no_name, _MATH).evaluate(text.strip())) * factor
+            return float(Evaluator(no_name, _MATH).evaluate(text.strip())) * factor
         except (EvalFailed, Unsupported, TypeError, ValueError):
             raise yaml.constructor.ConstructorError(None, None, f"invalid expression: {text}", node.start_mark) from None
 
     return construct
 
 
-def _no_name(name: str) -> Any:
-    raise KeyError(name)
-
-
 _UNITS = {"radians": 1.0, "degrees": math.pi / 180.0, "meters": 1.0, "millimeters": 0.001, "foot": 0.3048, "inches": 0.0254}
 for _unit, _factor in _UNITS.items():
     _YamlLoader.add_constructor(f"!{_unit}", _scaled(_factor))
-
-
-def _short(text: str) -> str:
-    line = " ".join(text.split())
-    return line if len(line) <= 60 else line[:57] + "..."
