@@ -125,13 +125,11 @@ def load_surrounding(inputs: SystemInputs, configuration: Configuration | None =
 
 def tell_systems(inputs: SystemInputs, configuration: Configuration | None = None) -> Mapping[str, Told]:
     """How often topics of these systems are sent on, and by rules of data flow what influences what."""
-    from rosarch.models.rule_sets import system_rules
     from rosarch.models.system.told import tell
 
     shared, launches = load_surrounding(inputs, configuration)
     with progress() as report:
-        reading = _reading(inputs, configuration, report)
-        return tell(system_rules(reading.rules), shared, launches, reading)
+        return tell(shared, launches, _reading(inputs, configuration, report))
 
 
 def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rosarch.extractor.cache import Cache, hash_of, rows_digest
 from rosarch.extractor.diagnostics import Diagnostic
@@ -35,6 +35,8 @@ class SystemAnalysis:
 
 Composed = tuple[SystemModel, list[Finding]]
 """A system, and what checks find in it."""
+Made = TypeVar("Made")
+Maker = Callable[["SystemRules", Launch, Rows, Reading], Made]
 
 
 def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | None = None, memo: Memo | None = None) -> SystemAnalysis:
@@ -46,7 +48,7 @@ def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | N
     shared = surrounding(root, launches, reading, memo)
     composed: dict[int, Composed] = {}
     diagnostics = list(shared.diagnostics)
-    for index, outcome in _composed(shared, launches, reading):
+    for index, outcome in each_system("system", shared, launches, reading, _system):
         if isinstance(outcome, Failure):
             detail = f"{launches[index].name} not composed: {outcome.reason} ({outcome.detail})"
             diagnostics.append(Diagnostic("launch", root, 1, 1, detail))
@@ -59,9 +61,15 @@ def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | N
     return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
 
 
-def _composed(shared: Surrounding, launches: Sequence[Launch], reading: Reading) -> Iterator[tuple[int, Composed | Failure]]:
-    """What becomes of each launch: as it was when all facts are the same, else worked out in worker processes."""
-    kept = SystemCache(reading.cache, rules_hash(reading.rules), reading.engine, shared.components.digest) if reading.cache else None
+def each_system(
+    stage: str, shared: Surrounding, launches: Sequence[Launch], reading: Reading, make: Maker[Made]
+) -> Iterator[tuple[int, Made | Failure]]:
+    """What `make` makes of each launch, by its index: as it was when all facts are the same, else worked out in worker processes.
+
+    `stage` tells in the cache what is made.
+    """
+    cache, digest = reading.cache, shared.components.digest
+    kept = SystemCache(cache, stage, rules_hash(reading.rules), reading.engine, digest) if cache else None
     own = list(map(shared.own_rows, launches))
     waiting = []
     for index, launch in enumerate(launches):
@@ -77,8 +85,8 @@ def _composed(shared: Surrounding, launches: Sequence[Launch], reading: Reading)
 
     rules = system_rules(reading.rules)
 
-    def work(index: int) -> Composed:
-        return _system(rules, launches[index], shared.with_components(own[index]), reading.engine)
+    def work(index: int) -> Made:
+        return make(rules, launches[index], shared.with_components(own[index]), reading)
 
     for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=LIMITS.evaluation):
         if kept and not isinstance(outcome, Failure):
@@ -90,32 +98,32 @@ def _composed(shared: Surrounding, launches: Sequence[Launch], reading: Reading)
 
 @dataclass(frozen=True)
 class SystemCache:
-    """The systems that rules make of components; `rules` is a hash of those that do not ship, `components` one of the components' rows."""
+    """What rules make of systems; `rules` is a hash of those that do not ship, `components` one of the components' rows."""
 
     cache: Cache
+    stage: str
     rules: str
     engine: str
     components: str
 
-    def load(self, launch: Launch, own: Rows) -> Composed | None:
-        """A system, found by a hash of all its facts; None when there is none."""
-        return self.cache.load_value(self._key(launch, own), tuple)
+    def load(self, launch: Launch, own: Rows) -> Any:
+        """What was made of a system, found by a hash of all its facts; None when there is nothing."""
+        return self.cache.load_value(self._key(launch, own), object)
 
-    def store(self, launch: Launch, own: Rows, composed: Composed) -> None:
-        """Keep a system."""
-        self.cache.store_value(self._key(launch, own), composed)
+    def store(self, launch: Launch, own: Rows, made: object) -> None:
+        """Keep what was made of a system."""
+        self.cache.store_value(self._key(launch, own), made)
 
     def _key(self, launch: Launch, own: Rows) -> str:
         words = (launch.name, "", *launch.words, "")
-        return hash_of(["system", stage_version(), self.rules, self.engine, self.components, *words, rows_digest(own)])
+        return hash_of([self.stage, stage_version(), self.rules, self.engine, self.components, *words, rows_digest(own)])
 
 
-def _system(rules: SystemRules, launch: Launch, rows: Rows, engine: str) -> Composed:
-
+def _system(rules: SystemRules, launch: Launch, rows: Rows, reading: Reading) -> Composed:
     from rosarch.models.system.build import evaluate, system_model
     from rosarch.models.system.findings import findings
 
-    result = evaluate(rules, rows, engine)
+    result = evaluate(rules, rows, reading.engine)
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
     return system_model(launch.name, launch.words, rows, result, places), findings(rules.checks, result, places, launch.name)
 

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from rosarch.extractor.cache import hash_of, rows_digest
-from rosarch.extractor.limits import LIMITS
-from rosarch.extractor.memo import stage_version
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.pool import Failure
 from rosarch.models.rule_sets import SystemRules
+from rosarch.models.system.analysis import each_system
 from rosarch.models.system.rates import RATE_RELATIONS, TopicRate, all_rates
-from rosarch.models.system.reading import Reading, rules_hash
+from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows
 from rosarch.models.system.surrounding import Launch, Surrounding
 
@@ -39,33 +37,18 @@ class Told:
     steps: tuple[InfluenceStep, ...] | None = None
 
 
-def tell(rules: SystemRules, shared: Surrounding, launches: Sequence[Launch], reading: Reading) -> Mapping[str, Told]:
-    """By the systems' names, in worker processes; a system that takes too long is left out."""
+def tell(shared: Surrounding, launches: Sequence[Launch], reading: Reading) -> Mapping[str, Told]:
+    """By the systems' names; a system that takes too long is left out."""
     found: dict[str, Told] = {}
-    own = [shared.own_rows(launch) for launch in launches]
-    waiting = []
-    for index, launch in enumerate(launches):
-        known = _kept(reading, shared, own[index])
-        if known is None:
-            waiting.append(index)
-        else:
-            found[launch.name] = known
-
-    def work(index: int) -> Told:
-        return _told(rules, shared.with_components(own[index]), reading)
-
-    for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=LIMITS.evaluation):
-        index = waiting[done]
+    for done, (index, outcome) in enumerate(each_system("told", shared, launches, reading, _told), 1):
         if not isinstance(outcome, Failure):
             found[launches[index].name] = outcome
-            if reading.cache:
-                reading.cache.store_value(_key(reading, shared, own[index]), outcome)
         if reading.progress:
-            reading.progress("rates", len(launches) - len(waiting) + done + 1, len(launches))
+            reading.progress("rates", done, len(launches))
     return found
 
 
-def _told(rules: SystemRules, rows: Rows, reading: Reading) -> Told:
+def _told(rules: SystemRules, _launch: Launch, rows: Rows, reading: Reading) -> Told:
     wanted = (*RATE_RELATIONS, *(_STEPS if reading.rules.flows else ()))
     result = rules.program.evaluate(rows, engine=reading.engine, keep=wanted)
     rates = tuple(all_rates(result))
@@ -82,11 +65,3 @@ def _told(rules: SystemRules, rows: Rows, reading: Reading) -> Told:
 def _end(port: tuple[str, str, str]) -> End:
     node, model, parameter = port
     return node, model.rpartition("#")[2] + (f":{parameter}" if parameter else "")
-
-
-def _kept(reading: Reading, shared: Surrounding, own: Rows) -> Told | None:
-    return reading.cache.load_value(_key(reading, shared, own), Told) if reading.cache else None
-
-
-def _key(reading: Reading, shared: Surrounding, own: Rows) -> str:
-    return hash_of(["told", stage_version(), rules_hash(reading.rules), reading.engine, shared.components.digest, rows_digest(own)])
