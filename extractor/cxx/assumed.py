@@ -5,11 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from rosarch.extractor.messages.ros2 import snake_case
+from rosarch.extractor.messages.ros2 import PARTS, forwarding_text, interface_of, main_header, snake_case
 
 _ROS1 = re.compile(r"([a-z][a-z0-9_]*)/([A-Z]\w*)\.h")
-_ROS2 = re.compile(r"([a-z][a-z0-9_]*)/(msg|srv|action)/(?:detail/)?([a-z][a-z0-9_]*?)(?:__[a-z]\w*)?\.hpp")
-_PARTS = {"msg": ("",), "srv": ("_Request", "_Response"), "action": ("_Goal", "_Result", "_Feedback")}
 _ABBREVIATION = 4
 _KINDS = {"msg": "message", "srv": "service", "action": "action"}
 
@@ -18,10 +16,10 @@ def assumed_text(header: str) -> str:
     """What stands in for an absent header; empty when its name is not that of an interface."""
     if match := _ROS1.fullmatch(header):
         return _ros1_text(*match.groups())
-    if match := _ROS2.fullmatch(header):
-        package, folder, snake = match.groups()
-        if header != f"{package}/{folder}/{snake}.hpp":
-            return f"#pragma once\n#include <{package}/{folder}/{snake}.hpp>\n"
+    if interface := interface_of(header):
+        package, folder, snake = interface
+        if header != main_header(*interface):
+            return forwarding_text(main_header(*interface))
         name = _camel_case(snake)
         others = dict.fromkeys(_camel_case(snake, part) for part in snake.split("_") if 1 < len(part) <= _ABBREVIATION)
         return _ros2_text(package, folder, name, [other for other in others if other != name])
@@ -33,13 +31,13 @@ def assumed_classes(header: str) -> list[tuple[str, str, str]]:
     if match := _ROS1.fullmatch(header):
         package, name = match.groups()
         return [(f"{package}::{name}_", "message", f"{package}/{name}")]
-    if match := _ROS2.fullmatch(header):
-        package, folder, snake = match.groups()
+    if interface := interface_of(header):
+        package, folder, snake = interface
         name = _camel_case(snake)
         scope, type_ = f"{package}::{folder}::{name}", f"{package}/{name}"
         if folder == "msg":
             return [(f"{scope}_", "message", type_)]
-        parts = [(f"{scope}{part}_", part[1:].lower(), type_) for part in _PARTS[folder]]
+        parts = [(f"{scope}_{part}_", part.lower(), type_) for part in PARTS[folder]]
         return [(scope, _KINDS[folder], type_), *parts]
     return []
 
@@ -49,10 +47,10 @@ def assumed_struct(path: Sequence[str]) -> tuple[str, str] | None:
     if len(path) == 2 and path[1][:1].isupper():
         name = path[1].rstrip("_")
         return f"{path[0]}/{name}.h", f"{name}_"
-    if len(path) == 3 and path[1] in _PARTS and path[2][:1].isupper():
+    if len(path) == 3 and path[1] in _KINDS and path[2][:1].isupper():
         struct = path[2].rstrip("_")
         name = struct.partition("_")[0]
-        return f"{path[0]}/{path[1]}/{snake_case(name)}.hpp", f"{struct}_"
+        return main_header(path[0], path[1], snake_case(name)), f"{struct}_"
     return None
 
 
@@ -74,11 +72,11 @@ def _ros1_text(package: str, name: str) -> str:
 
 
 def _ros2_text(package: str, folder: str, name: str, others: Iterable[str]) -> str:
-    structs = [
-        f"struct {name}{part}_ {{\n  ROSARCH_MESSAGE({name}{part}_)\n}};\ntypedef {name}{part}_ {name}{part};" for part in _PARTS[folder]
-    ]
-    if folder != "msg":
-        members = [f"  typedef {name}{part} {part[1:]};" for part in _PARTS[folder]]
+    parts = PARTS.get(folder, ())
+    names = [f"{name}_{part}" for part in parts] or [name]
+    structs = [f"struct {part}_ {{\n  ROSARCH_MESSAGE({part}_)\n}};\ntypedef {part}_ {part};" for part in names]
+    if parts:
+        members = [f"  typedef {name}_{part} {part};" for part in parts]
         structs.append("\n".join([f"struct {name} {{", *members, f"  ROSARCH_{_KINDS[folder].upper()}({name})", "};"]))
     body = "\n".join([*structs, *(f"typedef {name} {other};" for other in others)])
     return f"#pragma once\n#include <rosarch/message_prelude.hpp>\nnamespace {package} {{ namespace {folder} {{\n{body}\n}}}}\n"

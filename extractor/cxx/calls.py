@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from operator import itemgetter
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body, expressions, operands, strip, template_argument_texts
@@ -17,6 +18,7 @@ from rosarch.extractor.cxx.declarations import (
     is_template_parameter,
 )
 from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
+from rosarch.extractor.cxx.recover import hide, split
 
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*|new|delete)$")
 _VALUES = frozenset({kinds.STRING, kinds.INTEGER, kinds.FLOATING, kinds.BOOLEAN, kinds.CHARACTER, kinds.NULLPTR, kinds.INIT_LIST})
@@ -24,6 +26,7 @@ _MEMBER_NAME = re.compile(r"(?:\.|->|::)\s*(?:template\s+)?(~?\w+)\s*$")
 _BUILTIN = re.compile(r"(unsigned |signed |long |short )*(int|bool|float|double|char|long|short|unsigned)")
 _MEMBER_TYPE = re.compile(r"(?:typename\s+)?\w+\s*::\s*(\w+)")
 _CONSTRUCTED = re.compile(rb"(?:\w+\s*::\s*)*\w+")
+_OPENING = re.compile(rb"[({]")
 _LAST_NAME = re.compile(r"(~?\w+)\s*(?:<.*>)?\s*$", re.DOTALL)
 
 
@@ -105,12 +108,12 @@ def lower_base_construction(body: Body, base: Tree, values: list[Tree]) -> str:
     """
     unit, type_ = body.unit, libclang.target(base)
     span = unit.span_of(base)
-    found = [tree for value in values for tree in _all(value) if kinds.is_expression(tree.kind)]
+    found = [(unit.span_of(tree), tree) for value in values for tree in _all(value) if kinds.is_expression(tree.kind)]
     lowered = []
-    for begin, end in _pieces(span.file.data, span.end):
-        within = [tree for tree in found if begin <= unit.span_of(tree).begin < unit.span_of(tree).end <= end]
+    for begin, end in _pieces(span.file.data, span.end, max(place.end for place, _ in found)):
+        within = [(place.end - place.begin, tree) for place, tree in found if begin <= place.begin < place.end <= end]
         if within:
-            lowered.append(_lower(body, max(within, key=lambda tree: unit.span_of(tree).end - unit.span_of(tree).begin), text=True))
+            lowered.append(_lower(body, max(within, key=itemgetter(0))[1], text=True))
     call, _ = body.node(base, "call")
     unit.add("call", call, libclang.spelling(type_))
     unit.add("call_unresolved", call, "dependent")
@@ -128,25 +131,13 @@ def _all(tree: Tree) -> Iterator[Tree]:
         yield from _all(child)
 
 
-_BRACKETS = re.compile(rb"[(){}\[\],]|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'")
-
-
-def _pieces(data: bytes, begin: int) -> list[tuple[int, int]]:
-    """Where the parts between commas lie of the bracket that follows `begin`."""
-    pieces, depth, start = [], 0, begin
-    for match in _BRACKETS.finditer(data, begin):
-        mark = match.group()
-        if mark in b"({[":
-            depth += 1
-            start = match.end() if depth == 1 else start
-        elif mark in b")}]" or (mark == b"," and depth == 1):
-            depth -= mark != b","
-            if depth <= 1 and (mark == b"," or depth == 0):
-                pieces.append((start, match.start()))
-                start = match.end()
-            if depth <= 0:
-                break
-    return pieces
+def _pieces(data: bytes, begin: int, end: int) -> Iterator[tuple[int, int]]:
+    """Where the parts between commas lie of the bracket that follows `begin`; the last is read up to `end`."""
+    text = hide(data[begin:end])
+    if opening := _OPENING.search(text):
+        inside = opening.end()
+        for start, stop in split(text[inside:], b","):
+            yield begin + inside + start, begin + inside + stop
 
 
 def _same_place(body: Body, outer: Tree, inner: Tree) -> bool:
@@ -323,8 +314,4 @@ def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> 
                     found = target
     if found is not None:
         return _written_instance(body, callee, text, begin, end, declare_class(body.unit, found))
-    return (
-        text
-        if re.fullmatch(r"(unsigned |signed |long |short )*(int|bool|float|double|char|long|short|unsigned)", text)
-        else declare_unknown_type(body.unit, text)
-    )
+    return text if _BUILTIN.fullmatch(text) else declare_unknown_type(body.unit, text)

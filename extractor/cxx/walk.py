@@ -101,28 +101,30 @@ def walk_function(unit: UnitFacts, cursor: Cursor) -> None:
 
 def _walk_initialisers(body: Body, tree: Tree) -> None:
     """A constructor's initialiser list: a reference to field, base or the class itself, then its value."""
-    target: Tree | None = None
-    given: list[Tree] = []  # in a template: the arguments of a base's constructor, which clang does not name
-    for child in (*tree.children, None):
-        if child is None or child.kind in (kinds.MEMBER_REFERENCE, kinds.TYPE_REFERENCE) or not kinds.is_expression(child.kind):
-            if given and target is not None:
-                value = lower_base_construction(body, target, given)
-                body.unit.add("call_receiver", value, body.this())
-                target, given = None, []
-            if child is not None and child.kind in (kinds.MEMBER_REFERENCE, kinds.TYPE_REFERENCE):
-                target = child
-        elif target is not None and body.owner and target.kind == kinds.TYPE_REFERENCE and not _at_same_place(body, target, child):
-            given.append(child)
+    initialisers: list[tuple[Tree | None, list[Tree]]] = [(None, [])]
+    for child in tree.children:
+        if kinds.is_expression(child.kind):
+            initialisers[-1][1].append(child)
         else:
-            value = lower_expression(body, child, text=True)
-            if target is not None and target.kind == kinds.MEMBER_REFERENCE:
-                field = declare_variable(body.unit, libclang.target(target))
-                body.unit.add("field_initializer", body.function, field, value)
-                body.flow.evaluate(value)
-            elif body.owner:
-                body.unit.add("call_receiver", value, body.this())
-            target = None
+            initialisers.append((child, []))
+    for target, values in initialisers:
+        if target is not None and values and _is_unnamed_construction(body, target, values[0]):
+            body.unit.add("call_receiver", lower_base_construction(body, target, values), body.this())
+        else:
+            _walk_values(body, target, values)
 
 
-def _at_same_place(body: Body, first: Tree, second: Tree) -> bool:
-    return body.unit.span_of(first).begin >= body.unit.span_of(second).begin
+def _is_unnamed_construction(body: Body, target: Tree, value: Tree) -> bool:
+    """In a template, clang gives the arguments of a base's constructor without a call of this."""
+    return bool(body.owner) and target.kind == kinds.TYPE_REFERENCE and body.unit.span_of(target).begin < body.unit.span_of(value).begin
+
+
+def _walk_values(body: Body, target: Tree | None, values: list[Tree]) -> None:
+    for index, child in enumerate(values):
+        value = lower_expression(body, child, text=True)
+        if index == 0 and target is not None and target.kind == kinds.MEMBER_REFERENCE:
+            field = declare_variable(body.unit, libclang.target(target))
+            body.unit.add("field_initializer", body.function, field, value)
+            body.flow.evaluate(value)
+        elif body.owner:
+            body.unit.add("call_receiver", value, body.this())

@@ -6,7 +6,7 @@ import hashlib
 import os
 import re
 import zlib
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -211,13 +211,18 @@ class Wanted:
         text = self._message(header).read_text(encoding="utf-8")
         for (own, struct), fields in sorted(self.messages.items()):
             if own == header:
-                added = "".join(
-                    f"  static constexpr int {key} = {_number(key)};\n" if constant else f"  {UNKNOWN} {key};\n"
-                    for key, constant in sorted(fields.items())
-                )
-                text = _ROS1_PARTS.sub(lambda m, known=fields: "" if m[1] in known else f"  {UNKNOWN} {m[1]};\n", text)  # type: ignore[misc]
-                text = text.replace(f"struct {struct} {{\n", f"struct {struct} {{\n{added}", 1)
+                text = _with_fields(text, struct, fields)
         return text
+
+
+def _with_fields(text: str, struct: str, fields: Mapping[str, bool]) -> str:
+    """The stand-in `text` in which `struct` has these fields."""
+    added = "".join(
+        f"  static constexpr int {key} = {_number(key)};\n" if constant else f"  {UNKNOWN} {key};\n"
+        for key, constant in sorted(fields.items())
+    )
+    text = _ROS1_PARTS.sub(lambda part: "" if part[1] in fields else f"  {UNKNOWN} {part[1]};\n", text)
+    return text.replace(f"struct {struct} {{\n", f"struct {struct} {{\n{added}", 1)
 
 
 def _write(path: Path, text: str) -> None:

@@ -107,12 +107,12 @@ def _constant(constant: Constant) -> str:
         return f"static const {_CXX[constant.type]} {constant.name};"
     if constant.type in ("float32", "float64"):
         return f"static const {_CXX[constant.type]} {constant.name};"
-    value = {"true": "1", "false": "0"}.get(constant.value.lower(), constant.value)
-    return f"enum {{ {constant.name} = {_integer(value)} }};"
+    return f"enum {{ {constant.name} = {integer_value(constant)} }};"
 
 
-def _integer(text: str) -> str:
-    """An integer literal; what genmsg would refuse is 0, so that the header still compiles."""
+def integer_value(constant: Constant) -> str:
+    """The value of a constant as an integer literal; what genmsg would refuse is 0, so that the header still compiles."""
+    text = {"true": "1", "false": "0"}.get(constant.value.lower(), constant.value)
     try:
         number = int(text, 0)
     except ValueError:

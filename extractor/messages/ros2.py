@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable
 
 from .classes import MessageClass
+from .headers import integer_value
 from .model import PRIMITIVES, UNBOUNDED, Constant, Field, Message, MessageStore
 
 PRELUDE = "rosarch/message_prelude.hpp"
@@ -17,10 +18,8 @@ _CXX = {
     "wstring": "std::u16string", "bool": "bool", "time": "::builtin_interfaces::msg::Time_",
     "duration": "::builtin_interfaces::msg::Duration_",
 }  # fmt: skip
-_HEADER = re.compile(
-    r"(?P<package>\w+)/(?P<folder>msg|srv|action)/(?:detail/)?(?P<snake>\w+?)(?P<detail>__(?:struct|traits|builder))?\.hpp"
-)
-_PARTS = {"srv": ("Request", "Response"), "action": ("Goal", "Result", "Feedback")}
+_HEADER = re.compile(r"([a-z][a-z0-9_]*)/(msg|srv|action)/(?:detail/)?([a-z][a-z0-9_]*?)(?:__[a-z]\w*)?\.hpp")
+PARTS = {"srv": ("Request", "Response"), "action": ("Goal", "Result", "Feedback")}
 _OWNER = {"request": "srv", "response": "srv", "goal": "action", "result": "action", "feedback": "action"}
 
 
@@ -28,6 +27,22 @@ def snake_case(name: str) -> str:
     """The name of the header of an interface, as rosidl makes it."""
     name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
     return re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name).lower()
+
+
+def interface_of(header: str) -> tuple[str, str, str] | None:
+    """Package, folder and snake-case name of the interface that a header of this name declares, or a part of whose code it is."""
+    match = _HEADER.fullmatch(header)
+    return (match[1], match[2], match[3]) if match else None
+
+
+def main_header(package: str, folder: str, snake: str) -> str:
+    """The name of the header that declares an interface."""
+    return f"{package}/{folder}/{snake}.hpp"
+
+
+def forwarding_text(header: str) -> str:
+    """The text of a header that only includes another one."""
+    return f"#pragma once\n#include <{header}>\n"
 
 
 class Ros2Headers:
@@ -40,21 +55,21 @@ class Ros2Headers:
             ("srv", store.services),
             ("action", store.actions),
         )
-        self._interfaces = {f"{package}/{folder}/{snake_case(short)}": name for folder, names in folders for name in names
+        self._interfaces = {(package, folder, snake_case(short)): name for folder, names in folders for name in names
                             for package, _, short in [name.partition("/")]}  # fmt: skip
 
     def text(self, header: str) -> str | None:
         """The text of a header such as `std_msgs/msg/string.hpp`; None when no interface is called so."""
-        match = _HEADER.fullmatch(header)
-        name = self._interfaces.get(f"{match['package']}/{match['folder']}/{match['snake']}") if match else None
-        if match is None or name is None:
+        interface = interface_of(header)
+        name = self._interfaces.get(interface) if interface else None
+        if interface is None or name is None:
             return None
-        if match["detail"] or "/detail/" in header:
-            return f"#pragma once\n#include <{match['package']}/{match['folder']}/{match['snake']}.hpp>\n"
-        if match["folder"] == "msg":
-            return self._page(name, "msg", [self.store.messages[name]])
-        parts = [self.store.messages[name + part] for part in _PARTS[match["folder"]]]
-        return self._page(name, match["folder"], parts)
+        if header != main_header(*interface):
+            return forwarding_text(main_header(*interface))
+        folder = interface[1]
+        if folder == "msg":
+            return self._page(name, folder, [self.store.messages[name]])
+        return self._page(name, folder, [self.store.messages[name + part] for part in PARTS[folder]])
 
     def _page(self, name: str, folder: str, messages: list[Message]) -> str:
         package, _, short = name.partition("/")
@@ -62,7 +77,7 @@ class Ros2Headers:
         includes = [PRELUDE, *(_header_of(type_) for type_ in used if type_ in self.store.messages and type_ != name)]
         body = [line for message in messages for line in self._struct(message)]
         if folder != "msg":
-            typedefs = [f"  typedef {short}_{part} {part};" for part in _PARTS[folder]]
+            typedefs = [f"  typedef {short}_{part} {part};" for part in PARTS[folder]]
             body += [f"struct {short} {{", *typedefs, f"  ROSARCH_{'SERVICE' if folder == 'srv' else 'ACTION'}({short})", "};"]
         lines = ["#pragma once", *(f"#include <{header}>" for header in includes), "", f"namespace {package} {{ namespace {folder} {{"]
         return "\n".join([*lines, *body, "}}", ""])
@@ -97,7 +112,7 @@ def _builtin(type_: str) -> str:
 
 def _header_of(type_: str) -> str:
     package, _, short = type_.partition("/")
-    return f"{package}/msg/{snake_case(short)}.hpp"
+    return main_header(package, "msg", snake_case(short))
 
 
 def _short_class(message: Message) -> str:
@@ -132,13 +147,5 @@ def ros2_classes(store: MessageStore) -> list[MessageClass]:
 def _constant(constant: Constant) -> str:
     if constant.type in ("string", "wstring", "float32", "float64"):
         return f"static const {_CXX[constant.type]} {constant.name};"
-    value = {"true": "1", "false": "0"}.get(constant.value.lower(), constant.value)
     kind = _CXX.get(constant.type, f"{constant.type}_t")
-    return f"static constexpr {kind} {constant.name} = {_integer(value)};"
-
-
-def _integer(text: str) -> str:
-    try:
-        return str(int(text, 0))
-    except ValueError:
-        return "0"
+    return f"static constexpr {kind} {constant.name} = {integer_value(constant)};"
