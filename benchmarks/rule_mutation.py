@@ -1,8 +1,8 @@
 """Measure how well the tests pin the rules of components: clauses that fire, and mutants that are noticed.
 
-    benchmarks/rule_mutation.py [--sample N] [--seed N] [--list]
+    benchmarks/rule_mutation.py [FILE...] [--sample N] [--seed N] [--list]
 
-The cases are the drop-in tests of `tests/rules`, the sources there that say what is expected of them, and the workspaces of `examples`
+The cases are the drop-in tests of `tests/rules`, sources in `tests` that say what is expected of them, and the workspaces of `examples`
 whose models are written by hand. Exit code 1 below the figures to reach: 95 % of the clauses fire, 80 % of the mutants are killed.
 """
 
@@ -10,46 +10,65 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
-from rosarch.datalog import Result
-from rosarch.datalog.mutation import MutationTest, summary, survivors_text
+from rosarch.datalog import Program, Result
+from rosarch.datalog.mutation import Case, MutationTest, summary, survivors_text
 from rosarch.datalog.rule_coverage import coverage
 from rosarch.expectations.alone import Alone
+from rosarch.expectations.cases import Case as Sources
 from rosarch.expectations.cases import find_cases
-from rosarch.expectations.mutation import mutation_cases
+from rosarch.expectations.mutation import model_cases, mutation_cases
 from rosarch.expectations.run import Running
+from rosarch.models.component import ComponentModel, to_json
 from rosarch.models.rule_mutation import drop_in_cases, judge_all, mutants_of, workspace_cases
 from rosarch.models.rule_sets import SHIPPED, component_program, rule_set
 
 TOP = Path(__file__).resolve().parents[1]
-TESTS = TOP / "tests" / "rules"
+sys.path.insert(0, str(TOP / "tests" / "models"))
+import test_behavior  # noqa: E402
+import test_traits  # noqa: E402
+
+TESTS = TOP / "tests"
+RULES = TESTS / "rules"
 FIRED, KILLED = 0.95, 0.80
+
+
+def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
+    """All that the tests look at of components."""
+    yield from drop_in_cases(program, RULES)
+    hinted = rule_set([RULES / "hints" / "hints.dl"])
+    for folder, rules in ((RULES / "sources", SHIPPED), (RULES / "packages", SHIPPED), (RULES / "hints", hinted), (TESTS / "project", SHIPPED)):
+        how = Running(rules, partial(Alone, rules=rules, engine="embedded"), jobs=jobs)
+        yield from mutation_cases(component_program(rules), find_cases([folder]).cases, how)
+    how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=jobs)
+    for folder, shown in ((test_behavior.HERE, behavior), (test_traits.HERE, test_traits.lines)):
+        yield from model_cases(program, Sources(folder, tuple(sorted(folder.glob("*.cpp"))), ()), how, shown)
+    for workspace in sorted(path.parent for path in (TOP / "examples").glob("*/expected")):
+        yield from workspace_cases(program, workspace)
+
+
+def behavior(model: ComponentModel) -> object:
+    """What `tests/models/test_behavior.py` compares of a model."""
+    return test_behavior.lines(to_json(model)), test_behavior.normal_lines(to_json(model))
 
 
 def main() -> int:
     """Print both figures; with `--list`, what is not pinned."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="*", type=Path, help="mutants of these files of rules alone")
     parser.add_argument("--sample", type=int, help="as many mutants, chosen at random; all by default")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int)
     parser.add_argument("--list", action="store_true", help="clauses that never fire and mutants that survive")
     given = parser.parse_args()
     program = component_program()
-    cases = list(drop_in_cases(program, TESTS))
-    for folder, rules in (
-        (TESTS / "sources", SHIPPED),
-        (TESTS / "packages", SHIPPED),
-        (TESTS / "hints", rule_set([TESTS / "hints" / "hints.dl"])),
-    ):
-        how = Running(rules, partial(Alone, rules=rules, engine="embedded"), jobs=given.jobs)
-        cases += mutation_cases(component_program(rules), find_cases([folder]).cases, how)
-    for workspace in sorted(path.parent for path in (TOP / "examples").glob("*/expected")):
-        cases += workspace_cases(program, workspace)
+    cases = list(cases_of(program, given.jobs))
     fired = coverage(program, (Result.of(case.rows, program) for case in cases))
     test = MutationTest(program, cases)
-    verdicts = judge_all(test, mutants_of(test, (), given.sample, given.seed), jobs=given.jobs)
+    verdicts = judge_all(test, mutants_of(test, given.files, given.sample, given.seed), jobs=given.jobs)
     if given.list:
         for clause in fired.unfired:
             print(f"{Path(clause.location.path).relative_to(TOP)}:{clause.location.line}: never fires: {clause.text}")

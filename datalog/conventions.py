@@ -22,7 +22,7 @@ from .clauses import Rule, Rules, rules_of
 from .errors import Diagnostic
 from .program import Program, RelationDecl
 from .strata import atoms_of
-from .syntax import Atom, Variable, walk
+from .syntax import Argument, Atom, Constraint, Literal, Variable, walk
 
 MOST_ATTRIBUTES = 6
 NAME = re.compile(r"(_?[a-z][a-z0-9]*(_[a-z0-9]+)*\.)?_?[a-z][a-z0-9]*(_[a-z0-9]+)*")
@@ -134,6 +134,11 @@ def _possible(rule: Rule, program: Program, known: dict[str, Certainty]) -> list
         for node in walk(argument)
         if isinstance(node, Variable)
     }
+    for literal in rule.clause.body:  # the parts of a record are given with it
+        if isinstance(literal, Constraint) and literal.op == "=":
+            for one, other in ((literal.left, literal.right), (literal.right, literal.left)):
+                if isinstance(one, Variable) and one.name in granted:
+                    granted |= _names(other)
     found: dict[str, None] = {}
     for literal in rule.clause.body:
         for atom, strict in atoms_of(literal):
@@ -142,8 +147,8 @@ def _possible(rule: Rule, program: Program, known: dict[str, Certainty]) -> list
     return list(found)
 
 
-def _names(atom: Atom) -> set[str]:
-    return {node.name for node in walk(atom) if isinstance(node, Variable)}
+def _names(term: Argument | Literal) -> set[str]:
+    return {node.name for node in walk(term) if isinstance(node, Variable)}
 
 
 def _warning(relation: RelationDecl, message: str) -> Diagnostic:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -16,6 +16,7 @@ from rosarch.expectations.found import Found, ObservedComponent, is_source
 from rosarch.expectations.grammar import Expectation
 from rosarch.expectations.judgement import unmet
 from rosarch.expectations.run import Running, observed
+from rosarch.models.component import ComponentModel
 
 
 def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Iterator[MutationCase]:
@@ -31,6 +32,17 @@ def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Ite
                     yield MutationCase(f"{case.root}: {component.facts.name}", rows, _observed(program, own), fails)
 
 
+def model_cases(
+    program: Program, case: Case, how: Running, shown: Callable[[ComponentModel], object]
+) -> Iterator[MutationCase]:  # fmt: skip
+    """A case for each component of single sources, whose test compares what `shown` makes of its model."""
+    with observed(case, program, how) as found:
+        for component in found.components:
+            rows = component.result.all_rows()
+            fails = partial(_shows_other, component, shown, shown(component.model))
+            yield MutationCase(f"{case.root}: {component.facts.name}", rows, frozenset(program.outputs), fails)
+
+
 def _observed(program: Program, expected: Sequence[Expectation]) -> frozenset[str]:
     """The relations that expectations look at: those in queries, and what models are made from where elements are expected."""
     words = {word for e in expected if e.kind is None for word in re.findall(r"[\w.]+", e.query)}
@@ -42,12 +54,26 @@ def _fails(
     found: Found, component: ObservedComponent, expected: Sequence[Expectation], rows: Mapping[str, Collection[Row]]
 ) -> bool:  # fmt: skip
     """Whether an expectation that is met is not when the component has these rows."""
-    changed = replace(component)
-    changed.rows = component.rows  # the extraction is over
-    changed.result = Result.of(rows, component.program)
+    changed = _with_rows(component, rows)
     seen = replace(found)
     seen.components = [changed if each is component else each for each in found.components]
     try:
         return any(unmet(e, seen, expected) is not None for e in expected)
     except (LookupError, ValueError):
         return True  # no model can be made of such rows
+
+
+def _shows_other(
+    component: ObservedComponent, shown: Callable[[ComponentModel], object], usual: object, rows: Mapping[str, Collection[Row]]
+) -> bool:  # fmt: skip
+    try:
+        return shown(_with_rows(component, rows).model) != usual
+    except (LookupError, ValueError):
+        return True
+
+
+def _with_rows(component: ObservedComponent, rows: Mapping[str, Collection[Row]]) -> ObservedComponent:
+    changed = replace(component)
+    changed.rows = component.rows  # the extraction is over
+    changed.result = Result.of(rows, component.program)
+    return changed

@@ -256,6 +256,8 @@ def test_what_is_new_passes_its_tests(rosarch: Run, tmp_path: Path) -> None:
     # without the rules they test, they fail
     assert rosarch("rules", "test", rules / "tests" / "my_lib.cpp").code == 1
     assert rosarch("rules", "checks", "long-queue", "--rules", rules).code == 0
+    lint = rosarch("rules", "lint", rules)
+    assert (lint.code, lint.out) == (0, "")
 
 
 TOPICS_ALONE = """.pragma "override" "joins_connector"
