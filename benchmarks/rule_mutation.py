@@ -39,11 +39,11 @@ FIRED, KILLED = 0.95, 0.80
 def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
     """All that the tests look at of components."""
     yield from drop_in_cases(program, RULES)
-    hinted = rule_set([RULES / "hints" / "hints.dl"])
-    for folder, rules in ((RULES / "sources", SHIPPED), (RULES / "packages", SHIPPED), (RULES / "hints", hinted), (TESTS / "project", SHIPPED)):
-        how = Running(rules, partial(Alone, rules=rules, engine="embedded"), jobs=jobs)
-        yield from mutation_cases(component_program(rules), find_cases([folder]).cases, how)
     how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=jobs)
+    yield from mutation_cases(program, find_cases([RULES / "sources", RULES / "packages", TESTS / "project"]).cases, how)
+    hinted = rule_set([RULES / "hints" / "hints.dl"])
+    with_hints = Running(hinted, partial(Alone, rules=hinted, engine="embedded"), jobs=jobs)
+    yield from mutation_cases(component_program(hinted), find_cases([RULES / "hints"]).cases, with_hints)
     for folder, shown in ((test_behavior.HERE, behavior), (test_traits.HERE, test_traits.lines)):
         yield from model_cases(program, Sources(folder, tuple(sorted(folder.glob("*.cpp"))), ()), how, shown)
     for workspace in sorted(path.parent for path in (TOP / "examples").glob("*/expected")):

@@ -22,7 +22,7 @@ from .clauses import Rule, Rules, rules_of
 from .errors import Diagnostic
 from .program import Program, RelationDecl
 from .strata import atoms_of
-from .syntax import Argument, Atom, Constraint, Literal, Variable, walk
+from .syntax import Argument, Constraint, Literal, Variable, walk
 
 MOST_ATTRIBUTES = 6
 NAME = re.compile(r"(_?[a-z][a-z0-9]*(_[a-z0-9]+)*\.)?_?[a-z][a-z0-9]*(_[a-z0-9]+)*")

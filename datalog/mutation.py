@@ -1,8 +1,12 @@
 """Mutation of rules: would a test notice if a literal were missing, or said the opposite?
 
 A mutant is a program with one clause changed: a literal of its body dropped, an atom negated or a negation taken away, a comparison turned
-around (DeMillo, Lipton and Sayward, "Hints on test data selection", 1978, applied to conjunctions). It is killed by a case in which a
-relation that the case observes has other rows than before. What no case kills is a clause that the tests do not pin.
+around (DeMillo, Lipton and Sayward, "Hints on test data selection", 1978, applied to conjunctions). A literal that alternatives (`;`) share
+is one literal, changed in all of them. A mutant is killed by a case in which a relation that the case observes has other rows than before.
+What no case kills is a clause that the tests do not pin.
+
+Relations whose comment ends in `Demand.` say what is asked for and claim nothing: they keep others from working out what nobody reads. More
+demand is more work for the same rows. So no literal is dropped that is an atom of such a relation, or stands in one of its clauses.
 
 Mutants are cheap because they are evaluated in parts: first the relation of the changed clause alone, from the rows that the others are
 known to have; only where its rows differ, what reads it, up to the observed relations.
@@ -15,13 +19,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from .clauses import Rule, Rules, rules_of
+from .conventions import certainty
 from .errors import DatalogError, Location, Report
 from .program import Program, compile_unit
 from .rows import Row
 from .show import Writer
 from .slices import slice_unit
 from .sources import Sources
-from .strata import reachable, turned_around
+from .strata import atoms_of, reachable, turned_around
 from .syntax import Atom, Clause, Literal, Truth, Unit
 from .tree import negate_literal
 
@@ -53,10 +58,10 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """A clause with one literal changed; `change` says how."""
+    """A clause with one literal changed: the alternatives that have it, before and after; `change` says how."""
 
-    rule: Rule
-    clause: Clause
+    rules: tuple[Rule, ...]
+    clauses: tuple[Clause, ...]
     change: str
     follows: bool = False  # what the original clause derives, this one does
     negates: str = ""  # the relation that is negated
@@ -64,7 +69,12 @@ class Mutant:
     @property
     def location(self) -> Location:
         """Where the clause starts."""
-        return self.rule.location
+        return self.rules[0].location
+
+    @property
+    def relation(self) -> str:
+        """What the clause derives."""
+        return self.rules[0].clause.head.name
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,23 +85,46 @@ class Verdict:
     killed_by: str
 
 
-def mutants(rules: Rules) -> Iterator[Mutant]:
+def demanded(program: Program, rules: Rules) -> frozenset[str]:
+    """The relations that only say what is asked for: by their comment, and as no clause asks for their absence or number."""
+    declared = {name for name, declaration in program.relations.items() if certainty(declaration).word == "Demand"}
+    strictly = {atom.name for rule in rules.all for literal in rule.clause.body for atom, strict in atoms_of(literal) if strict}
+    return frozenset(declared - strictly)
+
+
+def mutants(rules: Rules, demand: frozenset[str] = frozenset()) -> Iterator[Mutant]:
     """The mutants of every clause with a body, in source order."""
+    written: dict[tuple[Location, str], list[Rule]] = {}
     for rule in rules.all:
         if rule.clause.body and not rule.generated and rule.clause.dominating is None:
-            yield from _of_clause(rule, Writer(rules.types, rule.types))
+            written.setdefault((rule.location, rule.clause.head.name), []).append(rule)
+    for alternatives in written.values():
+        yield from _of_clause(alternatives, rules, demand)
 
 
-def _of_clause(rule: Rule, writer: Writer) -> Iterator[Mutant]:
-    body = rule.clause.body
-    for at, literal in enumerate(body):
-        text = writer.literal(literal)
-        if len(body) > 1:
-            yield Mutant(rule, replace(rule.clause, body=body[:at] + body[at + 1 :], plan=()), f"without {text}", follows=True)
+def _of_clause(alternatives: Sequence[Rule], rules: Rules, demand: frozenset[str]) -> Iterator[Mutant]:
+    found: dict[tuple[object, str], list[tuple[Rule, int]]] = {}
+    for rule in alternatives:
+        writer = Writer(rules.types, rule.types)
+        for at, literal in enumerate(rule.clause.body):
+            found.setdefault((getattr(literal, "location", None), writer.literal(literal)), []).append((rule, at))
+    for (_, text), places in found.items():
+        rule, at = places[0]
+        literal = rule.clause.body[at]
+        name = literal.name if isinstance(literal, Atom) else ""
+        having = tuple(rule for rule, _ in places)
+        if all(len(rule.clause.body) > 1 for rule in having) and demand.isdisjoint((name, rule.clause.head.name)):
+            yield Mutant(having, tuple(_with(rule, at, ()) for rule, at in places), f"without {text}", follows=True)
         flipped = _opposite(literal)
         if flipped is not None:
-            changed = replace(rule.clause, body=(*body[:at], flipped, *body[at + 1 :]), plan=())
-            yield Mutant(rule, changed, f"{writer.literal(flipped)} for {text}", negates=literal.name if isinstance(literal, Atom) else "")
+            changed = tuple(_with(rule, at, tuple(filter(None, (_opposite(rule.clause.body[at]),)))) for rule, at in places)
+            yield Mutant(having, changed, f"{Writer(rules.types, rule.types).literal(flipped)} for {text}", negates=name)
+
+
+def _with(rule: Rule, at: int, literals: tuple[Literal, ...]) -> Clause:
+    """A clause with others in the place of one literal."""
+    body = rule.clause.body
+    return replace(rule.clause, body=(*body[:at], *literals, *body[at + 1 :]), plan=())
 
 
 def _opposite(literal: Literal) -> Literal | None:
@@ -103,17 +136,18 @@ class MutationTest:
 
     def __init__(self, program: Program, cases: Sequence[Case]) -> None:
         self.rules = rules_of(program)
+        self.demand = demanded(program, self.rules)
         self.cases = [replace(case, rows={name: frozenset(rows) for name, rows in case.rows.items()}) for case in cases]
         self._strata: dict[int, _Part] = {}
-        self._fired: tuple[Rule | None, dict[int, bool]] = (None, {})
+        self._fired: tuple[tuple[Rule, ...], dict[int, bool]] = ((), {})
         self._leading: dict[frozenset[str], set[str]] = {}
 
     def judge(self, mutant: Mutant) -> Verdict | None:
         """Whether a case kills a mutant; None when the mutant is no legal program."""
-        if mutant.negates in self._group(mutant.rule):
+        if mutant.negates in self._group(mutant.relation):
             return None  # negation in a cycle
         try:
-            alone = self._alone(mutant.clause)
+            alone = self._alone(mutant.clauses)
         except DatalogError:
             return None
         whole: list[_Part] = []
@@ -125,7 +159,7 @@ class MutationTest:
 
     def _likely(self, mutant: Mutant) -> list[Case]:
         """The cases in which the mutant can differ: rows for every atom that is left in its clause, or in the clause it comes from."""
-        bodies = (mutant.clause.body, mutant.rule.clause.body)
+        bodies = [clause.body for clause in (*mutant.clauses, *(rule.clause for rule in mutant.rules))]
         atoms = [{literal.name for literal in body if isinstance(literal, Atom)} for body in bodies]
         return [c for c in self.cases if any(all(c.rows.get(name) for name in names) for names in atoms)]
 
@@ -135,29 +169,31 @@ class MutationTest:
         The rows of a program are the least that its clauses add nothing to. So those of the mutant are the same when its clause adds
         nothing, and derives what the original one did, or that derived nothing.
         """
-        name = mutant.rule.clause.head.name
+        name = mutant.relation
         derived = self._evaluate(alone, case.rows, (_ALONE,))
         if derived is None:
             return None
-        group = self._group(mutant.rule)
+        group = self._group(name)
         rows = frozenset(case.rows[name])
         more = derived[_ALONE] - rows
         if not any(rule.clause.dominating for n in group for rule in self.rules.by_head.get(n, ())):
-            if not more and (mutant.follows or not self._fires(mutant.rule, case)):
+            if not more and (mutant.follows or not self._fires(mutant.rules, case)):
                 return {}
             if mutant.follows and name not in self.rules.recursive:
                 return {name: rows | more}
         if not whole:
-            whole.append(self._part(group, [mutant.clause if c is mutant.rule.clause else c for c in self._clauses(group)]))
+            changed = {id(rule.clause): clause for rule, clause in zip(mutant.rules, mutant.clauses, strict=True)}
+            whole.append(self._part(group, [changed.get(id(clause), clause) for clause in self._clauses(group)]))
         found = self._evaluate(whole[0], case.rows, group)
         return None if found is None else {n: rows for n, rows in found.items() if rows != case.rows[n]}
 
-    def _fires(self, rule: Rule, case: Case) -> bool:
-        """Whether a clause derives anything in a case. What was found out is kept while mutants are of the same clause."""
-        if self._fired[0] is not rule:
-            self._fired = (rule, {})
-            alone = self._alone(rule.clause)
-            for each in self._likely(Mutant(rule, rule.clause, "")):
+    def _fires(self, rules: tuple[Rule, ...], case: Case) -> bool:
+        """Whether clauses derive anything in a case. What was found out is kept while mutants are of the same clauses."""
+        if self._fired[0] is not rules:
+            self._fired = (rules, {})
+            clauses = tuple(rule.clause for rule in rules)
+            alone = self._alone(clauses)
+            for each in self._likely(Mutant(rules, clauses, "")):
                 derived = self._evaluate(alone, each.rows, (_ALONE,))
                 self._fired[1][id(each)] = derived is None or bool(derived[_ALONE])
         return self._fired[1].get(id(case), False)
@@ -194,8 +230,7 @@ class MutationTest:
     def _number(self) -> Mapping[str, int]:
         return {name: number for number, names in enumerate(self.rules.strata) for name in names}
 
-    def _group(self, rule: Rule) -> frozenset[str]:
-        name = rule.clause.head.name
+    def _group(self, name: str) -> frozenset[str]:
         return self.rules.recursive.get(name, frozenset((name,)))
 
     def _clauses(self, names: Collection[str]) -> list[Clause]:
@@ -207,12 +242,12 @@ class MutationTest:
             self._strata[number] = self._part(names, self._clauses(names))
         return self._strata[number]
 
-    def _alone(self, clause: Clause) -> _Part:
-        """A program of one clause, which derives a relation of its own from what is given."""
-        head = next(r for r in self.rules.unit.relations if r.name == clause.head.name)
+    def _alone(self, clauses: Sequence[Clause]) -> _Part:
+        """A program of some clauses of a relation, which derive one of their own from what is given."""
+        head = next(r for r in self.rules.unit.relations if r.name == clauses[0].head.name)
         own = replace(head, name=_ALONE, qualifiers=frozenset(), choices=())
         unit = replace(self.rules.unit, relations=[*self.rules.unit.relations, own])
-        return self._part((_ALONE,), [replace(clause, head=replace(clause.head, name=_ALONE))], unit)
+        return self._part((_ALONE,), [replace(clause, head=replace(clause.head, name=_ALONE)) for clause in clauses], unit)
 
     def _part(self, names: Collection[str], clauses: Sequence[Clause], unit: Unit | None = None) -> _Part:
         """A program of some relations; the others that they read are its input."""

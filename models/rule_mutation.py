@@ -44,7 +44,7 @@ def workspace_cases(program: Program, workspace: Path, cache: Cache | None = Non
 def mutants_of(test: MutationTest, files: Sequence[Path], sample: int | None, seed: int) -> list[Mutant]:
     """The mutants of clauses in some files, all by default; `sample` of them, chosen at random."""
     own = {str(path.resolve()) for path in files}
-    found = [m for m in mutants(test.rules) if not own or str(Path(m.location.path).resolve()) in own]
+    found = [m for m in mutants(test.rules, test.demand) if not own or str(Path(m.location.path).resolve()) in own]
     if sample is None or sample >= len(found):
         return found
     chosen = random.Random(seed).sample(range(len(found)), sample)
@@ -56,8 +56,8 @@ def judge_all(
 ) -> list[Verdict]:  # fmt: skip
     """The verdicts on mutants that are legal programs, in their order. One that takes too long or too much counts as killed."""
     tasks = []
-    order = sorted(range(len(chosen)), key=lambda i: (chosen[i].rule.clause.head.name, i))
-    for _, group in groupby(order, key=lambda i: chosen[i].rule.clause.head.name):  # they share what reads their relation
+    order = sorted(range(len(chosen)), key=lambda i: (chosen[i].relation, i))
+    for _, group in groupby(order, key=lambda i: chosen[i].relation):  # they share what reads their relation
         same = list(group)
         tasks += [same[at : at + TASK] for at in range(0, len(same), TASK)]
 

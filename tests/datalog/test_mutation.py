@@ -30,7 +30,7 @@ def judged(tmp_path: Path, *cases: tuple[dict[str, list[tuple[str, ...]]], set[s
     (tmp_path / "rules.dl").write_text(rules)
     program = load_program(tmp_path / "rules.dl")
     test = MutationTest(program, [case(program, str(n), facts, observed) for n, (facts, observed) in enumerate(cases)])
-    found = ((m, test.judge(m)) for m in mutants(test.rules))
+    found = ((m, test.judge(m)) for m in mutants(test.rules, test.demand))
     return {f"{m.location.line} {m.change}": v.killed_by for m, v in found if v is not None}
 
 
@@ -79,3 +79,49 @@ def test_mutants_that_are_no_programs_are_left_out(tmp_path: Path) -> None:
     """Without the literal that gives a variable its value there is no program, nor with a negation in a cycle."""
     found = judged(tmp_path, ({"edge": CYCLE, "shut": []}, {"round"}))
     assert not any(change.startswith(("6 without edge", "7 !path", "7 without path", "13 without shut")) for change in found)
+
+
+ALTERNATIVES = """\
+.decl edge(x: symbol, y: symbol)
+.input edge
+.decl end(x: symbol)
+.output end
+end(X) :- edge(A, B), A != B, (X = A; X = B, B != "z").
+"""
+
+
+def test_a_literal_that_alternatives_share_is_one(tmp_path: Path) -> None:
+    """It is changed in all of them, and noticed when one of them shows it; what is in one alternative is changed there."""
+    found = judged(tmp_path, ({"edge": [("a", "a"), ("a", "b"), ("b", "z")]}, {"end"}), rules=ALTERNATIVES)
+    assert found == {
+        "5 without A != B": "",
+        "5 A = B for A != B": "0",
+        '5 without B != "z"': "0",
+        '5 B = "z" for B != "z"': "0",
+    }
+
+
+DEMAND = """\
+.decl edge(x: symbol, y: symbol)
+.input edge
+/// `x` is asked for. Demand.
+.decl asked(x: symbol)
+asked("a").
+asked(Y) :- asked(X), edge(X, Y), Y != "z".
+/// `x` is asked for, and its absence tells something. Demand.
+.decl named(x: symbol)
+named(X) :- edge(X, _), X != "q".
+.decl next(x: symbol, y: symbol)
+next(X, Y) :- asked(X), edge(X, Y).
+.decl found(x: symbol)
+.output found
+found(Y) :- next("a", Y), !named(Y).
+"""
+
+
+def test_demand_is_not_dropped(tmp_path: Path) -> None:
+    """More demand is more work for the same rows: nothing could notice. Less is noticed, and so is what is asked for strictly."""
+    found = judged(tmp_path, ({"edge": [("a", "b"), ("b", "c"), ("q", "z")]}, {"found"}), rules=DEMAND)
+    assert not any(change.startswith(("6 without", "11 without asked")) for change in found)
+    assert {change for change in found if change.startswith("9 ")} == {'9 without X != "q"', '9 X = "q" for X != "q"'}
+    assert "11 !asked(X) for asked(X)" in found

@@ -1,6 +1,6 @@
 """Sources of `sources/` that say in comments what is expected of them: one extraction for all, each a component of its own.
 
-A file `<rule file>_<what>.cpp`, or a package of `packages/`, is about that file of `rules/core`, or about checks of the systems that the
+A file `<rule file>_<what>.cpp` (or `.py`), or a package of `packages/`, is about that file of `rules/core`, or about checks of the systems that the
 launch files of the package start. Those of `hints/` are told hints.
 """
 
@@ -21,7 +21,7 @@ from rosarch.reports.expectations import file_text
 
 HERE = Path(__file__).parent
 FOLDERS = {"sources": SHIPPED, "packages": SHIPPED, "hints": rule_set([HERE / "hints" / "hints.dl"])}
-NAMES = sorted(f"{folder}/{path.relative_to(HERE / folder)}" for folder in FOLDERS for path in (HERE / folder).rglob("*.cpp"))
+NAMES = sorted(f"{folder}/{path.relative_to(HERE / folder)}" for folder in FOLDERS for path in (HERE / folder).rglob("*") if path.suffix in (".cpp", ".py"))
 
 
 @pytest.fixture(scope="module")
