@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from rosarch.extractor.cache import Cache, hash_of, rows_digest
+from rosarch.extractor.cache import Cache, hash_of
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.memo import Memo, stage_version
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
@@ -17,7 +17,7 @@ from rosarch.models.places import Place
 from rosarch.models.system.model import SystemModel
 from rosarch.models.system.reading import Reading, rules_hash
 from rosarch.models.system.rows import Rows
-from rosarch.models.system.surrounding import Launch, Surrounding, surrounding
+from rosarch.models.system.surrounding import Launch, Surrounding, SystemFacts, surrounding
 
 if TYPE_CHECKING:
     from rosarch.models.rule_sets import SystemRules
@@ -68,12 +68,11 @@ def each_system(
 
     `stage` tells in the cache what is made.
     """
-    cache, digest = reading.cache, shared.components.digest
-    kept = SystemCache(cache, stage, rules_hash(reading.rules), reading.engine, digest) if cache else None
-    own = list(map(shared.own_rows, launches))
+    kept = SystemCache(reading.cache, stage, rules_hash(reading.rules), reading.engine) if reading.cache else None
+    facts = list(map(shared.facts, launches))
     waiting = []
     for index, launch in enumerate(launches):
-        known = kept.load(launch, own[index]) if kept else None
+        known = kept.load(launch, facts[index]) if kept else None
         if known is None:
             waiting.append(index)
         else:
@@ -86,11 +85,11 @@ def each_system(
     rules = system_rules(reading.rules)
 
     def work(index: int) -> Made:
-        return make(rules, launches[index], shared.with_components(own[index]), reading)
+        return make(rules, launches[index], facts[index].rows(), reading)
 
     for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=LIMITS.evaluation):
         if kept and not isinstance(outcome, Failure):
-            kept.store(launches[waiting[done]], own[waiting[done]], outcome)
+            kept.store(launches[waiting[done]], facts[waiting[done]], outcome)
         yield waiting[done], outcome
     if kept:
         kept.cache.trim()
@@ -98,25 +97,24 @@ def each_system(
 
 @dataclass(frozen=True)
 class SystemCache:
-    """What rules make of systems; `rules` is a hash of those that do not ship, `components` one of the components' rows."""
+    """What rules make of systems; `rules` is a hash of those that do not ship."""
 
     cache: Cache
     stage: str
     rules: str
     engine: str
-    components: str
 
-    def load(self, launch: Launch, own: Rows) -> Any:
+    def load(self, launch: Launch, facts: SystemFacts) -> Any:
         """What was made of a system, found by a hash of all its facts; None when there is nothing."""
-        return self.cache.load_value(self._key(launch, own), object)
+        return self.cache.load_value(self._key(launch, facts), object)
 
-    def store(self, launch: Launch, own: Rows, made: object) -> None:
+    def store(self, launch: Launch, facts: SystemFacts, made: object) -> None:
         """Keep what was made of a system."""
-        self.cache.store_value(self._key(launch, own), made)
+        self.cache.store_value(self._key(launch, facts), made)
 
-    def _key(self, launch: Launch, own: Rows) -> str:
+    def _key(self, launch: Launch, facts: SystemFacts) -> str:
         words = (launch.name, "", *launch.words, "")
-        return hash_of([self.stage, stage_version(), self.rules, self.engine, self.components, *words, rows_digest(own)])
+        return hash_of([self.stage, stage_version(), self.rules, self.engine, *words, facts.digest()])
 
 
 def _system(rules: SystemRules, launch: Launch, rows: Rows, reading: Reading) -> Composed:

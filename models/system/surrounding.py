@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.cache import rows_digest
+from rosarch.extractor.cache import hash_of, rows_digest
 from rosarch.extractor.launch.facts import launch_rows, library_name, started
 from rosarch.extractor.launch.model import Composition
 from rosarch.extractor.launch.packages import PackagePath
@@ -45,8 +45,25 @@ class Launch:
 
 
 @dataclass(frozen=True)
+class Interface:
+    """The rows of a component, and a hash of them."""
+
+    rows: Rows
+    digest: str
+
+    @classmethod
+    def of(cls, rows: Rows) -> Interface:
+        """The interface that rows tell of."""
+        return cls(rows, rows_digest(rows))
+
+    def all(self, relation: str, column: int) -> set[Any]:
+        """The values of a column."""
+        return {row[column] for row in self.rows.get(relation, ())}
+
+
+@dataclass(frozen=True)
 class Components:
-    """The components that launches start, of sources and of the library: their models, and their rows with a hash of them.
+    """The components that launches start, of sources and of the library: their models, their interfaces, and what all systems see of them.
 
     `programs` are package and name of all executables that the workspace builds, `expected` the packages that the library knows.
     """
@@ -54,9 +71,30 @@ class Components:
     models: tuple[ComponentModel, ...]
     programs: frozenset[tuple[str, str]]
     expected: frozenset[str]
-    rows: Rows
-    digest: str
+    interfaces: tuple[Interface, ...]
+    shared: Interface
     diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def digest(self) -> str:
+        """A hash of all rows."""
+        return hash_of([self.shared.digest, *(interface.digest for interface in self.interfaces)])
+
+    def started(self, launch: Launch) -> list[Interface]:
+        """The interfaces of those that a launch may start, with those that these load."""
+        needed = _Needed([launch])
+        found = {number: each for number, each in enumerate(self.interfaces) if needed.is_named(each.rows.get("interface", ()))}
+        waiting = list(found.values())
+        while waiting:
+            loads, bases = (waiting[-1].all(relation, 1) for relation in ("interface_loads", "interface_loads_any"))
+            waiting.pop()
+            for number, each in enumerate(self.interfaces) if loads or bases else ():
+                if number not in found and not (
+                    loads.isdisjoint(each.all("interface", 2)) and bases.isdisjoint(each.all("interface_base", 1))
+                ):
+                    found[number] = each
+                    waiting.append(each)
+        return [found[number] for number in sorted(found)]
 
 
 @dataclass(frozen=True)
@@ -74,19 +112,33 @@ class Surrounding:
         """The models of the components of the workspace."""
         return self.components.models
 
-    def own_rows(self, launch: Launch) -> Rows:
-        """The facts about one system that are not about its components."""
-        composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
-        return merged([*composed, named_by(launch.composition, self.named), self.given])
-
-    def with_components(self, own: Rows) -> Rows:
+    def facts(self, launch: Launch) -> SystemFacts:
         """The facts about one system."""
-        shared = self.components.rows
-        return {**shared, **{relation: {*rows, *shared.get(relation, ())} for relation, rows in own.items()}}
+        interfaces = self.components.started(launch)
+        titles = {title for interface in interfaces for title in interface.all("interface", 0)}
+        composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
+        own = merged([*composed, named_by(launch.composition, titles, self.named), self.given])
+        return SystemFacts(own, (self.components.shared, *interfaces))
 
     def rows(self, launch: Launch) -> Rows:
         """The facts about one system."""
-        return self.with_components(self.own_rows(launch))
+        return self.facts(launch).rows()
+
+
+@dataclass(frozen=True)
+class SystemFacts:
+    """The facts about one system: its `own`, and those about its components."""
+
+    own: Rows
+    interfaces: tuple[Interface, ...]
+
+    def rows(self) -> Rows:
+        """All of them."""
+        return merged([self.own, *(interface.rows for interface in self.interfaces)])
+
+    def digest(self) -> str:
+        """A hash of them."""
+        return hash_of([rows_digest(self.own), *(interface.digest for interface in self.interfaces)])
 
 
 def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: Memo | None = None) -> Surrounding:
@@ -144,8 +196,10 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
         models += analyzed(None, lambda component: is_loaded(component, models) and not needed.is_needed(component)).models
     known = load(tuple(reading.library))
     diagnostics += known.problems
-    rows = merged([*map(model_rows, models), *map(library_rows, needed.of(known, models)), shared_rows(models)])
-    return Components(models, programs, known.packages, dict(rows), rows_digest(rows), tuple(diagnostics))
+    interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
+    there = {row for interface in interfaces for row in interface.rows["interface"]}
+    shared = Interface.of({"interface": there, **shared_rows(models)})
+    return Components(models, programs, known.packages, tuple(interfaces), shared, tuple(diagnostics))
 
 
 class _Needed:
@@ -164,6 +218,10 @@ class _Needed:
     def key(self) -> list[str]:
         """All that tells these components from others."""
         return [repr(sorted(found)) for found in (self.executables, self.plugins, self.words, self.packages)]
+
+    def is_named(self, rows: Iterable[tuple[Any, ...]]) -> bool:
+        """Whether one of the names that a component goes by, as `interface` has them, is that of something that is started."""
+        return any((package, name) in self.executables or name in self.words or name in self.plugins for _, package, name, *_ in rows)
 
     def is_needed(self, component: Component) -> bool:
         """Whether a node is started from this executable, or with an argument that names this class."""

@@ -97,15 +97,15 @@ def source_rows(root: Path, compositions: Sequence[Composition], models: Sequenc
     return {"source_says": rows}
 
 
-def named_by(composition: Composition, rows: Rows) -> Rows:
-    """Of what the workspace has of what some launch files name, what those of one composition name."""
+def named_by(composition: Composition, components: Collection[str], rows: Rows) -> Rows:
+    """Of what the workspace has of what some launch files name, what those of one composition, which starts `components`, name."""
     packages = {reference.package for reference in composition.references if isinstance(reference, PackageNamed)}
     packages |= {problem.subject for problem in composition.problems}
     words = _last_words([composition])
     return {
         **rows,
         "package_expected": {row for row in rows.get("package_expected", ()) if row[0] in packages},
-        "source_says": {row for row in rows.get("source_says", ()) if row[1] in words},
+        "source_says": {row for row in rows.get("source_says", ()) if row[0] in components and row[1] in words},
     }
 
 
