@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,6 +25,7 @@ from rosarch.models.system.workspace import (
     set_rows,
     shared_rows,
     source_rows,
+    words_said,
     workspace_rows,
 )
 
@@ -75,11 +76,6 @@ class Components:
     shared: Interface
     diagnostics: tuple[Diagnostic, ...]
 
-    @property
-    def digest(self) -> str:
-        """A hash of all rows."""
-        return hash_of([self.shared.digest, *(interface.digest for interface in self.interfaces)])
-
     def started(self, launch: Launch) -> list[Interface]:
         """The interfaces of those that a launch may start, with those that these load."""
         needed = _Needed([launch])
@@ -99,11 +95,15 @@ class Components:
 
 @dataclass(frozen=True)
 class Surrounding:
-    """What all launches of a workspace share: its components, what launch files name of it, what was not understood, what users say."""
+    """What all launches of a workspace share: its components, what launch files name of it, what was not understood, what users say.
+
+    `said` are the words that the sources of each component say.
+    """
 
     root: Path
     components: Components
     named: Rows
+    said: Mapping[str, frozenset[str]]
     diagnostics: tuple[Diagnostic, ...]
     given: Rows = field(default_factory=dict)
 
@@ -117,7 +117,8 @@ class Surrounding:
         interfaces = self.components.started(launch)
         titles = {title for interface in interfaces for title in interface.all("interface", 0)}
         composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
-        own = merged([*composed, named_by(launch.composition, titles, self.named), self.given])
+        named = named_by(launch.composition, self.named), source_rows(launch.composition, titles, self.said)
+        own = merged([*composed, *named, self.given])
         return SystemFacts(own, (self.components.shared, *interfaces))
 
     def rows(self, launch: Launch) -> Rows:
@@ -153,20 +154,20 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
     components = memo.recall(key, (top, *_absolute(reading.library)), find) if memo else find()
     compositions = [launch.composition for launch in launches]
 
-    def said() -> Rows:
-        return source_rows(root, compositions, components.models)
+    def words() -> Mapping[str, frozenset[str]]:
+        return words_said(root, components.models)
 
-    words = sorted({setting.name for composition in compositions for setting in composition.params})
-    sources = memo.recall(["said", top, components.digest, *words], (top,), said) if memo else said()
+    sources = [repr((model.package, model.component, model.sources)) for model in components.models]
+    said = memo.recall(["said", top, *sources], (top,), words) if memo else words()
 
     def depends() -> Dependencies:
         return memo.recall(["dependencies", top], (top,), lambda: dependencies(root)) if memo else dependencies(root)
 
     there = workspace_rows(depends, compositions, components.programs, components.expected)
-    named = merged([there, sources, set_rows(compositions, components.models)])
+    named = merged([there, set_rows(compositions, components.models)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
-    return Surrounding(root, components, named, tuple(dict.fromkeys(found)), given)
+    return Surrounding(root, components, named, said, tuple(dict.fromkeys(found)), given)
 
 
 def _absolute(folders: Sequence[Path]) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
@@ -84,34 +84,31 @@ def _namespaces(name: str) -> Iterator[str]:
         yield name
 
 
-def source_rows(root: Path, compositions: Sequence[Composition], models: Sequence[ComponentModel]) -> Rows:
-    """Which of the last words of parameters' names the texts in the sources of components' packages say."""
-    wanted = _last_words(compositions)
-    said: dict[str, set[str]] = {}
-    rows: set[tuple[str, str]] = set()
+def words_said(root: Path, models: Sequence[ComponentModel]) -> dict[str, frozenset[str]]:
+    """The words of all texts in the sources of each component's package, comments left out."""
+    said: dict[str, frozenset[str]] = {}
+    found: dict[str, frozenset[str]] = {}
     for model in models:
-        for folder in sorted({_package_folder(root, source) for source in model.sources}):
-            if folder not in said:
-                said[folder] = _words_said(root / folder) & wanted
-            rows.update((f"{model.package}/{model.component}", word) for word in said[folder])
-    return {"source_says": rows}
+        folders = sorted({_package_folder(root, source) for source in model.sources})
+        said.update((folder, _words_said(root / folder)) for folder in folders if folder not in said)
+        words = [said[folder] for folder in folders]
+        found[f"{model.package}/{model.component}"] = (
+            words[0] if len(words) == 1 else frozenset[str]().union(*words)
+        )  # one object, kept once
+    return found
 
 
-def named_by(composition: Composition, components: Collection[str], rows: Rows) -> Rows:
-    """Of what the workspace has of what some launch files name, what those of one composition, which starts `components`, name."""
+def named_by(composition: Composition, rows: Rows) -> Rows:
+    """Of what the workspace has of what some launch files name, what those of one composition name."""
     packages = {reference.package for reference in composition.references if isinstance(reference, PackageNamed)}
     packages |= {problem.subject for problem in composition.problems}
-    words = _last_words([composition])
-    return {
-        **rows,
-        "package_expected": {row for row in rows.get("package_expected", ()) if row[0] in packages},
-        "source_says": {row for row in rows.get("source_says", ()) if row[0] in components and row[1] in words},
-    }
+    return {**rows, "package_expected": {row for row in rows.get("package_expected", ()) if row[0] in packages}}
 
 
-def _last_words(compositions: Iterable[Composition]) -> set[str]:
-    """The last words of the names of parameters."""
-    return {word for composition in compositions for setting in composition.params for word in _WORD.findall(setting.name)[-1:]}
+def source_rows(composition: Composition, components: Iterable[str], said: Mapping[str, frozenset[str]]) -> Rows:
+    """Which of the last words of parameters' names the sources of `components`, which say the words `said`, say."""
+    words = {word for setting in composition.params for word in _WORD.findall(setting.name)[-1:]}
+    return {"source_says": {(component, word) for component in components for word in words & said.get(component, frozenset())}}
 
 
 def _package_folder(root: Path, source: str) -> str:
@@ -120,7 +117,7 @@ def _package_folder(root: Path, source: str) -> str:
     return str(next((folder for folder in folders if (root / folder / "package.xml").is_file()), folders[0]))
 
 
-def _words_said(folder: Path) -> set[str]:
+def _words_said(folder: Path) -> frozenset[str]:
     """The words of all texts in the sources below a folder, comments left out."""
     found: set[str] = set()
     for here, folders, names in os.walk(folder):
@@ -132,4 +129,4 @@ def _words_said(folder: Path) -> set[str]:
                 except OSError:
                     continue  # where it is analysed, that is reported
                 found.update(word for said in _TEXT_OR_COMMENT.findall(text) for word in _WORD.findall(said))
-    return found
+    return frozenset(found)

@@ -305,6 +305,19 @@ def test_what_a_change_does_not_reach_is_not_evaluated_again(robot: Path, check:
     assert evaluated == ["robot/launch/main.launch"]
 
 
+def test_a_component_that_changed_reaches_the_systems_that_start_it(robot: Path, check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
+    (robot / "launch" / "alone.launch").write_text('<launch><node pkg="rviz" type="rviz" name="view"/></launch>')
+    check()
+    from rosarch.models.system.analysis import SystemCache
+
+    evaluated: list[str] = []
+    monkeypatch.setattr(SystemCache, "store", lambda _self, launch, _own, _composed: evaluated.append(launch.name))
+    source = min(robot.rglob("*.cpp"))
+    source.write_text("\n" + source.read_text())
+    check()
+    assert evaluated == ["robot/launch/main.launch"]
+
+
 def test_random_edits(robot: Path, rosarch: Callable) -> None:
     """Whatever is edited, models and findings are byte for byte those of a run without a cache."""
     chosen = random.Random(0)

@@ -8,7 +8,7 @@ from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.library import load
 from rosarch.models.component import ComponentModel, Parameter
 from rosarch.models.places import Place
-from rosarch.models.system.workspace import dependencies, programs_named, set_rows, shared_rows, source_rows, workspace_rows
+from rosarch.models.system.workspace import dependencies, programs_named, set_rows, shared_rows, source_rows, words_said, workspace_rows
 
 LAUNCH = """<launch><group if="false">
 <node pkg="robot" type="built" name="a"/><node pkg="robot" type="gone" name="b"/>
@@ -45,7 +45,9 @@ def test_words_of_sources(tmp_path: Path) -> None:
     )
     composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
     model = ComponentModel("robot", "driver", "robot", "node", None, ("robot/src/a.cpp",), (), ())
-    assert source_rows(tmp_path, [composition], [model]) == {"source_says": {("robot/driver", "speed")}}
+    said = words_said(tmp_path, [model])
+    assert source_rows(composition, ["robot/driver", "other/driver"], said) == {"source_says": {("robot/driver", "speed")}}
+    assert source_rows(composition, ["other/driver"], said) == {"source_says": set()}
 
 
 def test_parameters_of_absolute_names(tmp_path: Path) -> None:
