@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from importlib.metadata import version
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ from rosarch.experiments.comparison import EXTRA, FINDINGS, HIT, MISSED, OPTIONA
 from rosarch.experiments.plan import Experiment
 from rosarch.experiments.results import Component, Outcome, Results
 from rosarch.experiments.run import Cell, Configuration, Evaluated, Runner
-from rosarch.experiments.subjects import Extracting, OpenSubject, Subject, digest_of, opened
+from rosarch.experiments.subjects import Extracting, OpenSubject, Subject, about, digest_of, opened
 from rosarch.experiments.truth import TruthError
 from rosarch.extractor.pool import Failure
 from rosarch.models.findings import Finding
@@ -47,7 +47,10 @@ def conduct(experiment: Experiment, how: Extracting, runner: Runner, check: Chec
             evaluated[cell.configuration.name, component] = None if isinstance(outcome, Failure) else outcome
     outcomes = {
         each.name: {
-            _component(cell): _outcome(cell, evaluated[each.name, _component(cell)]) for cell in cells if cell.configuration is each
+            component: outcome
+            for cell in cells
+            if cell.configuration is each
+            for component, outcome in _outcomes(cell, evaluated[each.name, _component(cell)])
         }
         for each in configurations
     }
@@ -81,11 +84,13 @@ def _failed(cell: Cell, failure: Failure) -> Diagnostic:
     return Diagnostic("component", cell.subject.subject.folder, 1, 1, what)
 
 
-def _outcome(cell: Cell, evaluated: Evaluated | None) -> Outcome:
-    truth = next((t for t in cell.subject.subject.truths if t.title == _component(cell).title), None)
-    model = evaluated.model if evaluated else {}
-    comparison: Comparison = compare(truth.document if truth else {}, model)
-    return Outcome(evaluated, comparison, truth is not None)
+def _outcomes(cell: Cell, evaluated: Evaluated | None) -> Iterator[tuple[Component, Outcome]]:
+    """The component, and its nodes that there is truth about: these have no rows and took no time of their own."""
+    own = {truth.component: truth for truth in about(cell.subject.subject, cell.facts)}
+    for name in dict.fromkeys((cell.facts.name, *own)):
+        comparison: Comparison = compare(own[name].document if name in own else {}, evaluated.model(name) if evaluated else {})
+        alone = evaluated if name == cell.facts.name else evaluated and Evaluated((), {}, 0.0)
+        yield Component(cell.subject.subject.name, f"{cell.facts.package}/{name}"), Outcome(alone, comparison, name in own)
 
 
 def _findings(subject: Subject, found: Sequence[Finding]) -> Outcome:
@@ -98,7 +103,7 @@ def _findings(subject: Subject, found: Sequence[Finding]) -> Outcome:
         elements[key] = Element(f"{each.check.id}: {each.message}", str(each.place), verdict)
     for check, at in sorted((subject.findings or frozenset()) - elements.keys()):
         elements[check, at] = Element(check, at, MISSED)
-    return Outcome(Evaluated({}, {}, 0.0), Comparison({FINDINGS: elements}), subject.findings is not None)
+    return Outcome(Evaluated((), {}, 0.0), Comparison({FINDINGS: elements}), subject.findings is not None)
 
 
 def _provenance(

@@ -20,7 +20,7 @@ from rosarch.extractor.cache import Cache, hash_of, version_of
 from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.stored import Facts
-from rosarch.models.component import build_model, to_json
+from rosarch.models.component import build_models, to_json
 from rosarch.models.rule_sets import SHIPPED, RuleSet
 
 Row = tuple[str, str]
@@ -39,11 +39,15 @@ class Configuration:
 
 @dataclass(frozen=True)
 class Evaluated:
-    """What a configuration makes of a component: its model, the rows of relations that are put out, and the processor time it took."""
+    """What a configuration makes of a component: its models (see `build_models`), rows of relations, and the processor time it took."""
 
-    model: Document
+    models: tuple[Document, ...]
     rows: Mapping[str, tuple[Row, ...]]
     seconds: float
+
+    def model(self, component: str) -> Document:
+        """The model of the component, or of one of its nodes; an empty one when it has no such node."""
+        return next((model for model in self.models if model["component"] == component), {})
 
 
 @dataclass(frozen=True)
@@ -118,13 +122,13 @@ def _evaluate(cell: Cell, engine: str) -> bytes:
     seconds = sum(os.times()[:4]) - start
     found = result.all_rows()
     component = cell.facts
-    model = build_model(cell.subject.subject.name, component.name, component.package, component.kind, component.sources, found)
-    return json.dumps([to_json(model), _texts(cell.configuration.program, found, facts), seconds]).encode()
+    models = build_models(cell.subject.subject.name, component.name, component.package, component.kind, component.sources, found)
+    return json.dumps([list(map(to_json, models)), _texts(cell.configuration.program, found, facts), seconds]).encode()
 
 
 def _evaluated(data: bytes) -> Evaluated:
-    model, rows, seconds = json.loads(data)
-    return Evaluated(model, {name: tuple((text, at) for text, at in found) for name, found in rows.items()}, seconds)
+    models, rows, seconds = json.loads(data)
+    return Evaluated(tuple(models), {name: tuple((text, at) for text, at in found) for name, found in rows.items()}, seconds)
 
 
 def _texts(

@@ -11,7 +11,7 @@ from rosarch.datalog import Program
 from rosarch.experiments.comparison import Document
 from rosarch.experiments.run import Cell, Configuration, Runner
 from rosarch.experiments.scores import Score, score
-from rosarch.experiments.subjects import Extracting, Subject, opened
+from rosarch.experiments.subjects import Extracting, Subject, about, opened
 from rosarch.experiments.truth import Truth, TruthError, read_models, systems
 from rosarch.extractor.pool import Failure
 from rosarch.extractor.stored import is_facts_text
@@ -79,7 +79,9 @@ def run_single(
                     detail = f"{title} not analysed: {outcome.reason} ({outcome.detail})"
                     diagnostics.append(Diagnostic("component", subject.folder, 1, 1, detail))
                 else:
-                    models[subject.name, cell.facts.package, cell.facts.name] = outcome.model
+                    for truth in about(subject, cell.facts):
+                        if model := outcome.model(truth.component):
+                            models[subject.name, truth.package, truth.component] = model
             if done:
                 done(subject.name, len(found.components))
     return SingleRun(tuple(truths), models, tuple(diagnostics))

@@ -38,7 +38,7 @@ class Subject:
     def wants(self, package: str, component: str) -> bool:
         """Whether a component is analysed."""
         if self.truths:
-            return any((truth.package, truth.component) == (package, component) for truth in self.truths)
+            return any((truth.package, truth.program) == (package, component) for truth in self.truths)
         return not self.packages or package in self.packages
 
 
@@ -109,7 +109,7 @@ def _stored(subject: Subject) -> OpenSubject:
 
 
 def _absent(subject: Subject, known: Collection[tuple[str, str]]) -> tuple[Truth, ...]:
-    return tuple(truth for truth in subject.truths if (truth.package, truth.component) not in known)
+    return tuple(truth for truth in subject.truths if (truth.package, truth.program) not in known)
 
 
 def _require(found: OpenSubject, absent: bool, known: Collection[tuple[str, str]] = ()) -> None:
@@ -122,6 +122,11 @@ def _told(truth: Truth, subject: Subject, known: Collection[tuple[str, str]]) ->
     names = [name for package, name in known if package == truth.package]
     near = hint(truth.component, names) or hint(truth.title, [f"{package}/{name}" for package, name in known])
     return f"{truth.at}:{truth.at.column}: no component {truth.title} in {subject.folder}{near}"
+
+
+def about(subject: Subject, component: Facts) -> list[Truth]:
+    """The truth about a component and about its nodes."""
+    return [truth for truth in subject.truths if (truth.package, truth.program) == (component.package, component.name)]
 
 
 def digest_of(parts: Sequence[str]) -> str:

@@ -35,6 +35,11 @@ class Truth:
     digest: str
 
     @property
+    def program(self) -> str:
+        """The component that it is about a node of, else the component itself."""
+        return str(self.document.get("executable") or self.component)
+
+    @property
     def title(self) -> str:
         """`package/component`."""
         return f"{self.package}/{self.component}"

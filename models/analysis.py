@@ -16,7 +16,7 @@ from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.extractor.sharing import CommonUnits, in_groups, read_common
 from rosarch.extractor.stored import Facts, read_stored
 from rosarch.models.cache import ModelCache
-from rosarch.models.component import ComponentModel, Relations, build_model
+from rosarch.models.component import ComponentModel, Relations, build_models, distinct
 from rosarch.models.rule_sets import SHIPPED, RuleSet, is_loaded_soon, model_program, rules_digest
 
 if TYPE_CHECKING:
@@ -95,25 +95,27 @@ def _evaluate(
     failures: list[Diagnostic] = []
     waiting = []
     for component in components:
-        model = kept.load(_title(component), component.key) if kept else None
-        if model is None:
+        known = kept.load(_title(component), component.key) if kept else None
+        if known is None:
             waiting.append(component)
         else:
-            models.append(model)
+            models.extend(known)
+    waiting_for = len(waiting)
     for component, outcome in _derived(waiting, rules, engine, jobs) if waiting else ():
         if isinstance(outcome, Failure):
             detail = f"{_title(component)} not analysed: {outcome.reason} ({outcome.detail})"
             failures.append(Diagnostic("component", where, 1, 1, detail))
         else:
-            models.append(build_model(system, component.name, component.package, component.kind, component.sources, outcome))
+            made = build_models(system, component.name, component.package, component.kind, component.sources, outcome)
+            models.extend(made)
             if kept:
-                kept.store(_title(component), component.key, models[-1])
+                kept.store(_title(component), component.key, made)
         if progress:
-            progress("components", len(models) + len(failures), len(components))
+            waiting_for -= 1
+            progress("components", len(components) - waiting_for, len(components))
     if kept and waiting:
         kept.cache.trim()
-    models.sort(key=lambda model: (model.package, model.component))
-    return tuple(models), sorted(failures, key=str)
+    return distinct(models), sorted(failures, key=str)
 
 
 def _derived(

@@ -27,14 +27,14 @@ class ModelCache:
     engine: str
     rules: str = ""
 
-    def load(self, component: str, facts: str | None) -> ComponentModel | None:
-        """The model of a component, found by the hash of its facts; None when there is none, or the facts have no hash."""
-        return self.cache.load_value(self._key(component, facts), ComponentModel) if facts else None
+    def load(self, component: str, facts: str | None) -> tuple[ComponentModel, ...] | None:
+        """The models of a component (see `build_models`), found by the hash of its facts; None when there are none."""
+        return self.cache.load_value(self._key(component, facts), tuple) if facts else None
 
-    def store(self, component: str, facts: str | None, model: ComponentModel) -> None:
-        """Keep a model, when its facts have a hash."""
+    def store(self, component: str, facts: str | None, models: tuple[ComponentModel, ...]) -> None:
+        """Keep the models of a component, when its facts have a hash."""
         if facts:
-            self.cache.store_value(self._key(component, facts), model)
+            self.cache.store_value(self._key(component, facts), models)
 
     def _key(self, component: str, facts: str) -> str:
         return hash_of(["model", models_version(), self.system, self.engine, self.rules, component, facts])

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rosarch.datalog.values import symbols
 from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
@@ -70,7 +71,7 @@ class ComponentModel:
 
     `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads,
     `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
-    name, and `traits` what only matters in a system.
+    name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     """
 
     system: str
@@ -88,11 +89,39 @@ class ComponentModel:
     loads_any: tuple[str, ...] = ()
     traits: tuple[Trait, ...] = ()
     executables: tuple[str, ...] = ()
+    executable: str | None = None
 
     @property
     def types(self) -> tuple[str, ...]:
         """What launch files know the component as: the name of a class that is loaded, names of programs."""
         return (*([self.plugin.name] if self.plugin else []), *self.executables) or (self.component,)
+
+
+def build_models(
+    system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations
+) -> tuple[ComponentModel, ...]:
+    """The model of a component, and of a program that makes several nodes also one of each node, with what belongs to it or to none."""
+    own: dict[str, set[str]] = defaultdict(set)
+    for name, element in relations["node_element"]:
+        own[name].add(element)
+    known = set().union(*own.values())
+    whole = build_model(system, component, package, kind, sources, relations)
+    nodes = []
+    for name in sorted(own):
+        foreign = known - own[name]
+        rows = {relation: [row for row in found if foreign.isdisjoint(symbols(row))] for relation, found in relations.items()}
+        nodes.append(replace(build_model(system, name, package, kind, sources, rows), node_name=name, executable=component, executables=()))
+    return (whole, *nodes)
+
+
+def distinct(models: Iterable[ComponentModel]) -> tuple[ComponentModel, ...]:
+    """Models by package and name; nodes of programs are called `program.node` where their package has their name twice."""
+    found = list(models)
+    called = Counter((model.package, model.component) for model in found)
+    for index, model in enumerate(found):
+        if model.executable and called[model.package, model.component] > 1:
+            found[index] = replace(model, component=f"{model.executable}.{model.component}")
+    return tuple(sorted(found, key=lambda model: (model.package, model.component)))
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
@@ -219,6 +248,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "package": model.package,
         "kind": model.kind,
         "node_name": model.node_name,
+        **({"executable": model.executable} if model.executable else {}),
         "sources": list(model.sources),
         "ports": list(map(port_json, model.ports)),
         "params": list(map(parameter_json, model.params)),

@@ -12,7 +12,7 @@ from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import path_below
 from rosarch.models.component import ComponentModel, to_json
 
-_IDENTITY = ("system", "component", "package", "kind", "node_name", "ports")
+_IDENTITY = ("system", "component", "package", "kind", "node_name", "executable", "ports")
 
 
 def model_text(model: ComponentModel) -> str:

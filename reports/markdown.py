@@ -19,7 +19,8 @@ def ports_text(models: Iterable[ComponentModel]) -> str:
 
 def _component(model: ComponentModel) -> str:
     name = f", node name {code_span(model.node_name)}" if model.node_name and model.node_name != model.component else ""
-    head = f"## {_plain(f'{model.package}/{model.component}')} ({model.kind}{name})\n"
+    kind = f"node of {code_span(model.executable)}" if model.executable else f"{model.kind}{name}"
+    head = f"## {_plain(f'{model.package}/{model.component}')} ({kind})\n"
     ports = sorted_ports(model)
     if not ports:
         return f"{head}\nNo ports.\n"

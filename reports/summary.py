@@ -10,7 +10,8 @@ from rosarch.reports.labels import KINDS, counted
 
 
 def summary_line(models: Sequence[ComponentModel], seconds: float) -> str:
-    """Components, ports by kind, unknown names, time; ports inside libraries are not counted."""
+    """Components, ports by kind, unknown names, time. Nodes of a program count as the program, ports inside libraries do not."""
+    models = [model for model in models if not model.executable]
     ports = [port for model in models for port in model.ports if not port.implicit]
     kinds = Counter(port.kind for port in ports)
     parts = [counted(kinds[kind], label) for kind, label in KINDS.items() if kinds[kind]]

@@ -57,6 +57,7 @@ def _print_model(console: Console, model: ComponentModel, parameters: bool) -> N
 
 def _header(model: ComponentModel, folder: str) -> Text:
     name = f"node {model.node_name}" if model.kind == "node" and model.node_name else model.kind
+    name = f"node of {model.executable}" if model.executable else name
     return Text.assemble((f"{model.package}/{model.component}", "bold"), f"  {name}", (f"  {folder}" if folder else "", "dim"))
 
 

@@ -185,7 +185,8 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
         options: dict[str, Any] = {"jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines, "cache": reading.cache}
         found = analyze(root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, **options)
         diagnostics.extend(found.diagnostics)
-        return replace(found, models=tuple(model for model in found.models if model.sources))  # of the others nothing is known
+        # of the others nothing is known, or they are nodes of a program that is there as a whole
+        return replace(found, models=tuple(model for model in found.models if model.sources and not model.executable))
 
     models: tuple[ComponentModel, ...] = ()
     programs: frozenset[tuple[str, str]] = frozenset()

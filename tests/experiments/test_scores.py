@@ -157,6 +157,52 @@ def test_wrong_truth(rosarch: Callable, workspace: Path, tmp_path: Path, text: s
     assert list((tmp_path / "models").iterdir()) == []
 
 
+PROGRAM = {
+    "package.xml": "<package format='3'><name>pair</name><version>1.0.0</version><description/><maintainer email='a@b.org'>a</maintainer>"
+    "<license>MIT</license><export><build_type>ament_python</build_type></export></package>",
+    "setup.py": "from setuptools import setup\nsetup(name='pair', packages=['pair'], entry_points={'console_scripts': ['both = pair.both:main']})\n",
+    "pair/__init__.py": "",
+    "pair/both.py": """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self, topic):
+        super().__init__('talker')
+        self.talks = self.create_publisher(String, topic, 10)
+
+class Listener(Node):
+    def __init__(self):
+        super().__init__('listener')
+        self.hears = self.create_subscription(String, 'chatter', print, 10)
+
+def main():
+    rclpy.init()
+    nodes = [Talker('chatter'), Listener()]
+""",
+}
+
+
+def test_truth_about_a_node_of_a_program(rosarch: Callable, tmp_path: Path) -> None:
+    for name, text in PROGRAM.items():
+        path = tmp_path / "ws" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    (tmp_path / "truth").mkdir()
+    head = "system: ws\npackage: pair\nexecutable: both\n"
+    port = "  - {id: p1, kind: publisher, name: chatter, type: std_msgs/String, queue: 10}\n"
+    (tmp_path / "truth" / "talker.yml").write_text(f"{head}component: talker\nports:\n{port}")
+    (tmp_path / "truth" / "listener.yml").write_text(f"{head}component: listener\nports:\n{port.replace('publisher', 'subscriber')}")
+    done = rosarch("score", tmp_path / "truth", tmp_path / "ws", "--format", "csv")
+    assert (done.code, done.out.splitlines()[1]) == (0, "ports,2,2,0,1.0,1.0,1.0")
+    shown = rosarch("show", "ports", tmp_path / "ws").out
+    assert ("pair/talker  node of both" in shown, "1 component, 2 ports" in shown) == (True, True)
+    (tmp_path / "truth" / "listener.yml").unlink()
+    (tmp_path / "truth" / "talker.yml").write_text(f"{head}component: takler\nports:\n{port}")
+    assert "1 component, 1 without a model: pair/takler" in rosarch("score", tmp_path / "truth", tmp_path / "ws").out
+
+
 def test_truth_that_is_no_text(tmp_path: Path) -> None:
     (tmp_path / "a.yml").write_bytes(b"component: talker\npackage: \xff\n")
     with pytest.raises(TruthError) as caught:

@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
-from rosarch.models.component import ComponentModel, build_model, to_json
+from rosarch.models.component import ComponentModel, build_model, build_models, distinct, to_json
 
 NAMES = (
     "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_queue", "port_latched", "port_unknown", "port_made_through", "port_via",
     "implicit_port", "implicit_port_callback", "node_location",
     "function_display", "parameter_access", "parameter_access_default", "parameter_access_type",
-    "reconfigure_parameter", "node_name",
+    "reconfigure_parameter", "node_name", "node_element",
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
     "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
     "loop_condition", "silent_condition", "switch_case",
@@ -234,3 +234,30 @@ def test_a_site_without_place_is_left_out() -> None:
 
 def test_a_parameter_access_without_place_is_left_out() -> None:
     assert model(parameter_access=[("c9", "read", "p")], node_location=place("c2")).params == ()
+
+
+def test_nodes_of_a_program_have_what_is_theirs_and_what_is_nobodys() -> None:
+    sites = place("c1", "c2", "c3", "c4")
+    relations = {
+        "port": [(("c1", "publisher", "out"),), (("c2", "subscriber", "in"),), (("c3", "publisher", "both"),)],
+        "parameter_access": [("c4", "read", "~rate")],
+        "node_location": sites,
+        "node_name": [("first",), ("second",)],
+        "node_element": [("first", "c1"), ("second", "c2"), ("second", "c4")],
+    }
+    program = ("sys", "n", "pkg", "node", ("pkg/n.cpp",))
+    whole, first, second = build_models(*program, {name: relations.get(name, []) for name in NAMES})
+    assert [port.name for port in whole.ports] == ["out", "in", "both"]
+    assert ([port.name for port in first.ports], first.params, first.node_name, first.executable) == (["out", "both"], (), "first", "n")
+    assert ([port.name for port in second.ports], second.params) == (["in", "both"], whole.params)
+    assert "executable" not in to_json(whole)
+    assert to_json(second)["executable"] == "n"
+    assert build_models(*program, {name: RELATIONS.get(name, []) for name in NAMES}) == (model(**RELATIONS),)
+
+
+def test_nodes_that_are_called_alike_tell_their_programs() -> None:
+    def named(component: str, executable: str | None = None) -> ComponentModel:
+        return ComponentModel("sys", component, "pkg", "node", None, (), (), (), executable=executable)
+
+    found = distinct([named("b", "two"), named("two"), named("b", "one"), named("c", "one"), named("d"), named("d", "one")])
+    assert [each.component for each in found] == ["c", "d", "one.b", "one.d", "two", "two.b"]
