@@ -10,7 +10,7 @@ interface View {
 }
 
 export interface Camera {
-  fit: (part?: Rectangle) => void;
+  fit: () => void;
   zoom: (factor: number) => void;
   /** Show this part, without zooming further out than it needs. */
   reveal: (part: Rectangle) => void;
@@ -20,11 +20,25 @@ const CLOSEST = 3;
 const FARTHEST = 0.02;
 const READABLE = 1;
 const STEP = 60;
+/** Milliseconds that the view has to rest before it is told of. */
+const REST = 250;
 /** Below this scale texts cannot be read: names of nodes grow, others are left out. */
 const LEGIBLE = 0.5;
 
-export function useCamera(svg: RefObject<SVGSVGElement>, scene: RefObject<SVGGElement>, whole: Rectangle): Camera {
+/** The camera on a drawing. It begins where `start` says (see `onRest`), otherwise with all of the drawing, as with any other drawing later. */
+export function useCamera(
+  svg: RefObject<SVGSVGElement>,
+  scene: RefObject<SVGGElement>,
+  whole: Rectangle,
+  start: string,
+  /** Is told the middle of the view and its scale, or "" when it is all of the drawing. */
+  onRest: (view: string) => void,
+): Camera {
   const view = useRef<View>({ x: 0, y: 0, scale: 1 });
+  const begin = useRef(start);
+  const resting = useRef(0);
+  const tell = useRef(onRest);
+  tell.current = onRest;
 
   const apply = useCallback(() => {
     const { x, y, scale } = view.current;
@@ -33,15 +47,25 @@ export function useCamera(svg: RefObject<SVGSVGElement>, scene: RefObject<SVGGEl
     svg.current?.style.setProperty("--far", String(LEGIBLE / scale));
   }, [svg, scene]);
 
+  const moved = useCallback(() => {
+    apply();
+    clearTimeout(resting.current);
+    resting.current = setTimeout(() => {
+      const box = svg.current?.getBoundingClientRect();
+      if (box) tell.current(written(view.current, box));
+    }, REST);
+  }, [svg, apply]);
+  useEffect(() => () => clearTimeout(resting.current), []);
+
   const zoomAt = useCallback(
     (factor: number, px: number, py: number) => {
       const { x, y, scale } = view.current;
       const next = Math.min(CLOSEST, Math.max(FARTHEST, scale * factor));
       const ratio = next / scale;
       view.current = { x: px - (px - x) * ratio, y: py - (py - y) * ratio, scale: next };
-      apply();
+      moved();
     },
-    [apply],
+    [moved],
   );
 
   const show = useCallback(
@@ -54,25 +78,50 @@ export function useCamera(svg: RefObject<SVGSVGElement>, scene: RefObject<SVGGEl
         y: (box.height - part.height * scale) / 2 - part.y * scale,
         scale,
       };
-      apply();
+      moved();
     },
-    [svg, apply],
+    [svg, moved],
   );
+  const fit = useCallback(() => {
+    show(whole, READABLE);
+    clearTimeout(resting.current);
+    tell.current("");
+  }, [show, whole]);
 
-  useEffect(() => show(whole, READABLE), [show, whole]);
+  useEffect(() => {
+    const box = svg.current?.getBoundingClientRect();
+    const found = box && read(begin.current, box);
+    begin.current = "";
+    if (!found) return fit();
+    view.current = found;
+    apply();
+  }, [svg, fit, apply]);
   useEffect(() => {
     const element = svg.current;
-    return element ? listen(element, view, apply, zoomAt) : undefined;
-  }, [svg, apply, zoomAt]);
+    return element ? listen(element, view, moved, zoomAt) : undefined;
+  }, [svg, moved, zoomAt]);
 
   return {
-    fit: (part = whole) => show(part, READABLE),
+    fit,
     zoom: (factor) => {
       const box = svg.current?.getBoundingClientRect();
       if (box) zoomAt(factor, box.width / 2, box.height / 2);
     },
     reveal: (part) => show(grown(part), Math.max(READABLE, view.current.scale)),
   };
+}
+
+/** A view as text that does not depend on the size of the frame. */
+function written({ x, y, scale }: View, box: DOMRect): string {
+  const [middle, height] = [(box.width / 2 - x) / scale, (box.height / 2 - y) / scale];
+  return `${Math.round(middle)},${Math.round(height)},${Number(scale.toPrecision(3))}`;
+}
+
+function read(text: string, box: DOMRect): View | null {
+  const [x, y, scale, ...more] = text.split(",").map(Number);
+  if (x === undefined || y === undefined || !scale || more.length || ![x, y, scale].every(Number.isFinite)) return null;
+  const kept = Math.min(CLOSEST, Math.max(FARTHEST, scale));
+  return { x: box.width / 2 - x * kept, y: box.height / 2 - y * kept, scale: kept };
 }
 
 const grown = ({ x, y, width, height }: Rectangle): Rectangle => ({
@@ -85,7 +134,7 @@ const grown = ({ x, y, width, height }: Rectangle): Rectangle => ({
 function listen(
   element: SVGSVGElement,
   view: { current: View },
-  apply: () => void,
+  changed: () => void,
   zoomAt: (factor: number, x: number, y: number) => void,
 ): () => void {
   const pointers = new Map<number, PointerEvent>();
@@ -111,7 +160,7 @@ function listen(
       if (!moved) element.setPointerCapture(event.pointerId);
       view.current.x += dx;
       view.current.y += dy;
-      apply();
+      changed();
     }
     moved = true;
     pointers.set(event.pointerId, event);
@@ -137,7 +186,7 @@ function listen(
     event.preventDefault();
     view.current.x += step[0];
     view.current.y += step[1];
-    apply();
+    changed();
   };
   element.addEventListener("pointerdown", down);
   element.addEventListener("pointermove", move);

@@ -13,6 +13,9 @@ interface Props {
   /** What a chain leads through, lit while nothing else is. */
   chain: ReadonlySet<string>;
   label: string;
+  /** Where the view begins and where it comes to rest, as texts. */
+  view: string;
+  onView: (view: string) => void;
   onSelect: (id: string) => void;
   onOpen: (id: string) => void;
   onGroup: (group: string) => void;
@@ -21,12 +24,26 @@ interface Props {
 }
 
 export function GraphCanvas(props: Props) {
-  const { graph, drawing, filtered, selected, chain, label, onSelect, onOpen, onGroup, onHover, onCamera } = props;
+  const {
+    graph,
+    drawing,
+    filtered,
+    selected,
+    chain,
+    label,
+    view,
+    onView,
+    onSelect,
+    onOpen,
+    onGroup,
+    onHover,
+    onCamera,
+  } = props;
   const svg = useRef<SVGSVGElement>(null);
   const scene = useRef<SVGGElement>(null);
   const { width, height } = drawing;
   const whole = useMemo(() => ({ x: 0, y: 0, width, height }), [width, height]);
-  const camera = useCamera(svg, scene, whole);
+  const camera = useCamera(svg, scene, whole, view, onView);
   useEffect(() => onCamera(camera));
   const rest = () => (selected ? light(scene.current, selected) : lightAll(scene.current, chain));
   useEffect(rest, [selected, chain, drawing]);

@@ -59,6 +59,8 @@ function SystemGraph({ system, route }: { system: System; route: Route }) {
             selected={options.selected}
             chain={chain}
             label={`Graph of ${counted(graph.boxes.size, "node")} and ${counted(graph.connectors.size, "connector")}`}
+            view={route.params.get("view") ?? ""}
+            onView={(view) => setParams({ view })}
             onSelect={select}
             onOpen={open}
             onGroup={toggle}
