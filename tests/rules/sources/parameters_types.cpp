@@ -4,7 +4,7 @@
 // expect: N = count : { parameter_operand_type(_, _) }, N = 33
 // expect: N = count : { parameter_access_default(_, _, _) }, N = 12
 // expect: N = count : { parameter_access(_, _, _) }, N = 28
-// expect: N = count : { node_name_expr(_) }, N = 2
+// expect: N = count : { node_name_argument(_, _) }, N = 2
 // expect: N = count : { constant_text(_, "") }, N = 2
 // expect-only: param
 // expect: param ~handed_double type=double
