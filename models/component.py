@@ -27,7 +27,7 @@ class Port:
     """A place where a component meets others; the fields are those of `FORMAT.md`.
 
     `unknown` tells why a name is not known, `in_namespace` where it has the namespace of the node: `first` (though it looks
-    absolute) or `inside`.
+    absolute) or `inside`. `qos` are the policies of its quality of service that are told, each with its setting.
     """
 
     id: str
@@ -44,6 +44,7 @@ class Port:
     unknown: str | None = None
     guard: Formula = formula.TRUE
     in_namespace: str | None = None
+    qos: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -90,6 +91,7 @@ class ComponentModel:
     traits: tuple[Trait, ...] = ()
     executables: tuple[str, ...] = ()
     executable: str | None = None
+    middleware: str | None = None
 
     @property
     def types(self) -> tuple[str, ...]:
@@ -136,7 +138,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         system,
         component,
         package,
-        kind,
+        _MANAGED if kind in _MAY_BE_MANAGED and any(relations["managed_node"]) else kind,
         names[0] if names else None,
         sources,
         ports,
@@ -148,7 +150,11 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         tuple(sorted({base for _, base in relations["plugin_load_any"]})),
         traits(relations, ids, places, variable_names(relations)),
         tuple(sorted(name for (name,) in relations["component_executable"])),
+        middleware=" and ".join(sorted(name for (name,) in relations["component_middleware"])) or None,
     )
+
+
+_MANAGED, _MAY_BE_MANAGED = "lifecycle_node", ("node", "component")
 
 
 def _first(rows: Iterable[Row]) -> dict[Any, Any]:
@@ -161,7 +167,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
-    relative = _first(relations["port_in_namespace"])
+    relative, qualities = _first(relations["port_in_namespace"]), _qualities(relations)
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
@@ -191,6 +197,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
                     unknown.get(port),
                     guards.created(site, calls[port]),
                     relative.get(port),
+                    qualities.get(port, ()),
                 ),
             )
         )
@@ -201,6 +208,18 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     found.sort(key=lambda item: (item[1].implicit, item[1].at, item[1].kind, item[1].name, item[1].type or ""))
     ports = tuple(replace(port, id=f"p{number}") for number, (_, port) in enumerate(found, 1))
     return ports, {record: port.id for (record, _), port in zip(found, ports, strict=True) if record is not None}
+
+
+def _qualities(relations: Relations) -> dict[Any, tuple[tuple[str, str], ...]]:
+    """The settings of each port's policies; of a policy that may have several none is told."""
+    settings: dict[tuple[Any, str], list[str]] = defaultdict(list)
+    for port, policy, setting in relations["port_quality"]:
+        settings[port, policy].append(setting)
+    found: dict[Any, list[tuple[str, str]]] = defaultdict(list)
+    for (port, policy), values in settings.items():
+        if len(values) == 1:
+            found[port].append((policy, values[0]))
+    return {port: tuple(sorted(policies)) for port, policies in found.items()}
 
 
 def _short_name(owner: str, name: str) -> str:
@@ -253,6 +272,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "ports": list(map(port_json, model.ports)),
         "params": list(map(parameter_json, model.params)),
         **_behavior_json(model.behavior),
+        **({"middleware": model.middleware} if model.middleware else {}),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"executables": list(model.executables)} if model.executables else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
@@ -311,6 +331,8 @@ def port_json(port: Port) -> dict[str, Any]:
         "latched": port.latched, "callback": port.callback, "via": port.via, "at": str(port.at),
         "conditional": formula.text(port.guard),
     }  # fmt: skip
+    if port.qos:
+        data["qos"] = dict(port.qos)
     if port.implicit:
         data["implicit"] = True
     if port.unknown:

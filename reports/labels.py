@@ -33,11 +33,15 @@ def sorted_ports(model: ComponentModel) -> list[Port]:
     )
 
 
+_TOLD = frozenset({("reliability", "best_effort"), ("history", "keep_all"), ("reliability", "system_default")})
+
+
 def flow_label(port: Port) -> str:
     """Queue size and the modes that matter to the other side."""
     words = [] if port.queue is None else [str(port.queue)]
     if port.latched:
         words.append("latched")
+    words += [setting.replace("_", " ") for policy, setting in port.qos if (policy, setting) in _TOLD]
     return " ".join(words)
 
 

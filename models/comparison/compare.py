@@ -86,6 +86,7 @@ def _port_item(port: Port) -> Item:
         ("type", port.type),
         ("queue", None if port.queue is None else str(port.queue)),
         ("latched", "yes" if port.latched else None),
+        ("quality", ", ".join(setting for policy, setting in port.qos if policy != "profile") or None),
         ("callback", port.callback),
         ("from", port.from_param),
     )

@@ -52,6 +52,8 @@ def model_rows(model: ComponentModel) -> Rows:
     component = f"{model.package}/{model.component}"
     for type_ in model.types:
         writer.add("interface", component, model.package, type_, model.kind, "source")
+    if model.middleware:
+        writer.add("interface_middleware", component, model.middleware)
     if model.node_name:
         writer.add("interface_node_name", component, model.node_name)
     if model.plugin and model.plugin.base:
@@ -65,6 +67,8 @@ def model_rows(model: ComponentModel) -> Rows:
         writer.add("interface_port", component, key, port.kind, port.name)
         writer.attributes("interface_port", key, port_json(port), _PORT)
         writer.add("interface_port_at", key, writer.placed(port.at))
+        for policy, setting in port.qos:
+            writer.add("interface_port_quality", key, policy, setting)
     for number, parameter in enumerate(model.params, 1):
         _access(writer, component, f"{component}#a{number}", parameter_json(parameter), parameter.at)
     for number, parameter in enumerate(model.reconfigurable, 1):

@@ -12,10 +12,10 @@ import pytest
 from rosarch.models.component import ComponentModel, build_model, build_models, distinct, to_json
 
 NAMES = (
-    "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_queue", "port_latched", "port_unknown", "port_made_through", "port_via",
+    "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_queue", "port_latched", "port_quality", "port_unknown", "port_made_through", "port_via",
     "implicit_port", "implicit_port_callback", "node_location",
     "function_display", "parameter_access", "parameter_access_default", "parameter_access_type",
-    "reconfigure_parameter", "node_name", "node_element",
+    "reconfigure_parameter", "node_name", "node_element", "component_middleware", "managed_node",
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
     "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
     "loop_condition", "silent_condition", "switch_case",
@@ -121,6 +121,23 @@ def test_ids_count_on_over_names_of_one_call_and_implicit_ports() -> None:
         ("p3", "a/status", True),
         ("p4", "a/goal", True),
     ]
+
+
+def test_qualities_that_are_told() -> None:
+    rows = [
+        (OUT, "reliability", "reliable"),
+        (OUT, "durability", "volatile"),
+        (OUT, "durability", "transient_local"),
+        (OUT, "history", "keep_last"),
+    ]
+    document = to_json(model(**RELATIONS, port_quality=rows))
+    assert [port.get("qos") for port in document["ports"]] == [{"history": "keep_last", "reliability": "reliable"}, None]
+
+
+def test_the_middleware_and_managed_nodes() -> None:
+    document = to_json(model(component_middleware=[("ROS 2",)], managed_node=[("c1",)]))
+    assert (document["middleware"], document["kind"]) == ("ROS 2", "lifecycle_node")
+    assert to_json(model(component_middleware=[("ROS 2",), ("ROS 1",)]))["middleware"] == "ROS 1 and ROS 2"
 
 
 def test_implicit_and_unknown_ports_are_marked() -> None:

@@ -15,7 +15,20 @@ from rosarch.models.system.interfaces import Rows, library_rows, model_rows
 from rosarch.models.traits import TRAITS, Trait
 
 AT = Place("base/src/base.cpp", 7, 3)
-OUT = Port("p1", "publisher", "odom", "~odom_topic", "nav_msgs/Odometry", 10, True, None, "plain", AT, in_namespace="first")
+OUT = Port(
+    "p1",
+    "publisher",
+    "odom",
+    "~odom_topic",
+    "nav_msgs/Odometry",
+    10,
+    True,
+    None,
+    "plain",
+    AT,
+    in_namespace="first",
+    qos=(("durability", "volatile"),),
+)
 IN = Port(
     "p2", "subscriber", "cmd_vel", None, "geometry_msgs/Twist", 1, False, "Base::onCommand", "plain", Place("base/src/base.cpp", 8, 3)
 )
@@ -34,6 +47,7 @@ MODEL = ComponentModel(
     loads=("robot/Filter",),
     loads_any=("robot::Filter",),
     traits=tuple(Trait(name, tuple(VALUES[kind] for kind in kinds)) for name, kinds in TRAITS.items()),
+    middleware="ROS 2",
 )  # fmt: skip
 FOUND = LibraryComponent(
     "tools", "mux", "gazebo_plugin",
@@ -61,6 +75,8 @@ def test_a_model() -> None:
     assert rows["interface_port_queue"] == {("robot/base#p1", 10), ("robot/base#p2", 1)}
     assert rows["interface_port_parameter"] == {("robot/base#p1", "~odom_topic")}
     assert (rows["interface_port_latched"], rows["interface_port_implicit"]) == ({("robot/base#p1",)}, {("robot/base#p3",)})
+    assert rows["interface_port_quality"] == {("robot/base#p1", "durability", "volatile")}
+    assert rows["interface_middleware"] == {("robot/base", "ROS 2")}
     assert rows["interface_port_in_namespace"] == {("robot/base#p1", "first")}
     assert rows["interface_port_callback"] == {("robot/base#p2", "Base::onCommand")}
     assert ("robot/base#p1", at) in rows["interface_port_at"]
