@@ -21,7 +21,12 @@ from rosarch.reports.expectations import file_text
 
 HERE = Path(__file__).parent
 FOLDERS = {"sources": SHIPPED, "packages": SHIPPED, "hints": rule_set([HERE / "hints" / "hints.dl"])}
-NAMES = sorted(f"{folder}/{path.relative_to(HERE / folder)}" for folder in FOLDERS for path in (HERE / folder).rglob("*") if path.suffix in (".cpp", ".py"))
+NAMES = sorted(
+    f"{folder}/{path.relative_to(HERE / folder)}"
+    for folder in FOLDERS
+    for path in (HERE / folder).rglob("*")
+    if path.suffix in (".cpp", ".py")
+)
 
 
 @pytest.fixture(scope="module")
