@@ -9,6 +9,8 @@
 # expect: publisher optparse_text
 # expect: publisher positional_text
 # expect: publisher ?
+# expect: publisher if_quiet
+# expect: publisher if_not_loud
 # expect-only: publisher
 # expect: param ~quiet = false
 # expect: param ~loud = true
@@ -17,7 +19,7 @@
 # expect: Count = count : { option_declared(C, Name) }, Count = 12
 # expect: option_declared(_, "max_speed")
 # expect: option_declared(_, "least_count_ever")
-# expect: Count = count : { default_truth(E, Value) }, Count = 5
+# expect: Count = count : { default_truth(E, Value) }, Count = 8
 # expect: default_truth(E, "false"), expr_text(E, "arguments.quiet")
 # expect: default_truth(E, "true"), expr_text(E, "arguments.loud")
 # expect: default_truth(E, "true"), expr_text(E, "arguments.said")
@@ -31,6 +33,11 @@ from std_msgs.msg import String
 
 def send(name):
     return rospy.Publisher(name, String, queue_size=1)
+
+
+def send_if(name, enabled):
+    if enabled:
+        rospy.Publisher(name, String, queue_size=1)
 
 
 def main():
@@ -55,6 +62,9 @@ def main():
     send(arguments.long_one)
     send(arguments.where)
     send(arguments.nothing)
+    send_if("if_quiet", arguments.quiet)
+    send_if("if_not_loud", not arguments.loud)
+    send_if("never_if", False)
     rospy.get_param("~quiet", arguments.quiet)
     rospy.get_param("~loud", arguments.loud)
     rospy.get_param("~said", arguments.said)

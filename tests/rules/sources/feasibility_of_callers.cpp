@@ -17,9 +17,21 @@
 // expect: publisher /m/read
 // expect: publisher /m/unread
 // expect: publisher /n/mask
+// expect: publisher /o/outer
+// expect: publisher /o/inner
+// expect: publisher /p/given
+// expect: publisher /p/not_given
+// expect: publisher /q/three
+// expect: publisher /q/rest
+// expect: publisher /r/on
+// expect: publisher /r/off
+// expect: publisher /s/on
+// expect: publisher /s/off
+// expect: publisher /t/three
+// expect: publisher /t/rest
 // expect: publisher /global
 // expect-only: publisher
-// expect: Count = count : { never_true(E, C) }, Count = 8
+// expect: Count = count : { never_true(E, C) }, Count = 9
 // expect: Count = count : { never_false(E, C) }, Count = 7
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
@@ -122,6 +134,31 @@ void masked(ros::NodeHandle& nh, const std::string& name, int flags)
     g_pubs.push_back(nh.advertise<Message>(name + "/never", 1));
 }
 
+// what one caller rules out is not made through it
+void inner(ros::NodeHandle& nh, const std::string& name)
+{
+  g_pubs.push_back(nh.advertise<Message>(name, 1));
+}
+
+void outer(ros::NodeHandle& nh, const std::string& name, bool special)
+{
+  if (special)
+    inner(nh, "/o/never");
+  else
+    inner(nh, "/o/inner");
+  g_pubs.push_back(nh.advertise<Message>(name + "/outer", 1));
+}
+
+void given(ros::NodeHandle& nh, const std::string& name, const char* prefix)
+{
+  if (prefix)
+    g_pubs.push_back(nh.advertise<Message>(name + "/given", 1));
+  else
+    g_pubs.push_back(nh.advertise<Message>(name + "/not_given", 1));
+}
+
+bool isOn();
+
 // nobody calls it
 void unused(ros::NodeHandle& nh)
 {
@@ -159,5 +196,11 @@ int main(int argc, char** argv)
   private_nh.param("read", read, false);
   fromParameter(nh, "/m", read);
   masked(nh, "/n", READ);
+  outer(nh, "/o", false);
+  given(nh, "/p", "text");
+  numbered(nh, "/q", argc > 1 ? 3 : 4);
+  toggle(nh, "/r", argc > 1 ? true : false);
+  toggle(nh, "/s", argc > 1 ? true : isOn());
+  numbered(nh, "/t", argc > 1 ? 3 : argc);
   ros::spin();
 }
