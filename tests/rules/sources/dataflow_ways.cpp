@@ -41,9 +41,20 @@
 // expect: sent_from(C, _, "control"), sends(C, [_, _, "/counted_under_condition"])
 // expect-not: sent_from(C, _, _), sends(C, [_, _, "/undeclared_unchanged"])
 // expect-not: sent_from(C, _, _), sends(C, [_, _, "/library_constant"])
-// expect: Count = count : { port_flow(_, _, "data", _) }, Count = 28
-// expect: Count = count : { sent_from(_, _, "control") }, Count = 6
-// expect: Count = count : { port_flow(_, _, _, _) }, Count = 40
+// expect: port_flow([_, _, "/in"], [_, _, "/std_function"], "data", "reactive")
+// expect: port_flow([_, _, "/in"], [_, _, "/through_method_reference"], "data", "reactive")
+// expect: sent_from(C, _, "control"), sends(C, [_, _, "/decremented_under_condition"])
+// expect: sent_from(C, _, "control"), sends(C, [_, _, "/under_two_conditions"])
+// expect: sent_from(C, _, "control"), sends(C, [_, _, "/in_a_case"])
+// expect: sent_from(C, _, "control"), sends(C, [_, _, "/as_often"])
+// expect: sent_from(C, _, "control"), sends(C, [_, _, "/returned_afterwards"])
+// expect-not: sent_from(C, _, _), sends(C, [_, _, "/before_condition"])
+// expect-not: sent_from(C, _, _), sends(C, [_, _, "/returned_in_any_case"])
+// expect-not: sent_from(C, _, _), sends(C, [_, _, "/under_another_condition"])
+// expect: Count = count : { port_flow(_, _, "data", _) }, Count = 30
+// expect: Count = count : { sent_from(_, _, "control") }, Count = 11
+// expect: Count = count : { port_flow(_, _, _, _) }, Count = 50
+#include <functional>
 #include <ros/ros.h>
 #include <sstream>
 #include <std_msgs/Int32.h>
@@ -138,6 +149,16 @@ ros::Publisher undeclared_unchanged_pub;
 ros::Publisher library_reference_pub;
 ros::Publisher library_constant_pub;
 ros::Publisher library_object_pub;
+ros::Publisher std_function_pub;
+ros::Publisher through_method_reference_pub;
+ros::Publisher decremented_under_condition_pub;
+ros::Publisher under_two_conditions_pub;
+ros::Publisher in_a_case_pub;
+ros::Publisher as_often_pub;
+ros::Publisher returned_afterwards_pub;
+ros::Publisher before_condition_pub;
+ros::Publisher returned_in_any_case_pub;
+ros::Publisher under_another_condition_pub;
 bool g_on = true;
 const int g_table[] = {1, 2, 3};
 
@@ -161,6 +182,21 @@ int isLarge(int value)
   if (value > 100)
     return 1;
   return 0;
+}
+
+int limited(int value)
+{
+  if (value > 100)
+    return 1;
+  int result = count();
+  return result;
+}
+
+int steady(int value)
+{
+  if (value > 100)
+    ROS_INFO("large");
+  return 1;
 }
 
 void fill(int from, int& to)
@@ -441,6 +477,87 @@ void onIn(const std_msgs::Int32& in)
     out.data = box.get();
     library_object_pub.publish(out);
   }
+  {
+    std_msgs::Int32 out;
+    std::function<int(int)> function = twice;
+    out.data = function(in.data);
+    std_function_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    Counter counter;
+    Counter& reference = counter;
+    reference.add(in.data);
+    out.data = counter.total();
+    through_method_reference_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    int value = 9;
+    if (in.data > 0)
+      value--;
+    out.data = value;
+    decremented_under_condition_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    int value = 0;
+    if (in.data > 0)
+    {
+      if (g_on)
+        value = count();
+    }
+    out.data = value;
+    under_two_conditions_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    int value = 0;
+    switch (in.data)
+    {
+      case 1:
+        value = count();
+        break;
+      default:
+        break;
+    }
+    out.data = value;
+    in_a_case_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    int value = 0;
+    for (int i = 0; i < in.data; ++i)
+      value += count();
+    out.data = value;
+    as_often_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    out.data = limited(in.data);
+    returned_afterwards_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    int value = count();
+    if (in.data > 0)
+      ROS_INFO("positive");
+    out.data = value;
+    before_condition_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    out.data = steady(in.data);
+    returned_in_any_case_pub.publish(out);
+  }
+  {
+    std_msgs::Int32 out;
+    int value = 0;
+    if (g_on)
+      value = count();
+    out.data = value;
+    under_another_condition_pub.publish(out);
+  }
 }
 
 int main(int argc, char** argv)
@@ -487,6 +604,16 @@ int main(int argc, char** argv)
   library_reference_pub = nh.advertise<std_msgs::Int32>("/library_reference", 1);
   library_constant_pub = nh.advertise<std_msgs::Int32>("/library_constant", 1);
   library_object_pub = nh.advertise<std_msgs::Int32>("/library_object", 1);
+  std_function_pub = nh.advertise<std_msgs::Int32>("/std_function", 1);
+  through_method_reference_pub = nh.advertise<std_msgs::Int32>("/through_method_reference", 1);
+  decremented_under_condition_pub = nh.advertise<std_msgs::Int32>("/decremented_under_condition", 1);
+  under_two_conditions_pub = nh.advertise<std_msgs::Int32>("/under_two_conditions", 1);
+  in_a_case_pub = nh.advertise<std_msgs::Int32>("/in_a_case", 1);
+  as_often_pub = nh.advertise<std_msgs::Int32>("/as_often", 1);
+  returned_afterwards_pub = nh.advertise<std_msgs::Int32>("/returned_afterwards", 1);
+  before_condition_pub = nh.advertise<std_msgs::Int32>("/before_condition", 1);
+  returned_in_any_case_pub = nh.advertise<std_msgs::Int32>("/returned_in_any_case", 1);
+  under_another_condition_pub = nh.advertise<std_msgs::Int32>("/under_another_condition", 1);
   ros::Subscriber sub = nh.subscribe("/in", 1, onIn);
   ros::spin();
 }
