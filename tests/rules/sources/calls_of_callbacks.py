@@ -26,7 +26,7 @@ def on_filtered(message, first, second):
     rospy.Publisher("filtered/" + second, Empty, queue_size=1)
 
 
-class Node(object):
+class Node:
     def __init__(self):
         rospy.Subscriber("in", String, self.on_message, "method")
 
