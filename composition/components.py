@@ -107,7 +107,7 @@ def _loops(document: Document) -> list[Mapping[str, Any]]:
     rows = [row for row in document.get("periodic") or () if row.get("at")]
     sent: dict[str, list[str]] = {}
     for row in rows:
-        told = [row.get(key) for key in ("mechanism", "hz", "publishes", "conditional")]
+        told = [row.get(key) for key in ("mechanism", "hz", "publishes", "calls", "conditional")]
         sent.setdefault(str(row["at"]), []).append(repr(told))
     first: dict[tuple[str, ...], str] = {}
     for place, own in sent.items():

@@ -72,7 +72,7 @@ def elements(document: Mapping[str, Any]) -> Iterator[Element]:
     for parameter in document["params"]:
         yield _element("param", parameter)
     for loop in document["periodic"]:
-        for port in loop["publishes"] or [""]:
+        for port in [*loop["publishes"], *loop.get("calls", ())] or [""]:
             yield _element("periodic", {**loop, "output": names.get(port, port)})
     for field, kind in (("reactive", "reactive"), ("reactive_deferred", "deferred"), ("one_shot", "one_shot")):
         for entry in document[field]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -271,7 +271,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "sources": list(model.sources),
         "ports": list(map(port_json, model.ports)),
         "params": list(map(parameter_json, model.params)),
-        **_behavior_json(model.behavior),
+        **_behavior_json(model.behavior, {port.id for port in model.ports if port.kind in _ASKED}),
         **({"middleware": model.middleware} if model.middleware else {}),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"executables": list(model.executables)} if model.executables else {}),
@@ -280,11 +280,16 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
     }
 
 
-def _behavior_json(behavior: Behavior) -> dict[str, Any]:
+_ASKED = ("service_client", "action_client")  # kinds of ports that are called, and answered
+
+
+def _behavior_json(behavior: Behavior, asked: Collection[str]) -> dict[str, Any]:
     return {
         "periodic": [
-            {"mechanism": p.mechanism, "hz": p.hz, "hz_from_param": p.hz_from_param, "publishes": list(p.publishes), "at": str(p.at),
-             **_guard_json("conditional", p.guard)}
+            {"mechanism": p.mechanism, "hz": p.hz, "hz_from_param": p.hz_from_param,
+             "publishes": [port for port in p.publishes if port not in asked],
+             **({"calls": calls} if (calls := [port for port in p.publishes if port in asked]) else {}),
+             "at": str(p.at), **_guard_json("conditional", p.guard)}
             for p in behavior.periodic
         ],
         "reactive": [

@@ -68,7 +68,7 @@ def _loops(document: Document, names: Mapping[str, str]) -> tuple[tuple[str, ...
         (
             _rate(row),
             _text(row.get("mechanism")),
-            _names(row.get("publishes") or (), names) or "nothing",
+            _names([*(row.get("publishes") or ()), *(row.get("calls") or ())], names) or "nothing",
             _places(row.get("at")),
             _text(row.get("conditional")),
         )

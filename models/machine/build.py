@@ -151,7 +151,7 @@ def _loops_message(document: Document, steps: Mapping[str, Sequence[Step]]) -> l
     """Where the model does not tell which of several timed loops makes an assignment."""
     if loops_told_apart(document):
         return []
-    loops = {row.get("at") for row in document.get("periodic") or () if row.get("publishes")}
+    loops = {row.get("at") for row in document.get("periodic") or () if row.get("publishes") or row.get("calls")}
     if len(loops) < 2 or not any(step.assignments for step in steps.get("periodic", ())):
         return []
     return [f"{len(loops)} timed loops are shown as one, `periodic`, that does what each of them does"]

@@ -99,8 +99,8 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("periodic") or ()):
         guard = meaning.conjuncts(condition_of(row, "conditional"), "")
-        if row.get("publishes"):
-            step = Step(Row("periodic", index, _place(row)), guard, (), tuple(row["publishes"]))
+        if sent := (*(row.get("publishes") or ()), *(row.get("calls") or ())):
+            step = Step(Row("periodic", index, _place(row)), guard, (), sent)
             found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
