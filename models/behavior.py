@@ -121,7 +121,7 @@ def build_behavior(
         _reactive(relations, places, ports, guards, callbacks),
         _variables("state_variable", relations, places, names),
         _variables("configuration_variable", relations, places, names),
-        _transitions(relations, places, names, guards, _triggers(relations, ports, callbacks)),
+        _transitions(relations, places, names, guards, ports, _triggers(relations, ports, callbacks)),
         _deferred(relations, ports, names),
         _one_shot(relations, places, ports, guards),
     )
@@ -285,8 +285,17 @@ def _constructed(text: str | None, name: str) -> str | None:
     """The argument in `name(argument)`, a declaration's or an initialiser list's way to give a value; of a mere `name` nothing is known."""
     if text == name:
         return None
-    match = re.fullmatch(rf"{re.escape(name)}\s*(?:\((.*)\)|\{{(.*)\}})", text or "", re.DOTALL)
-    return (match.group(1) or match.group(2) or None) if match else text
+    match = re.fullmatch(rf"{re.escape(name)}\s*(?:\((.*)\)|(\{{.*\}}))", text or "", re.DOTALL)
+    given = (match.group(1) or match.group(2) or None) if match else text
+    return _unbraced(given) if given else None
+
+
+def _unbraced(text: str) -> str | None:
+    """What is alone in braces: they say no more than that it is given."""
+    if not (text.startswith("{") and text.endswith("}")):
+        return text
+    inner = text[1:-1].strip()
+    return text if "," in inner else inner or None
 
 
 def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[Any, str]]) -> dict[str, tuple[str, ...]]:
@@ -304,16 +313,20 @@ def _triggers(relations: Relations, ports: PortIds, callbacks: Iterable[tuple[An
 
 
 def _transitions(
-    relations: Relations, places: Mapping[str, Place], names: Mapping[str, str], guards: Guards, triggers: Mapping[str, tuple[str, ...]]
-) -> tuple[Transition, ...]:
+    relations: Relations, places: Mapping[str, Place], names: Mapping[str, str], guards: Guards, ports: PortIds,
+    triggers: Mapping[str, tuple[str, ...]],
+) -> tuple[Transition, ...]:  # fmt: skip
     texts: dict[str, str] = dict(relations["node_text"])
     parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
     timers = _timers(relations, places)
     found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
     timed: dict[tuple[str, str, Formula], set[Place]] = defaultdict(set)
+    elsewhere = defaultdict(set)
+    for port, assignment in relations["done_for_others"]:
+        elsewhere[assignment].add(ports.get(port, ""))
     for assignment, variable, root in relations["transition"]:
         guard = guards.guard(root, assignment)
-        found[assignment, variable, guard].update(triggers.get(root, ()))
+        found[assignment, variable, guard].update(set(triggers.get(root, ())) - elsewhere[assignment])
         timed[assignment, variable, guard].update(timers.get(root, ()))
     result = []
     for (assignment, variable, guard), causes in found.items():
