@@ -13,6 +13,7 @@ _CONSTANT = r"""("[^"]*"?|'.*'|-?[\d.]+|(?:\w+::)*[A-Z][A-Z0-9_]*)"""
 _IS_CONSTANT = re.compile(rf"(.*?)=={_CONSTANT}")
 _IS_NO_CONSTANT = re.compile(rf"(.*?)!={_CONSTANT}")
 _NEGATED_ORDER = re.compile(r"!\((.*?[^-<>=&|])(<=|>=|<|>)(?![<>=])([^&|]*)\)")
+_OPERATOR = re.compile(r"&&|\|\||==|!=|[^-]>|<")
 _OPPOSITE = {"<=": ">", ">=": "<", "<": ">=", ">": "<="}
 
 
@@ -94,7 +95,7 @@ def _plain(condition: str) -> str:
     condition = re.sub(r"^!\((.*)!=(.*)\)$", r"\1==\2", condition)
     if (match := _NEGATED_ORDER.fullmatch(condition)) and _balanced(match[1]) and "&" not in match[1] and "|" not in match[1]:
         condition = match[1] + _OPPOSITE[match[2]] + match[3]
-    if condition.startswith("!(!") and condition.endswith(")") and _balanced(condition[3:-1]) and not re.search(r"&&|\|\||==|!=|[^-]>|<", condition):
+    if condition.startswith("!(!") and condition.endswith(")") and _balanced(condition[3:-1]) and not _OPERATOR.search(condition):
         condition = condition[3:-1]
     condition = re.sub(r"^not\((.*)\)$", r"!(\1)", condition)
     condition = re.sub(r"^!\(([^=&|]*)==([^=&|]*)\)$", r"\1!=\2", condition)
