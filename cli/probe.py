@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -16,6 +18,7 @@ from rosarch.cli.show import asked_models
 from rosarch.cli.terminal import emit, emit_lines
 
 if TYPE_CHECKING:
+    from rosarch.models.component import ComponentModel
     from rosarch.observation.subject import Subject
 
 Probed = Annotated[str, typer.Argument(metavar="NODE", help="The node: NAME, PACKAGE/NAME or its node name.", show_default=False)]
@@ -42,20 +45,31 @@ def probe(
 ) -> None:
     """Run a node by itself, put messages in that its model tells of, and say which reactions and transitions it really has.
 
+    Names of ports that the sources leave open are told as it has them.
+
     The node that was built runs under a private master on loopback, once for each experiment; all that it starts ends with it. Messages
     are made so that conditions hold. Exits with 1 when something of the model is refuted.
     """
+    from rosarch.models.rule_sets import system_rules
     from rosarch.observation.plan import plan
+    from rosarch.observation.private import StartError
     from rosarch.observation.probe import REFUTED
     from rosarch.observation.probe import probe as experiment
+    from rosarch.observation.rpc import CallError
+    from rosarch.observation.settled import is_open, settle
     from rosarch.reports.probe import plan_text, results_json, results_markdown, results_text, scenario_text
 
-    subject = _subject(question, node)
+    model, subject = _subject(question, node)
     found = plan(subject.machine, subject.rows)
     if only_plan:
         emit_lines(plan_text(subject, found))
         return
-    results = experiment(subject, found, [str(_program(executable))], seconds, trials)
+    command = [str(_program(executable))]
+    results = experiment(subject, found, command, seconds, trials)
+    if is_open(model):
+        with suppress(StartError, CallError):  # then verdicts tell of it
+            names = settle(model, subject.name, command, system_rules(question.rules()), question.engine.value)
+            results = replace(results, names=names)
     if scenario is not None:
         try:
             scenario.write_text(scenario_text(subject, results), encoding="utf-8")
@@ -69,7 +83,7 @@ def probe(
         raise typer.Exit(FINDINGS)
 
 
-def _subject(question: Question, node: str) -> Subject:
+def _subject(question: Question, node: str) -> tuple[ComponentModel, Subject]:
     from rosarch.extractor.messages import load_messages
     from rosarch.extractor.workspace import discover
     from rosarch.models.component import to_json
@@ -79,7 +93,7 @@ def _subject(question: Question, node: str) -> Subject:
     if len(models) != 1:
         raise InputError(f"{node} is several nodes: {', '.join(f'{model.package}/{model.component}' for model in models)}")
     store = load_messages(discover(question.folder).packages)
-    return Subject(to_json(models[0]), store, f"/{models[0].component}")
+    return models[0], Subject(to_json(models[0]), store, f"/{models[0].component}")
 
 
 def _program(executable: Path | None) -> Path:

@@ -11,6 +11,7 @@ from itertools import pairwise
 from statistics import median
 
 from rosarch.models.machine.reactions import Row
+from rosarch.observation.compare import Filled
 from rosarch.observation.peer import ANY, Heard, MessageType, Peer
 from rosarch.observation.plan import Experiment, Plan, Stimulus
 from rosarch.observation.private import PrivateGraph, Start, StartError, private_graph
@@ -59,10 +60,11 @@ class Measured:
 
 @dataclass(frozen=True)
 class Results:
-    """Verdicts on all rows of a model, and what was measured meanwhile."""
+    """Verdicts on all rows of a model, what was measured meanwhile, and the names that the model leaves open."""
 
     verdicts: tuple[Verdict, ...]
     measured: Measured
+    names: tuple[Filled, ...] = ()
 
 
 class _ProbeError(Exception):

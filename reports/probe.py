@@ -75,6 +75,7 @@ def _tables(subject: Subject, results: Results) -> list[Table]:
         Table("verdicts", ("verdict", "what", "source", "reason"), verdicts),
         Table("times (ms)", ("from", "to", "number", "least", "median", "99 %"), times),
         Table("rates (Hz)", ("topic", "predicted", "measured"), rates),
+        Table("names that the sources leave open", ("of", "name"), tuple((each.subject, each.value) for each in results.names)),
     ]
     return [table for table in found if table.rows]
 
@@ -119,6 +120,7 @@ def results_json(subject: Subject, results: Results) -> str:
             {"topic": topic, "predicted": predicted, "measured": hz, "provenance": "observed"}
             for topic, predicted, hz in _rates(subject, results)
         ],
+        "names": [{"of": each.subject, "name": each.value, "provenance": each.provenance} for each in results.names],
     }
     return dump(document)
 

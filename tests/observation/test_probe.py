@@ -54,6 +54,44 @@ def test_what_the_node_does_otherwise_is_refuted(rosarch: Callable, built: dict[
     assert [each["at"] for each in found["verdicts"] if each["verdict"] == "refuted"] == ["src/auto_docking/src/docking.cpp:40"]
 
 
+OPEN = """\
+#include <algorithm>
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+#include <string>
+int main(int argc, char ** argv)
+{
+  ros::init(argc, argv, "open");
+  ros::NodeHandle nh;
+  std::string robot("tobor");
+  std::reverse(robot.begin(), robot.end());
+  ros::Publisher any = nh.advertise<std_msgs::Bool>(robot, 1);
+  ros::Publisher below = nh.advertise<std_msgs::Bool>(robot + "/ready", 1);
+  ros::Publisher known = nh.advertise<std_msgs::Bool>("known", 1);
+  ros::spin();
+}
+"""
+
+
+@needs_ros
+def test_names_that_the_sources_leave_open_are_those_of_the_node(rosarch: Callable, tmp_path: Path) -> None:
+    package = tmp_path / "ws" / "open"
+    package.mkdir(parents=True)
+    (package / "open.cpp").write_text(OPEN)
+    (package / "CMakeLists.txt").write_text("project(open)\nfind_package(catkin)\ncatkin_package()\nadd_executable(open open.cpp)\n")
+    (package / "package.xml").write_text(
+        '<package format="2"><name>open</name><version>1.0.0</version><description>d</description>'
+        '<maintainer email="m@example.com">m</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>'
+    )
+    (program,) = build(tmp_path, [str(package / "open.cpp")])
+    outcome = rosarch("probe", tmp_path / "ws", "open", "--executable", program, "--format", "json")
+    names = {(each["of"], each["name"], each["provenance"]) for each in json.loads(outcome.out)["names"]}
+    assert names == {
+        ("the publisher of /open at open/open.cpp:11", "/robot", "observed"),
+        ("the publisher of /open at open/open.cpp:12", "/robot/ready", "observed"),
+    }
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
