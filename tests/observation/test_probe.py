@@ -88,6 +88,7 @@ def test_names_that_the_sources_leave_open_are_those_of_the_node(rosarch: Callab
     names = {(each["of"], each["name"], each["provenance"]) for each in json.loads(outcome.out)["names"]}
     assert names == {
         ("the publisher of /open at open/open.cpp:11", "/robot", "observed"),
+        ("the publisher of /open at open/open.cpp:11", "/robot/ready", "observed"),
         ("the publisher of /open at open/open.cpp:12", "/robot/ready", "observed"),
     }
 
