@@ -169,7 +169,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     latched = {port for (port,) in relations["port_latched"]}
     relative, qualities = _first(relations["port_in_namespace"]), _qualities(relations)
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
-    callbacks = _first((port, functions[function]) for port, function in relations["port_callback"])
+    callbacks = _first((port, functions[function]) for port, function in relations["port_handler"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
     calls = defaultdict(list)
     for port, call in sorted(relations["port_made_through"], key=repr):
