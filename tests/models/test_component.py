@@ -12,12 +12,12 @@ import pytest
 from rosarch.models.component import ComponentModel, build_model, build_models, distinct, to_json
 
 NAMES = (
-    "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_queue", "port_latched", "port_quality", "port_unknown", "port_made_through", "port_via",
+    "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_handler", "port_queue", "port_latched", "port_quality", "port_unknown", "port_made_through", "port_via",
     "implicit_port", "implicit_port_callback", "node_location",
     "function_display", "parameter_access", "parameter_access_default", "parameter_access_type",
     "reconfigure_parameter", "node_name", "node_element", "component_middleware", "managed_node",
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
-    "transition", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
+    "transition", "done_for_others", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
     "loop_condition", "silent_condition", "switch_case",
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
     "settled_local", "timer_callback", "sends_once", "always_sends_once",
@@ -49,6 +49,7 @@ RELATIONS: dict[str, list[tuple[Any, ...]]] = {
     "port_type": [(OUT, "std_msgs/Bool"), (IN, "std_msgs/Empty")],
     "port_parameter": [(OUT, "~topic")],
     "port_callback": [(IN, "N::on_in@n.cpp:3")],
+    "port_handler": [(IN, "N::on_in@n.cpp:3")],
     "port_queue": [(OUT, "10")],
     "port_latched": [(OUT,)],
     "port_via": [(OUT, "plain"), (IN, "plain")],
@@ -171,6 +172,7 @@ def test_callbacks(via: str, function: str, display: tuple[str, str], callback: 
     (port,) = model(
         port=[(IN,)],
         port_callback=[(IN, function)],
+        port_handler=[(IN, function)],
         function_display=[(function, *display)],
         port_via=[(IN, via)],
         node_location=place("c2"),
