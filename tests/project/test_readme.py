@@ -1,10 +1,11 @@
-"""The README's commands run, and print what it says."""
+"""The commands of the README and of that of the examples run, and print what these say."""
 
 from __future__ import annotations
 
 import json
 import re
 import shlex
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,10 +16,11 @@ from rosarch.reports.behavior_text import behaviors_text
 from rosarch.reports.machines import machines_text
 
 ROOT = Path(__file__).resolve().parents[2]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-CONSOLE = re.findall(r"```console\n\$ (rosarch [^\n]*)\n(.*?)```", README, re.DOTALL)
-DIAGRAMS = re.findall(r"```mermaid\n(.*?)```", README, re.DOTALL)
-SCRIPTS = re.findall(r"```sh\n(.*?)```", README, re.DOTALL)
+README, EXAMPLES = ((ROOT / folder / "README.md").read_text(encoding="utf-8") for folder in ("", "examples"))
+BOTH = README + EXAMPLES
+CONSOLE = re.findall(r"```console\n\$ (rosarch [^\n]*)\n(.*?)```", BOTH, re.DOTALL)
+DIAGRAMS = re.findall(r"```mermaid\n(.*?)```", BOTH, re.DOTALL)
+SCRIPTS = re.findall(r"```sh\n(.*?)```", BOTH, re.DOTALL)
 
 
 @pytest.fixture(autouse=True)
@@ -74,9 +76,16 @@ def test_demo_is_what_the_readme_shows() -> None:
 
 def test_examples_are_described() -> None:
     for path in (ROOT / "examples").glob("*/expected"):
-        assert f"### {path.parent.name}" in README
+        assert f"## {path.parent.name}" in EXAMPLES
 
 
 def test_links_exist() -> None:
-    for target in re.findall(r"\]\((?!https?:)([^)#]+)\)", README):
-        assert (ROOT / target).exists(), target
+    for folder, text in ((ROOT, README), (ROOT / "examples", EXAMPLES)):
+        for target in re.findall(r"\]\((?!https?:)([^)#]+)\)", text):
+            assert (folder / target).exists(), target
+
+
+def test_folders_are_told() -> None:
+    tracked = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
+    for folder in {path.partition("/")[0] for path in tracked if "/" in path and not path.startswith(".")} - {"docs"}:
+        assert f"`{folder}/`" in README, folder
