@@ -8,6 +8,7 @@
 #include <std_msgs/msg/string.hpp>
 
 using Text = std_msgs::msg::String;
+using namespace std::chrono_literals;
 
 class Clock : public rclcpp::Node {
 public:
@@ -15,7 +16,7 @@ public:
     late_ = create_publisher<Text>("late", 1);
     often_ = create_publisher<Text>("often", 1);
     start_ = create_subscription<Text>("start", 1, [this](const Text &) {
-      once_ = create_wall_timer(std::chrono::milliseconds(500), [this]() { late_->publish(Text()); once_->cancel(); });  // expect: one_shot late 0.5 s
+      once_ = create_wall_timer(500ms, [this]() { late_->publish(Text()); once_->cancel(); });  // expect: one_shot late 0.5 s
       std::thread([this]() { helper(); }).detach();
     });
     // expect: reactive start -> often may
