@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -15,26 +16,35 @@ from rosarch.cli.systems import load_surrounding
 from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
+    from rosarch.datalog import Program
     from rosarch.models.configuration import Configuration
     from rosarch.models.derivations import Derivations
     from rosarch.models.policy import Reported
     from rosarch.models.rule_choice import RuleSet
     from rosarch.models.selection import SelectedComponent
 
-Task = tuple[str, Callable[[], "Derivations"]]
+
+@dataclass(frozen=True)
+class _Task:
+    """The proofs of a component or system; `key` tells of all that they depend on, where that is known."""
+
+    name: str
+    prove: Callable[[], Derivations]
+    key: str | None = None
 
 
 def prove(question: SystemQuestion, rules: RuleSet, configuration: Configuration, reported: Reported) -> Mapping[str, Derivations]:
-    """By the names of components and systems, in worker processes; what takes too long is left out."""
+    """By the names of components and systems, in worker processes, or as they were; what takes too long is left out."""
     from rosarch.extractor.limits import LIMITS
     from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-    from rosarch.models.derivations import component_derivations
+    from rosarch.models.derivations import Derivations, component_derivations
     from rosarch.models.rule_sets import component_program
     from rosarch.models.selection import select
 
     program, engine = component_program(rules), question.engine.value
     tasks = _about_findings(question, rules, configuration, reported)
     found: dict[str, Derivations] = {}
+    cache = extraction_cache(question.cached)
     with (
         progress() as report,
         select(
@@ -42,7 +52,7 @@ def prove(question: SystemQuestion, rules: RuleSet, configuration: Configuration
             jobs=question.jobs,
             timeout=question.timeout,
             defines=parse_defines(question.defines),
-            cache=extraction_cache(question.cached),
+            cache=cache,
             progress=report,
         ) as selection,
     ):
@@ -50,20 +60,37 @@ def prove(question: SystemQuestion, rules: RuleSet, configuration: Configuration
         def prove_component(component: SelectedComponent) -> Derivations:
             return component_derivations(program, facts_of(component, program), engine, shorten)
 
-        tasks += [(each.title, partial(prove_component, each)) for each in selection.components]
+        tasks += [_Task(each.title, partial(prove_component, each), _key(program, engine, each)) for each in selection.components]
+        waiting = []
+        for task in tasks:
+            known = cache.load_value(task.key, Derivations) if cache and task.key else None
+            if known is None:
+                waiting.append(task)
+            else:
+                found[task.name] = known
 
         def work(index: int) -> Derivations:
-            return tasks[index][1]()
+            return waiting[index].prove()
 
-        for index, outcome in run_tasks(work, range(len(tasks)), jobs=question.jobs or default_jobs(), timeout=LIMITS.evaluation):
+        for index, outcome in run_tasks(work, range(len(waiting)), jobs=question.jobs or default_jobs(), timeout=LIMITS.evaluation):
+            task = waiting[index]
             if not isinstance(outcome, Failure):
-                found[tasks[index][0]] = outcome
+                found[task.name] = outcome
+                if cache and task.key:
+                    cache.store_value(task.key, outcome)
             if report:
                 report("proofs", len(found), len(tasks))
     return found
 
 
-def _about_findings(question: SystemQuestion, rules: RuleSet, configuration: Configuration, reported: Reported) -> list[Task]:
+def _key(program: Program, engine: str, component: SelectedComponent) -> str | None:
+    from rosarch.extractor.cache import hash_of
+    from rosarch.models.cache import models_version
+
+    return hash_of(["proofs", models_version(), program.hash, engine, component.title, component.key]) if component.key else None
+
+
+def _about_findings(question: SystemQuestion, rules: RuleSet, configuration: Configuration, reported: Reported) -> list[_Task]:
     """A task for each system that is the first to have a finding."""
     from rosarch.models.derivations import finding_derivations
     from rosarch.models.rule_sets import system_rules
@@ -81,4 +108,4 @@ def _about_findings(question: SystemQuestion, rules: RuleSet, configuration: Con
         launch = launches[index]
         return finding_derivations(systems, shared.rows(launch), launch.name, asked[launch.name], engine, shorten)
 
-    return [(launch.name, partial(prove_in, index)) for index, launch in enumerate(launches) if launch.name in asked]
+    return [_Task(launch.name, partial(prove_in, index)) for index, launch in enumerate(launches) if launch.name in asked]

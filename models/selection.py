@@ -28,12 +28,13 @@ class SelectionError(Exception):
 
 @dataclass(frozen=True)
 class SelectedComponent:
-    """A component; `root` is the folder that paths of its sources start from."""
+    """A component; `root` is the folder that paths of its sources start from, `key` a hash of its facts, where there is one."""
 
     name: str
     package: str
     root: Path
     load: Callable[[], Facts]
+    key: str | None = None
 
     @property
     def title(self) -> str:
@@ -83,7 +84,7 @@ def select(
         from rosarch.extractor.pipeline import extract  # and with it libclang
 
         with extract(folder, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
-            found = [SelectedComponent(c.name, c.package, extraction.root, c.rows) for c in extraction.components]
+            found = [SelectedComponent(c.name, c.package, extraction.root, c.rows, c.key) for c in extraction.components]
             yield Selection(_named(found, component), tuple(extraction.diagnostics))
 
 

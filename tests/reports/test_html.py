@@ -43,6 +43,21 @@ def document(delivery: str) -> Any:
     return json.loads(unpacked(delivery, "document"))
 
 
+def test_proofs_of_components_that_are_as_they_were_are_kept(
+    delivery: str, examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from rosarch.cli.main import main
+    from rosarch.models import derivations
+
+    def refuse(*_: Any) -> None:
+        raise AssertionError("proven again")
+
+    monkeypatch.setattr(derivations, "component_derivations", refuse)
+    out = tmp_path / "report.html"
+    assert main(["report", str(examples / "delivery_robot"), "-o", str(out), "--source-url", "https://example.org/{path}#L{line}"]) == 0
+    assert json.loads(unpacked(out.read_text(encoding="utf-8"), "proofs")) == json.loads(unpacked(delivery, "proofs"))
+
+
 def test_components_have_ports_and_machines(document: Any) -> None:
     courier = next(c for c in document["components"] if c["name"] == "delivery_robot/courier")
     assert {port["name"] for port in courier["ports"]} >= {"obstacles_ahead", "battery"}
