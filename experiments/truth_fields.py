@@ -31,7 +31,7 @@ def _text(reader: YamlReader, node: yaml.Node) -> None:
 
 
 def _name(reader: YamlReader, node: yaml.Node) -> None:
-    reader.text(node)
+    reader.text(node, empty=not is_nothing(node))  # `""` is what code can say, too
 
 
 def _scalar(what: str, *tags: str) -> Form:

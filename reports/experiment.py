@@ -115,7 +115,7 @@ class Report:
             own = [outcome.evaluated for component, outcome in outcomes.items() if component.title]
             done = [evaluated for evaluated in own if evaluated]
             count = sum(len(found) for each in done for found in each.rows.values())
-            rows.append((variant, len(done), len(own) - len(done), count, sum(each.seconds for each in done)))
+            rows.append((variant, len(done), len(own) - len(done), count, round(sum(each.seconds for each in done), 2)))
         return Table("Cost: processor time of evaluating the rules", ("variant", "components", "failed", "rows", "seconds"), tuple(rows))
 
     def components_table(self) -> Table:
