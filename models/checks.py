@@ -45,18 +45,20 @@ def read_check(path: Path) -> Check:
         if name not in fields and name not in _OPTIONAL:
             raise CheckError(f"{path}:1:1: the check has no field `{name}`")
     if fields["id"] != path.stem:
-        raise CheckError(f"{path}:1:1: the id `{fields['id']}` is not the name of the file")
+        raise CheckError(f"{_place(text, path, 'id', fields['id'])}: the id `{fields['id']}` is not the name of the file")
     for name in ("impact", "confidence"):
         if fields[name] not in LEVELS:
-            raise CheckError(f"{path}:1:1: {name} is `{fields[name]}`, not one of {', '.join(LEVELS)}")
+            raise CheckError(f"{_place(text, path, name, fields[name])}: {name} is `{fields[name]}`, not one of {', '.join(LEVELS)}")
     relation = fields["id"].replace("-", "_")
     columns = _columns(text, relation, path)
     names = [name for name, _ in columns]
     evidence = tuple(_step(line) for line in f"{fields['at']}\n{fields.get('evidence', '')}".splitlines() if line.strip())
-    used = [name for text in (fields["message"], *(text for _, text in evidence)) for name in _COLUMN.findall(text)]
-    for column in (*used, *(column for column, _ in evidence)):
+    used = [("message", name) for name in _COLUMN.findall(fields["message"])]
+    for field, (column, shown) in zip(("at", *["evidence"] * len(evidence)), evidence, strict=False):
+        used += [(field, name) for name in (column, *_COLUMN.findall(shown))]
+    for field, column in used:
         if column not in names:
-            raise CheckError(f"{path}:1:1: {relation} has no column `{column}`{hint(column, names)}")
+            raise CheckError(f"{_place(text, path, field, column)}: {relation} has no column `{column}`{hint(column, names)}")
     texts = {name: fields[name] for name in FIELDS if name not in ("at", "evidence")}
     return Check(**texts, evidence=evidence, relation=relation, columns=columns, path=str(path))
 
@@ -111,6 +113,18 @@ def _fields(text: str, path: Path) -> Iterator[tuple[str, str]]:
         seen.add(name)
     if name:
         yield name, dedent("\n".join(lines)).strip()
+
+
+def _place(text: str, path: Path, field: str, word: str) -> str:
+    """Where `word` stands in a field."""
+    lines = text.splitlines()
+    first = next(number for number, line in enumerate(lines) if (match := _FIELD.fullmatch(line)) and match[1] == field)
+    pattern = re.compile(rf"(?<![\w-]){re.escape(word)}(?![\w-])")
+    for number, line in enumerate(lines[first:], first + 1):
+        found = pattern.search(line, len(field) + 3 if number == first + 1 else 0)
+        if word and found:
+            return f"{path}:{number}:{found.start() + 1}"
+    return f"{path}:{first + 1}:1"
 
 
 def _step(line: str) -> tuple[str, str]:

@@ -276,7 +276,8 @@ def test_reports_on_systems_take_other_rules(rosarch: Run, examples: Path, tmp_p
 
 
 @pytest.mark.parametrize(
-    "command", ["analyze", "check", "diff", "doctor", "score", "query", "explain", "why-not", "watch", "browse",
+    "command", ["analyze", "check", "diff", "doctor", "score", "query", "explain", "why-not", "watch", "browse", "ask", "verify", "simulate",
+    "report", "serve", "observe", "compare", "probe",
     "show ports", "show behavior", "show machine", "show graph", "show includes", "export acme", "rules run", "rules test"],
 )  # fmt: skip
 def test_whatever_derives_takes_rules_variants_and_options(command: str) -> None:

@@ -118,7 +118,11 @@ def test_the_single_run(rosarch: Callable, workspace: Path, tmp_path: Path) -> N
     for text in (tmp_path / "texts", tmp_path / "texts" / "ws.txt"):
         assert rosarch("score", tmp_path / "truth", text, "--format", "csv").out == done.out
     (tmp_path / "truth" / "talker.yml").write_text(f'{TRUTH}params:\n  - {{name: "", op: has}}\n')  # a name that code can ask for
-    assert rosarch("score", tmp_path / "truth", "--models", tmp_path / "models", "--format", "csv").out.splitlines()[2].startswith("params,1,0,0,")
+    assert (
+        rosarch("score", tmp_path / "truth", "--models", tmp_path / "models", "--format", "csv")
+        .out.splitlines()[2]
+        .startswith("params,1,0,0,")
+    )
     (tmp_path / "truth" / "talker.yml").write_text(TRUTH.replace("chatter", "chat"))
     listed = rosarch("score", tmp_path / "truth", tmp_path, "--misses").out
     assert listed.endswith(

@@ -61,14 +61,14 @@ def test_severities(impact: str, confidence: str, severity: str, tmp_path: Path)
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("// id: demo-check", "// id: other-check", "1:1: the id `other-check` is not the name of the file"),
-        ("// impact: high", "// impact: huge", "1:1: impact is `huge`, not one of high, medium, low"),
-        ("// confidence: medium", "// confidence: sure", "1:1: confidence is `sure`, not one of high, medium, low"),
+        ("// id: demo-check", "// id: other-check", "1:8: the id `other-check` is not the name of the file"),
+        ("// impact: high", "// impact: huge", "4:12: impact is `huge`, not one of high, medium, low"),
+        ("// confidence: medium", "// confidence: sure", "5:16: confidence is `sure`, not one of high, medium, low"),
         ("// help: What", "// halp: What", "3:1: a check has no field `halp`, did you mean `help`?"),
         ("// title: A title", "// title: A title\n// title: B", "3:1: the field `title` is there twice"),
-        ("is wrong", "is {wrong}", "1:1: demo_check has no column `wrong`"),
-        ("// at: place", "// at: plaice", "1:1: demo_check has no column `plaice`, did you mean `place`?"),
-        ("told as {node}", "told as {nod}", "1:1: demo_check has no column `nod`, did you mean `node`?"),
+        ("is wrong", "is {wrong}", "13:35: demo_check has no column `wrong`"),
+        ("// at: place", "// at: plaice", "14:8: demo_check has no column `plaice`, did you mean `place`?"),
+        ("told as {node}", "told as {nod}", "17:22: demo_check has no column `nod`, did you mean `node`?"),
         (".decl demo_check", ".decl demo_chek", "1:1: the relation `demo_check` of the check is not declared"),
     ],
 )
