@@ -9,6 +9,7 @@
 #include <rclcpp_components/register_node_macro.hpp>
 #include <std_msgs/msg/bool.hpp>
 #include <std_msgs/msg/int32.hpp>
+#include <std_srvs/srv/empty.hpp>
 #include <std_srvs/srv/trigger.hpp>
 
 namespace factories
@@ -67,6 +68,28 @@ private:
   typename rclcpp::Service<ServiceT>::SharedPtr server_;
 };
 
+template <class ServiceT>
+class Delegating
+{
+public:
+  using Request = std::shared_ptr<typename ServiceT::Request>;
+  using Response = std::shared_ptr<typename ServiceT::Response>;
+  using Callback = std::function<void(Request, Response)>;
+
+  Delegating(rclcpp::Node * node, const std::string & name, Callback callback)
+  : Delegating(name, node, callback, 1) {}
+
+  Delegating(const std::string & name, rclcpp::Node * node, Callback callback, int)
+  : callback_(callback)
+  {
+    server_ = node->create_service<ServiceT>(name, [this](const Request request, Response response) { this->callback_(request, response); });
+  }
+
+private:
+  Callback callback_;
+  typename rclcpp::Service<ServiceT>::SharedPtr server_;
+};
+
 class Counter : public rclcpp::Node
 {
 public:
@@ -81,6 +104,8 @@ public:
     level_sub_ = create_subscription<std_msgs::msg::Int32>(  // expect: subscriber level std_msgs/Int32 queue=10 callback=Counter::onLevel
       "level", 10, std::bind(&Counter::onLevel, this, std::placeholders::_1));
     server_ = std::make_shared<Server<std_srvs::srv::Trigger>>("reset", this, [this](auto, auto) { level_ = 0; });
+    halt_ = std::make_shared<Delegating<std_srvs::srv::Empty>>(  // expect: service_server halt std_srvs/Empty callback=Counter::onHalt
+      this, "halt", std::bind(&Counter::onHalt, this, std::placeholders::_1, std::placeholders::_2));
     timer_ = create_wall_timer(std::chrono::milliseconds(500), [this]() {  // expect: periodic count 2 Hz
       if (level_ > 0) {
         count_pub_->publish(std_msgs::msg::Int32());
@@ -99,6 +124,8 @@ private:
     ready_pub_->publish(std_msgs::msg::Bool());  // expect: reactive level -> /ready must
   }
 
+  void onHalt(std::shared_ptr<std_srvs::srv::Empty::Request>, std::shared_ptr<std_srvs::srv::Empty::Response>) {}
+
   int level_ = 0;
   int step_;
   bool loud_;
@@ -106,6 +133,7 @@ private:
   rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr other_pub_, ready_pub_;
   rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr level_sub_;
   std::shared_ptr<Server<std_srvs::srv::Trigger>> server_;
+  std::shared_ptr<Delegating<std_srvs::srv::Empty>> halt_;
   rclcpp::TimerBase::SharedPtr timer_;
   rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr handle_;
 };
