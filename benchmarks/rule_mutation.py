@@ -71,8 +71,8 @@ def main() -> int:
     verdicts = judge_all(test, mutants_of(test, given.files, given.sample, given.seed), jobs=given.jobs)
     if given.list:
         for clause in fired.unfired:
-            print(f"{Path(clause.location.path).relative_to(TOP)}:{clause.location.line}: never fires: {clause.text}")
-        print(survivors_text(verdicts, shorten=lambda path: str(Path(path).relative_to(TOP))))
+            print(f"{Path(clause.location.path).resolve().relative_to(TOP)}:{clause.location.line}: never fires: {clause.text}")
+        print(survivors_text(verdicts, shorten=lambda path: str(Path(path).resolve().relative_to(TOP))))
     killed = sum(bool(v.killed_by) for v in verdicts) / max(len(verdicts), 1)
     print(f"{fired.fired} of {fired.clauses} clauses fire ({fired.fired / fired.clauses:.1%}) in {len(cases)} cases; {summary(verdicts)}")
     return 0 if fired.fired >= FIRED * fired.clauses and killed >= KILLED else 1
