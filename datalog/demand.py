@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from .codegen import Emitter
 from .compile import Clauses, Compiler, Plan, assembled, effects, new_plan, normalised
 from .expressions import Expressions
 from .ground import is_bound
 from .inference import ClauseTypes
+from .known_rows import known_rows
 from .normalise import Scan, Step
 from .plan import Code, Rule, Stratum, TablePlan
 from .storage import RowsNeeded, TableKey, row_of
@@ -27,24 +29,29 @@ Unit = tuple[str, tuple[int, ...] | None]  # a relation, and the key columns of 
 
 def compile_on_demand(
     relations: Mapping[str, Relation], strata: Sequence[Sequence[str]], clauses: Clauses, types: Types, goals: Collection[str],
+    inputs: Collection[str],
 ) -> Code:  # fmt: skip
-    """Generate the code of a program for the rows of `goals`."""
-    program = _Program(relations, strata, clauses, types)
+    """Generate the code of a program for the rows of `goals`; facts are given of the relations `inputs` only."""
+    program = _Program(relations, strata, clauses, types, known_rows(relations, strata, clauses, types, inputs))
     demanded = program.demanded(goals)
     return program.code(goals, demanded)
 
 
 class _Program:
-    """The clauses of a program by relation."""
+    """The clauses of a program by relation, but for those whose rows are `known`."""
 
-    def __init__(self, relations: Mapping[str, Relation], strata: Sequence[Sequence[str]], clauses: Clauses, types: Types) -> None:
+    def __init__(
+        self, relations: Mapping[str, Relation], strata: Sequence[Sequence[str]], clauses: Clauses, types: Types,
+        known: Mapping[str, list[Any]],
+    ) -> None:  # fmt: skip
         self.relations = relations
         self.strata = strata
-        self.clauses = clauses
+        self.clauses = {name: own for name, own in clauses.items() if name not in known}
         self.types = types
+        self.known = known
         self.stratum = {name: names for names in strata for name in names}
-        self.ranks = {name: 3.0 if any(clause.body for clause, _ in own) else 6.0 for name, own in clauses.items()}
-        self.mentioned = {name: {atom for clause, _ in own for atom in _mentioned(clause)} for name, own in clauses.items()}
+        self.ranks = {name: 6.0 if name in known or not any(clause.body for clause, _ in own) else 3.0 for name, own in clauses.items()}
+        self.mentioned = {name: {atom for clause, _ in own for atom in _mentioned(clause)} for name, own in self.clauses.items()}
         self.readers = turned_around({name: self.mentioned.get(name, ()) for name in relations})
 
     def candidates(self, goals: Collection[str]) -> set[str]:
@@ -107,6 +114,7 @@ class _Compiler(Compiler):
     def __init__(self, program: _Program, demanded: set[str]) -> None:
         super().__init__(program.relations, program.types)
         self.program = program
+        self.code.facts = {name: rows for name, rows in program.known.items() if rows}
         self.storage.demanded = demanded
         self.storage.ranks = program.ranks
         self.plans: dict[str, Plan] = {}  # by the first relation of the stratum

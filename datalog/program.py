@@ -317,7 +317,8 @@ def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32, *
     try:
         if on_demand:
             goals = sorted({d.relation for d in unit.directives if d.kind in ("output", "printsize")})
-            code = compile_on_demand(checked.relations, checked.strata, checked.clauses, checked.types, goals)
+            inputs = {d.relation for d in unit.directives if d.kind == "input"}
+            code = compile_on_demand(checked.relations, checked.strata, checked.clauses, checked.types, goals, inputs)
         else:
             code = compile_program(checked.relations, checked.strata, checked.clauses, checked.types)
     except DatalogError as error:

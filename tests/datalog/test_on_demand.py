@@ -176,3 +176,41 @@ def test_other_rows_are_refused(both: Load) -> None:
         program.evaluate({}, keep=["holds"])
     with pytest.raises(DatalogError, match="no rows of `below`"):
         program.evaluate({}, keep="all")
+
+
+KNOWN = """
+.decl given(a: symbol)
+.input given
+.decl base(a: symbol, n: number)
+base("one", 1).
+base(cat("t", "wo"), N + 1) :- base("one", N).
+.decl small(a: symbol, n: number)
+small("one", 1). small("two", 2). small("three", 3).
+.decl api(a: symbol, n: number)
+api(cat(A, "!"), N) :- small(A, N), N < 3.
+.decl chosen(a: symbol)
+chosen(A) :- given(A).
+.decl r(a: symbol, n: number)
+.output r
+r(A, N) :- chosen(A), api(A, N).
+r(A, N) :- chosen(A), base(A, N).
+"""
+
+
+def test_what_no_input_has_a_part_in_is_known_when_it_is_compiled(both: Load) -> None:
+    programs = both(KNOWN)
+    assert same(programs, {"given": [("two!",), ("three!",), ("two",)]}) == [("two", 2), ("two!", 2)]
+    code = programs[1].code
+    assert code.facts["api"] == [("one!", 1), ("two!", 2)]
+    targets = {rule.target for stratum in code.strata for rule in (*stratum.base, *stratum.loop)}
+    assert "api" not in targets | {table.relation for table in code.tables}
+    assert code.facts["base"] == [("one", 1)], "what is recursive has the limits of an evaluation"
+
+
+def test_a_known_relation_that_cannot_be_derived_fails_in_the_evaluation(both: Load) -> None:
+    programs = both(
+        '.decl n(a: number)\nn(to_number("x")).\n.decl m(a: number)\nm(A + 1) :- n(A).\n.decl r(a: number)\n.output r\nr(A) :- m(A).\n'
+    )
+    for program in programs:
+        with pytest.raises(DatalogError, match="to_number"):
+            program.evaluate({})
