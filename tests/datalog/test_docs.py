@@ -74,7 +74,7 @@ def test_a_check_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_pa
     for command, expected in shown.items():
         done = rosarch(*shlex.split(command)[2:])
         assert (done.code, done.out) == (int("old-position" in command), expected)
-    (error,) = (block for block in blocks("rules.md", "") if "old-position.dl:1:1" in block)
+    (error,) = (block for block in blocks("rules.md", "") if "error: old-position.dl:" in block)
     (tmp_path / "old-position.dl").write_text(check.replace("{length}", "{lenght}"))
     done = rosarch("check", "examples/patrol_robot", "--rules", "old-position.dl")
     assert (done.code, done.err) == (2, error)
