@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.cache import hash_of, rows_digest
 from rosarch.extractor.launch.facts import launch_rows, library_name, started
-from rosarch.extractor.launch.model import Composition
+from rosarch.extractor.launch.model import Composition, NodeStart
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.memo import Memo
@@ -76,6 +77,17 @@ class Components:
     shared: Interface
     diagnostics: tuple[Diagnostic, ...]
 
+    def with_nodes(self, launch: Launch) -> Launch:
+        """The launch, with the nodes that a program makes in the place of a program that makes several."""
+        parts: dict[tuple[str, str | None], list[ComponentModel]] = defaultdict(list)
+        for model in self.models:
+            parts[model.package, model.executable].append(model)
+        nodes: list[NodeStart] = []
+        for start in launch.composition.nodes:
+            own = parts.get((start.package, start.type), ())
+            nodes += [replace(start, type=model.component, called=start.called and model.node_name) for model in own] or [start]
+        return replace(launch, composition=replace(launch.composition, nodes=tuple(nodes)))
+
     def started(self, launch: Launch) -> list[Interface]:
         """The interfaces of those that a launch may start, with those that these load."""
         needed = _Needed([launch])
@@ -114,6 +126,7 @@ class Surrounding:
 
     def facts(self, launch: Launch) -> SystemFacts:
         """The facts about one system."""
+        launch = self.components.with_nodes(launch)
         interfaces = self.components.started(launch)
         titles = {title for interface in interfaces for title in interface.all("interface", 0)}
         composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
@@ -185,8 +198,10 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
         options: dict[str, Any] = {"jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines, "cache": reading.cache}
         found = analyze(root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, **options)
         diagnostics.extend(found.diagnostics)
-        # of the others nothing is known, or they are nodes of a program that is there as a whole
-        return replace(found, models=tuple(model for model in found.models if model.sources and not model.executable))
+        # of those without sources nothing is known; of a program that makes several nodes there are these
+        whole = {(model.package, model.executable) for model in found.models if model.executable}
+        kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
+        return replace(found, models=kept)
 
     models: tuple[ComponentModel, ...] = ()
     programs: frozenset[tuple[str, str]] = frozenset()
@@ -232,7 +247,7 @@ class _Needed:
 
     def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
         """The components of the library that are started, and those that these load, unless they are among `models`."""
-        own = {(model.package, type_) for model in models for type_ in model.types}
+        own = {(model.package, type_) for model in models for type_ in (*model.types, model.executable)}
         found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
         found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
         found += [library.find(None, file) for file in sorted(self.plugins)]

@@ -12,10 +12,10 @@ ACTION_CLIENT = "SimpleActionClient|ActionClient|BufferClient"
 
 # the functions and classes that make ports of each kind
 MAKERS = {
-    "publisher": "advertise(?:Camera)?|RealtimePublisher|Player",
-    "subscriber": "subscribe(?:Camera)?|Subscriber|SubscriberFilter|waitForMessage|Recorder",
-    "service_server": "advertiseService",
-    "service_client": "serviceClient|createClient|service::call",
+    "publisher": "create_publisher|advertise(?:Camera)?|RealtimePublisher|Player",
+    "subscriber": "create_subscription|subscribe(?:Camera)?|Subscriber|SubscriberFilter|waitForMessage|Recorder",
+    "service_server": "create_service|advertiseService",
+    "service_client": "create_client|serviceClient|createClient|service::call",
     "action_server": ACTION_SERVER,
     "action_client": ACTION_CLIENT,
     "tf_broadcaster": "(?:Static)?TransformBroadcaster",
@@ -25,6 +25,7 @@ MAKERS = {
 
 # the classes that make ports inside themselves, by the ports' names
 HIDDEN = {
+    r"/rosout|/parameter_events|~(?:describe|get|list|set)_parameter\w*|~(?:get|change)_\w*|~transition_event": "(?:Lifecycle)?Node",
     r"/diagnostics": "Updater",
     r"/tf_static": "TransformListener",
     r"/clock|~pause_playback": "Player",
