@@ -209,8 +209,7 @@ def _reactive(comparison: Comparison, truth: Document, found: Document, names: N
     sides = {}
     for side, document in ((_TRUTH, truth), (_FOUND, found)):
         sides[side] = _Side()
-        once = [{**entry, "input": "timer"} for entry in _entries(document, "one_shot")]
-        for entry in [*_entries(document, "reactive"), *once]:
+        for entry in _entries(document, "reactive"):
             ends = tuple(_end(names, side, entry[end]) for end in ("input", "output"))
             if _IMPLICIT not in ends:
                 sides[side].add(ends, entry, optional=_optional(entry))

@@ -9,12 +9,6 @@ from typing import Any
 _AT = re.compile(r"(.*?):(\d+)(?::\d+)?$")
 _SUFFIX_OF_NUMBER = re.compile(r"(?<=\d)[fFuUlL]+\b")
 _TRIVIAL = frozenset({"true", "ok()", "1"})
-_CONSTANT = r"""("[^"]*"?|'.*'|-?[\d.]+|(?:\w+::)*[A-Z][A-Z0-9_]*)"""
-_IS_CONSTANT = re.compile(rf"(.*?)=={_CONSTANT}")
-_IS_NO_CONSTANT = re.compile(rf"(.*?)!={_CONSTANT}")
-_NEGATED_ORDER = re.compile(r"!\((.*?[^-<>=&|])(<=|>=|<|>)(?![<>=])([^&|]*)\)")
-_OPERATOR = re.compile(r"&&|\|\||==|!=|[^-]>|<")
-_OPPOSITE = {"<=": ">", ">=": "<", "<": ">=", ">": "<="}
 
 
 def line_of(at: Any) -> tuple[str, int]:
@@ -62,13 +56,7 @@ def conjuncts(guard: Any) -> set[str]:
             found |= conjuncts(item)
         elif (plain := _plain(item)) and plain not in _TRIVIAL:
             found.add(plain)
-    return found - _implied(found)
-
-
-def _implied(conditions: set[str]) -> set[str]:
-    """What need not be said: that something is not one constant, when it is said to be another."""
-    known = {match[1]: match[2] for each in conditions if (match := _IS_CONSTANT.fullmatch(each))}
-    return {each for each in conditions if (match := _IS_NO_CONSTANT.fullmatch(each)) and known.get(match[1], match[2]) != match[2]}
+    return found
 
 
 def jaccard(one: set[str], other: set[str]) -> float:
@@ -88,17 +76,11 @@ def _parts(source: str) -> list[str]:
 
 
 def _plain(condition: str) -> str:
-    """A condition without comparisons to true and false, negated comparisons, double negation and the words that say nothing."""
+    """A condition without comparisons to true and false, negated equality and the words that say nothing."""
     condition = re.sub(r"(==true|!=false)$", "", condition)
     condition = re.sub(r"^(.*?)(==false|!=true)$", r"!\1", condition)
     condition = re.sub(r"^!\((.*)==(.*)\)$", r"\1!=\2", condition)
     condition = re.sub(r"^!\((.*)!=(.*)\)$", r"\1==\2", condition)
-    if (match := _NEGATED_ORDER.fullmatch(condition)) and _balanced(match[1]) and "&" not in match[1] and "|" not in match[1]:
-        condition = match[1] + _OPPOSITE[match[2]] + match[3]
-    if condition.startswith("!(!") and condition.endswith(")") and _balanced(condition[3:-1]) and not _OPERATOR.search(condition):
-        condition = condition[3:-1]
-    condition = re.sub(r"^not\((.*)\)$", r"!(\1)", condition)
-    condition = re.sub(r"^!\(([^=&|]*)==([^=&|]*)\)$", r"\1!=\2", condition)
     return re.sub(r"^!!", "", re.sub(r"this->|std::|ros::", "", condition))
 
 
