@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+NODE = "(?:Lifecycle)?Node"
 ACTION_SERVER = "SimpleActionServer|ActionServer|BufferServer"
 ACTION_CLIENT = "SimpleActionClient|ActionClient|BufferClient"
 
@@ -25,11 +26,11 @@ MAKERS = {
 
 # the classes that make ports inside themselves, by the ports' names
 HIDDEN = {
-    r"/rosout|/parameter_events|~(?:describe|get|list|set)_parameter\w*|~(?:get|change)_\w*|~transition_event": "(?:Lifecycle)?Node",
+    r"/rosout|/parameter_events|~(?:describe|get|list)_parameter\w*|~set_parameters_atomically|~(?:get|change)_\w*|~transition_event": NODE,
     r"/diagnostics": "Updater",
     r"/tf_static": "TransformListener",
     r"/clock|~pause_playback": "Player",
-    r"~parameter_descriptions|~parameter_updates|~set_parameters": "dynamic_reconfigure::Server",
+    r"~parameter_descriptions|~parameter_updates|~set_parameters": f"dynamic_reconfigure::Server|{NODE}",
     r"~list|~load_nodelet|~unload_nodelet": "nodelet::Loader",
     r"camera/set_camera_info": "CameraInfoManager",
     r"controller_manager/\w+": "ControllerManager",
