@@ -89,5 +89,5 @@ def test_checks_of_ones_own(rosarch: Callable, tmp_path: Path) -> None:
     outcome = rosarch("rules", "checks", "-r", tmp_path / "own-check.dl")
     assert (outcome.code, outcome.err) == (
         2,
-        f"rosarch: error: {tmp_path}/own-check.dl:1:1: impact is `huge`, not one of high, medium, low\n",
+        f"rosarch: error: {tmp_path}/own-check.dl:4:12: impact is `huge`, not one of high, medium, low\n",
     )

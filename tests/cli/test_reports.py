@@ -43,7 +43,7 @@ def test_models_in_files(rosarch: Callable, workspace: Path, tmp_path: Path) -> 
     text = (tmp_path / "out" / "talker" / "talker.json").read_text()
     assert text.endswith("}\n")
     assert list(json.loads(text)) == [
-        "system", "component", "package", "kind", "node_name", "sources", "ports", "params",
+        "system", "component", "package", "kind", "middleware", "node_name", "sources", "ports", "params",
         "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot",
     ]  # fmt: skip
 

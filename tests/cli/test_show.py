@@ -59,7 +59,7 @@ def test_behavior_of_a_node_without_any(rosarch: Callable, workspace: Path) -> N
 def test_behavior_as_json(rosarch: Callable, workspace: Path) -> None:
     (model,) = json.loads(rosarch("show", "behavior", "ws", "--format", "json").out)
     assert list(model) == [
-        "system", "component", "package", "kind", "node_name", "ports",
+        "system", "component", "package", "kind", "middleware", "node_name", "ports",
         "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot",
     ]  # fmt: skip
 
