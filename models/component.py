@@ -266,7 +266,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "component": model.component,
         "package": model.package,
         "kind": model.kind,
-        **({"middleware": model.middleware} if model.middleware else {}),
+        "middleware": model.middleware,
         "node_name": model.node_name,
         **({"executable": model.executable} if model.executable else {}),
         "sources": list(model.sources),

@@ -28,6 +28,7 @@ FIELDS = [
     "component",
     "package",
     "kind",
+    "middleware",
     "node_name",
     "sources",
     "ports",
@@ -72,7 +73,7 @@ def place(*sites: str) -> list[tuple[Any, ...]]:
 
 def test_the_whole_document() -> None:
     assert to_json(model(**RELATIONS)) == {
-        "system": "sys", "component": "n", "package": "pkg", "kind": "node", "node_name": "driver", "sources": ["pkg/n.cpp"],
+        "system": "sys", "component": "n", "package": "pkg", "kind": "node", "middleware": None, "node_name": "driver", "sources": ["pkg/n.cpp"],
         "ports": [
             {"id": "p1", "kind": "publisher", "name": "out", "from_param": "~topic", "type": "std_msgs/Bool", "queue": 10, "latched": True, "callback": None, "via": "plain", "at": "pkg/n.cpp:7", "conditional": None},
             {"id": "p2", "kind": "subscriber", "name": "in", "from_param": None, "type": "std_msgs/Empty", "queue": None, "latched": False, "callback": "N::on_in", "via": "plain", "at": "pkg/n.cpp:8", "conditional": None},

@@ -361,19 +361,19 @@ def changed(report: str, out: Path, change: Callable[[Any], None]) -> str:
 
 def test_themes_can_be_chosen_and_pages_printed(reader: Reader) -> None:
     page = reader.open("component/auto_docking/docking")
-    background = "getComputedStyle(document.body).backgroundColor"
-    light = page.evaluate(background)
+    body, color = page.locator("body"), "background-color"
+    light = page.evaluate("getComputedStyle(document.body).backgroundColor")
     page.locator("button.theme").click()
-    assert page.evaluate(background) == light
+    expect(body).to_have_css(color, light)
     page.locator("button.theme").click()
-    assert page.evaluate(background) != light
+    expect(body).not_to_have_css(color, light)
     page.reload()
-    assert page.evaluate(background) != light
+    expect(body).not_to_have_css(color, light)
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     assert page.locator("main details:not([open], .proof)").count() == 0
     page.emulate_media(media="print")
     expect(page.locator("header.top")).to_be_hidden()
-    assert page.evaluate(background) == "rgb(255, 255, 255)"
+    expect(body).to_have_css(color, "rgb(255, 255, 255)")
     assert len(page.pdf()) > 10_000
 
 
