@@ -80,6 +80,8 @@ def prove(question: SystemQuestion, rules: RuleSet, configuration: Configuration
                     cache.store_value(task.key, outcome)
             if report:
                 report("proofs", len(found), len(tasks))
+    if cache and waiting:
+        cache.trim()
     return found
 
 

@@ -9,6 +9,7 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Any
 
+from rosarch.models.component import sent_in_loop
 from rosarch.models.findings import Finding
 
 Attributes = Mapping[str, Any]
@@ -72,7 +73,7 @@ def elements(document: Mapping[str, Any]) -> Iterator[Element]:
     for parameter in document["params"]:
         yield _element("param", parameter)
     for loop in document["periodic"]:
-        for port in [*loop["publishes"], *loop.get("calls", ())] or [""]:
+        for port in sent_in_loop(loop) or [""]:
             yield _element("periodic", {**loop, "output": names.get(port, port)})
     for field, kind in (("reactive", "reactive"), ("reactive_deferred", "deferred"), ("one_shot", "one_shot")):
         for entry in document[field]:

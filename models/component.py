@@ -323,6 +323,11 @@ def _variable_json(variable: StateVariable) -> dict[str, Any]:
     return data if variable.from_param is None else {**data, "from_param": variable.from_param}
 
 
+def sent_in_loop(loop: Mapping[str, Any]) -> list[str]:
+    """The ports that a timed loop or timer of a document sends through: topics, then what it calls."""
+    return [*(loop.get("publishes") or ()), *(loop.get("calls") or ())]
+
+
 def parameter_json(parameter: Parameter) -> dict[str, Any]:
     """A parameter as `to_json` shows it."""
     default = default_value(parameter)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import median
 
+from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.reactions import Row
 from rosarch.observation.compare import Filled
 from rosarch.observation.peer import ANY, Heard, MessageType, Peer
@@ -148,7 +149,7 @@ class _Trial:
         self._heard = heard
         self._measured = measured
         self._before: frozenset[str] = frozenset()
-        self._timed = frozenset(port for row in subject.document.get("periodic") or () for port in row["publishes"])
+        self._timed = frozenset(port for row in subject.document.get("periodic") or () for port in sent_in_loop(row))
 
     def give(self, stimulus: Stimulus) -> frozenset[str]:
         """Put something in, and wait; the ports that something came through."""

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.conditions import spaced
 
 Document = Mapping[str, Any]
@@ -68,7 +69,7 @@ def _loops(document: Document, names: Mapping[str, str]) -> tuple[tuple[str, ...
         (
             _rate(row),
             _text(row.get("mechanism")),
-            _names([*(row.get("publishes") or ()), *(row.get("calls") or ())], names) or "nothing",
+            _names(sent_in_loop(row), names) or "nothing",
             _places(row.get("at")),
             _text(row.get("conditional")),
         )

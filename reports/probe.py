@@ -7,6 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.reactions import Row
 from rosarch.observation.plan import Plan, Stimulus
 from rosarch.observation.probe import CONFIRMED, REFUTED, UNREACHED, Results
@@ -46,7 +47,7 @@ def _row(subject: Subject, row: Row) -> str:
     if row.kind == "transitions":
         return f"{entry['variable']}{entry.get('field') or ''} becomes {entry['value']}"
     if row.kind == "periodic":
-        return f"loop sends {_ports(subject, frozenset(entry['publishes']))}"
+        return f"loop sends {_ports(subject, frozenset(sent_in_loop(entry)))}"
     if row.kind == "reactive":
         return f"{_ports(subject, frozenset({entry['input']}))} makes it send {_ports(subject, frozenset({entry['output']}))}"
     return f"timer sends {_ports(subject, frozenset({entry['output']}))}"

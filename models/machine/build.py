@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
 
+from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import spaced
 from rosarch.models.machine.logic import TRUE, Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects
@@ -151,7 +152,7 @@ def _loops_message(document: Document, steps: Mapping[str, Sequence[Step]]) -> l
     """Where the model does not tell which of several timed loops makes an assignment."""
     if loops_told_apart(document):
         return []
-    loops = {row.get("at") for row in document.get("periodic") or () if row.get("publishes") or row.get("calls")}
+    loops = {row.get("at") for row in document.get("periodic") or () if sent_in_loop(row)}
     if len(loops) < 2 or not any(step.assignments for step in steps.get("periodic", ())):
         return []
     return [f"{len(loops)} timed loops are shown as one, `periodic`, that does what each of them does"]

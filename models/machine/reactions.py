@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Document, Domains, condition_of, variable_and_field
 from rosarch.models.machine.logic import (
     TRUE,
@@ -99,8 +100,8 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("periodic") or ()):
         guard = meaning.conjuncts(condition_of(row, "conditional"), "")
-        if sent := (*(row.get("publishes") or ()), *(row.get("calls") or ())):
-            step = Step(Row("periodic", index, _place(row)), guard, (), sent)
+        if sent := sent_in_loop(row):
+            step = Step(Row("periodic", index, _place(row)), guard, (), tuple(sent))
             found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))

@@ -79,9 +79,12 @@ class Components:
 
     def with_nodes(self, launch: Launch) -> Launch:
         """The launch, with the nodes that a program makes in the place of a program that makes several."""
-        parts: dict[tuple[str, str | None], list[ComponentModel]] = defaultdict(list)
+        parts: dict[tuple[str, str], list[ComponentModel]] = defaultdict(list)
         for model in self.models:
-            parts[model.package, model.executable].append(model)
+            if model.executable:
+                parts[model.package, model.executable].append(model)
+        if not parts:
+            return launch
         nodes: list[NodeStart] = []
         for start in launch.composition.nodes:
             own = parts.get((start.package, start.type), ())

@@ -350,6 +350,17 @@ def only_the_last_node_has_errors(document: Any) -> None:
         finding["severity"] = "error" if finding["check"] == "duplicate-node" else "note"
 
 
+def test_what_a_timed_loop_calls_is_shown_with_what_it_publishes(reader: Reader, report: str, tmp_path: Path) -> None:
+    def add_call(document: Any) -> None:
+        (component,) = (each for each in document["components"] if each["name"] == "auto_docking/docking")
+        (called,) = (port["id"] for port in component["ports"] if port["name"] == "~cancel")
+        component["periodic"][0]["calls"] = [called]
+
+    reader.address = changed(report, tmp_path / "calls.html", add_call)
+    page = reader.open("component/auto_docking/docking")
+    expect(page.get_by_label("Timed loops and timers").locator("tbody td").nth(2)).to_have_text("cmd_vel, ~cancel")
+
+
 def changed(report: str, out: Path, change: Callable[[Any], None]) -> str:
     """The address of a report whose document is another."""
     block = re.search(r'id="document">([^<]*)<', Path(report.removeprefix("file://")).read_text(encoding="utf-8"))

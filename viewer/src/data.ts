@@ -34,6 +34,7 @@ export interface Periodic {
   hz: number | null;
   hz_from_param: string | null;
   publishes: string[];
+  calls?: string[];
   at: Place;
   conditional: string | null;
 }

@@ -1,5 +1,16 @@
 /** The report with what its pages look up often. */
-import type { Component, Finding, Place, Port, Rate, ReportDocument, Severity, System, SystemNode } from "./data";
+import type {
+  Component,
+  Finding,
+  Periodic,
+  Place,
+  Port,
+  Rate,
+  ReportDocument,
+  Severity,
+  System,
+  SystemNode,
+} from "./data";
 
 export interface Instance {
   system: System;
@@ -86,6 +97,9 @@ export function countedOf(shown: number, all: number, noun: string): string {
 export function amount(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
+
+/** The ports that a timed loop or timer sends through. */
+export const sentIn = ({ publishes, calls = [] }: Periodic): string[] => [...publishes, ...calls];
 
 export function frequency(hz: number | null): string {
   return hz === null ? "rate not known" : `${amount(hz)} Hz`;

@@ -3,7 +3,7 @@
 import { useReport } from "../context";
 import type { Component, Port } from "../data";
 import { Machines } from "../machine/machines";
-import { amount, counted, frequency, type Instance, portKey, portsById } from "../model";
+import { amount, counted, frequency, type Instance, portKey, portsById, sentIn } from "../model";
 import { Section, Table } from "../parts/controls";
 import { PortKind, portLabel, portOrder } from "../parts/kinds";
 import { Why } from "../parts/proof";
@@ -215,7 +215,7 @@ function Behaviour({ component }: { component: Component }) {
                   )}
                 </td>
                 <td>{loop.mechanism}</td>
-                <td>{loop.publishes.length ? names(loop.publishes) : <span class="none">nothing</span>}</td>
+                <td>{sentIn(loop).length ? names(sentIn(loop)) : <span class="none">nothing</span>}</td>
                 <td>
                   <Condition text={loop.conditional} />
                 </td>
