@@ -8,7 +8,7 @@ import stat
 from collections.abc import Callable
 from pathlib import Path
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.boundary import OUTSIDE, is_inside
 
 _LONGEST = 200
@@ -42,7 +42,7 @@ def read_file(path: str | Path) -> bytes:
         content = Path(path).read_bytes()
         return content
     finally:
-        observation.read(path, status, content)
+        tracing.read(path, status, content)
 
 
 def folder_reader(root: Path) -> Callable[[str], str | None]:

@@ -11,7 +11,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TypeVar, cast
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.boundary import folders
 from rosarch.extractor.cache import Cache, hash_of, version_of
 
@@ -33,32 +33,32 @@ class Memo:
 
     cache: Cache
     variables: Mapping[str, str] = field(default_factory=dict)
-    _present: list[observation.Present] = field(default_factory=list)
+    _present: list[tracing.Present] = field(default_factory=list)
 
     def recall(self, key: Iterable[str], trees: Iterable[str], make: Callable[[], Value]) -> Value:
         """What `make` comes to with the parameters `key`, made anew only when what it saw when it was made last is not so now.
 
-        `make` may look at everything below `trees`, and read files and variables as `observation` records it.
+        `make` may look at everything below `trees`, and read files and variables as `tracing` records it.
         """
         name = hash_of(["stage", stage_version(), *folders(), "", *key])
         known = self._known(name)
         if known is not None:
-            observation.seen(known[0])
+            tracing.seen(known[0])
             return cast(Value, known[1])
-        with observation.recording(self.present.trees(tuple(trees))) as rests_on:
+        with tracing.recording(self.present.trees(tuple(trees))) as rests_on:
             value = make()
         if not rests_on.uncertain:
-            self._keep(name, rests_on.observation(), pickle.dumps(value, protocol=pickle.HIGHEST_PROTOCOL))
+            self._keep(name, rests_on.trace(), pickle.dumps(value, protocol=pickle.HIGHEST_PROTOCOL))
         return value
 
     @property
-    def present(self) -> observation.Present:
+    def present(self) -> tracing.Present:
         """How things are now."""
         if not self._present:
-            self._present.append(observation.Present(self.variables))
+            self._present.append(tracing.Present(self.variables))
         return self._present[0]
 
-    def _known(self, name: str) -> tuple[observation.Observation, object] | None:
+    def _known(self, name: str) -> tuple[tracing.Trace, object] | None:
         data = self.cache.load(name)
         if data is None:
             return None
@@ -74,5 +74,5 @@ class Memo:
             self._keep(name, now, value)
         return found
 
-    def _keep(self, name: str, rests_on: observation.Observation, value: bytes) -> None:
+    def _keep(self, name: str, rests_on: tracing.Trace, value: bytes) -> None:
         self.cache.store(name, pickle.dumps((rests_on, value), protocol=pickle.HIGHEST_PROTOCOL))

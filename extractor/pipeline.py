@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rosarch.datalog.scratch import scratch_folder
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.boundary import confined, ros_package_path
 from rosarch.extractor.cache import Cache, hash_of, write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder
@@ -144,7 +144,7 @@ def extract(
         interfaces = Interfaces.of(workspace.packages)
         extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *interfaces.diagnostics], programs=programs(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
-        observation.ignore(scratch)
+        tracing.ignore(scratch)
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
         commands = read_compile_commands(workspace.root)
         extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))

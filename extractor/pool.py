@@ -20,7 +20,7 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.limits import LIMITS
 
 Task = TypeVar("Task")
@@ -62,7 +62,7 @@ def run_tasks(
     A worker that dies or works on one task for more than `timeout` seconds is replaced. None has more than `memory` bytes of
     addresses, as many as `LIMITS` tells by default.
     """
-    observed, memory = observation.carried(function), memory or LIMITS.memory
+    observed, memory = tracing.carried(function), memory or LIMITS.memory
     pending = iter(range(len(tasks)))
     workers: list[_Worker[Task]] = []
     busy: list[_Worker[Task]] = []
@@ -83,8 +83,8 @@ def run_tasks(
                     workers.append(worker)
                 _feed(worker, pending, tasks, timeout, busy)
                 if isinstance(outcome, Failure):
-                    observation.uncertain()  # another time, there may be more time or memory
-                yield index, observation.received(outcome)
+                    tracing.uncertain()  # another time, there may be more time or memory
+                yield index, tracing.received(outcome)
     finally:
         for worker in workers:
             worker.process.kill()  # it has nothing to tidy up, and a worker that has just started may not heed anything else

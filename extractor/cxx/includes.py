@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.boundary import folders as inside
 from rosarch.extractor.boundary import is_inside
 from rosarch.extractor.cache import hash_of
@@ -192,7 +192,7 @@ class HeaderFinder:
         result.overlay = self._overlay()
         result.predictable = self._unpredictable.isdisjoint(seen)
         if not result.predictable:
-            observation.uncertain()
+            tracing.uncertain()
         return result
 
     def fingerprint(self, includes: Includes) -> str:
@@ -238,7 +238,7 @@ class HeaderFinder:
         known = self._exists.get(path)
         if known is None:
             if not is_shipped(path):
-                observation.probe(path)
+                tracing.probe(path)
             known = self._exists[path] = os.path.isfile(path) and is_inside(path)
             if not known and os.path.islink(path):
                 self._barred.add(path)

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
 
 from .model import LaunchError, Reference
@@ -47,13 +47,13 @@ class Files:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
         folder = Path(os.path.realpath(os.path.join(self.folder, launch_file))).parent
         for above in (folder, *folder.parents):
-            observation.probe(above / "package.xml")
+            tracing.probe(above / "package.xml")
         package = next((above for above in (folder, *folder.parents) if (above / "package.xml").is_file()), folder)
         self._beside.add(str(package))
 
     def is_file(self, path: str) -> bool:
         """Whether there is such a file, be it readable here or not."""
-        observation.probe(full := os.path.join(self.folder, path))
+        tracing.probe(full := os.path.join(self.folder, path))
         return os.path.isfile(full)
 
     def read(self, path: str) -> bytes:
@@ -96,7 +96,7 @@ class Files:
         base, *rest = re.split(r"[^/]*[*?\[]", full, maxsplit=1)
         if not self._is_allowed(os.path.realpath(base)) or any(".." in part.split("/") for part in rest):
             raise LaunchError("outside", pattern, f"{pattern} is outside the package path and not read")
-        observation.listed(base)
+        tracing.listed(base)
         return sorted(itertools.islice(glob.iglob(full), MAX_MATCHES))
 
     def references(self, path: str) -> tuple[Reference, ...]:
@@ -118,7 +118,7 @@ class Files:
         return self._values[key]
 
     def _read(self, full: str, path: str) -> bytes:
-        observation.probe(full)
+        tracing.probe(full)
         try:
             status = os.stat(full)
         except (FileNotFoundError, NotADirectoryError):
@@ -130,7 +130,7 @@ class Files:
         if not self._is_allowed(os.path.realpath(full)):
             raise LaunchError("outside", path, f"{path} is outside the package path and not read")
         if status.st_size > MAX_BYTES:
-            observation.read(full, status, None)
+            tracing.read(full, status, None)
             raise LaunchError("size", path, f"{path} has more than {MAX_BYTES // 2**20} MiB and is not read")
         try:
             return read_file(full)

@@ -9,7 +9,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 
 from .model import ArgumentUsed, FileNamed, HomePath, PackageNamed, Place, ProgramNamed, Reference
 from .packages import PackagePath
@@ -44,7 +44,7 @@ def _files(element: Element, attribute: str, text: str, place: Place, packages: 
         file = os.path.normpath(resolved.replace("$(dirname)", os.path.dirname(os.path.abspath(place.path))))
         if "$(" not in file:
             for path in (file, f"{file}.in"):
-                observation.probe(path)
+                tracing.probe(path)
             yield FileNamed(role, file, not (os.path.exists(file) or os.path.exists(f"{file}.in")), place)
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
 from rosarch.extractor.xml_reader import XmlError
 
@@ -68,7 +68,7 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
         written = {*(include.file or include.text for include in composition.includes), *said}
         included[real[path]] = {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
         for name in written:
-            observation.probe(name)
+            tracing.probe(name)
             if "$(" in name and name not in matches:
                 pattern = _pattern(name)
                 matches[name] = {other for other in real.values() if pattern.fullmatch(other)} if pattern else set()

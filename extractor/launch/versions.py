@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
 
 from .compose import compose as compose_ros1
@@ -64,7 +64,7 @@ def ros_version(path: Path | str) -> int:
         return 1
     for folder in path.absolute().parents:
         manifest = folder / "package.xml"
-        observation.probe(manifest)
+        tracing.probe(manifest)
         if manifest.is_file():
             return 2 if _AMENT.search(_content(manifest)) else 1
     return 1

@@ -7,7 +7,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 
 MAX_STATEMENTS = 300_000
 MAX_DEPTH = 60
@@ -45,5 +45,5 @@ def time_limit(seconds: float) -> Iterator[None]:
 
 
 def _expire(_number: int, _frame: object) -> None:
-    observation.uncertain()
+    tracing.uncertain()
     raise OutOfTime

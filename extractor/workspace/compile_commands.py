@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import read_file
 
@@ -98,7 +98,7 @@ def _command(entry: Any, root: Path) -> CompileCommand | None:
     if not isinstance(words, list) or not all(isinstance(word, str) for word in words):
         return None
     base = Path(str(entry.get("directory", ".")))
-    observation.probe(base / entry["file"])
+    tracing.probe(base / entry["file"])
     folders, definitions, output = _arguments(words, base)
     own = [folder for folder in folders if _is_source_folder(folder, root)]
     return CompileCommand(
@@ -129,7 +129,7 @@ def _arguments(words: Iterable[str], base: Path) -> tuple[list[Path], list[str],
             definitions = {name: None for name in definitions if name.partition("=")[0] != value}
         else:
             folder = Path(os.path.normpath(base / value))
-            observation.probe(folder)
+            tracing.probe(folder)
             if os.path.isdir(folder):
                 folders[folder] = None
     return list(folders), list(definitions), output

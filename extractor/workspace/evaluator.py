@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn, Protocol
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.diagnostics import Diagnostic, unreadable, why
 from rosarch.extractor.files import read_file
 
@@ -344,7 +344,7 @@ class Evaluator:
 
     def is_outside(self, path: str) -> bool:
         """Whether `path` is on the machine rather than in the workspace."""
-        observation.probe(path)  # with `..` in it, it may only look as if it lay in the workspace
+        tracing.probe(path)  # with `..` in it, it may only look as if it lay in the workspace
         return os.path.isabs(path) and not path.startswith(self.root + "/") and path != self.root
 
     def exists(self, path: str) -> bool:

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.launch import compose, launch_files, top_level
 from rosarch.models.system.requests import LaunchWordError, Request, Surroundings
 from rosarch.models.system.surrounding import Launch
@@ -41,7 +41,7 @@ def unincluded(where: Surroundings) -> list[Launch]:
 
 def _path(word: str, root: Path) -> str:
     for path in (Path(word), root / word):
-        observation.probe(path)
+        tracing.probe(path)
         if path.is_file():
             return os.path.abspath(path)
     raise LaunchWordError(f"{word}: no such launch file, neither here nor below {root}")

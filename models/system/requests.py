@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch import Files
@@ -39,7 +39,7 @@ class Surroundings:
     def variables(self) -> Mapping[str, str]:
         """The environment of launch files. roslaunch does not run without ROS_MASTER_URI."""
         path = os.pathsep.join(map(os.path.abspath, self.package_path))
-        return observation.Variables({"ROS_MASTER_URI": "http://localhost:11311", "ROS_PACKAGE_PATH": path, **self.environment})
+        return tracing.Variables({"ROS_MASTER_URI": "http://localhost:11311", "ROS_PACKAGE_PATH": path, **self.environment})
 
 
 @dataclass(frozen=True)

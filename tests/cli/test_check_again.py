@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 
 BUILD = """cmake_minimum_required(VERSION 3.0)
 project(robot)
@@ -366,9 +366,9 @@ def test_all_that_is_read_is_observed(robot: Path, rosarch: Callable, monkeypatc
         if listening and event == "open" and isinstance(arguments[0], (str, os.PathLike)):
             opened.add(os.path.abspath(arguments[0]))
 
-    kept: list[observation.Observation] = []
-    real = observation.Recording.observation
-    monkeypatch.setattr(observation.Recording, "observation", lambda self: kept.append(real(self)) or kept[-1])
+    kept: list[tracing.Trace] = []
+    real = tracing.Recording.trace
+    monkeypatch.setattr(tracing.Recording, "trace", lambda self: kept.append(real(self)) or kept[-1])
     sys.addaudithook(hear)
     try:
         with monkeypatch.context() as patch:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.extractor import observation
+from rosarch.extractor import tracing
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.files import read_file
 from rosarch.extractor.memo import Memo
@@ -37,12 +37,12 @@ class Stage:
         self.variables: dict[str, str] = {}
 
     def run(self, key: str = "stage") -> str:
-        variables = observation.Variables(self.variables)
+        variables = tracing.Variables(self.variables)
 
         def make() -> str:
             self.made += 1
             outside = self.tree.parent / "outside"
-            observation.probe(outside)
+            tracing.probe(outside)
             return f"{read(self.tree / 'deep' / 'a.txt')} {outside.exists()} {variables.get('ROBOT')}"
 
         return Memo(self.cache, self.variables).recall([key], [str(self.tree)], make)
@@ -129,7 +129,7 @@ def test_a_change_at_once_that_shows_in_no_time_is_seen(stage: Stage, tree: Path
 
 
 def test_files_that_have_settled_are_not_read_again(stage: Stage, tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(observation, "_SETTLED", 0)
+    monkeypatch.setattr(tracing, "_SETTLED", 0)
     stage.run()
     time.sleep(0.01)
     stage.run()  # only now the stamp can be trusted
@@ -137,7 +137,7 @@ def test_files_that_have_settled_are_not_read_again(stage: Stage, tree: Path, mo
     def refuse(*_args: object) -> bytes:
         raise AssertionError("read again")
 
-    monkeypatch.setattr(observation, "_content", refuse)
+    monkeypatch.setattr(tracing, "_content", refuse)
     assert stage.run() == "a False None"
     assert stage.made == 1
 
@@ -235,7 +235,7 @@ def test_an_error_is_not_kept(stage: Stage, tree: Path) -> None:
         with pytest.raises(ValueError, match="no"):
             Memo(stage.cache).recall(["stage"], [str(tree)], fail)
     assert stage.run() == "a False None"
-    assert not observation._recordings
+    assert not tracing._recordings
 
 
 @pytest.mark.parametrize("damage", [b"", b"no pickle", b"cno.such.module\nThing\n.", b"N."])

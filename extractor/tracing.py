@@ -29,7 +29,7 @@ _SETTLED = 2_000_000_000
 
 
 @dataclass(frozen=True)
-class Observation:
+class Trace:
     """What was seen: `trees` with a hash of their names, files that were read, what lies at other paths, and variables.
 
     Files have a hash of their content, "" when they could not be read, and where it can be trusted a stamp that tells that they are as they
@@ -56,16 +56,16 @@ class Recording:
     def __post_init__(self) -> None:
         self._prefixes = tuple(f"{tree.rstrip('/')}/" for tree in self.trees)
 
-    def add(self, other: Recording | Observation) -> None:
+    def add(self, other: Recording | Trace) -> None:
         """What was seen in a part of the work; when two parts do not agree, the whole is uncertain."""
         self.uncertain |= isinstance(other, Recording) and other.uncertain
         self.uncertain |= any(self.probes.setdefault(path, kind) != kind for path, kind in other.probes.items())
         self.uncertain |= any(self.variables.setdefault(name, value) != value for name, value in other.variables.items())
         self.uncertain |= any(self.reads.setdefault(path, seen)[0] != seen[0] for path, seen in other.reads.items())
 
-    def observation(self) -> Observation:
+    def trace(self) -> Trace:
         """What was seen, to be kept."""
-        return Observation(dict(self.trees), dict(self.reads), dict(self.probes), dict(self.variables))
+        return Trace(dict(self.trees), dict(self.reads), dict(self.probes), dict(self.variables))
 
     def covers(self, path: str) -> bool:
         """Whether the names of a tree tell what lies at `path`."""
@@ -88,10 +88,10 @@ def recording(trees: Mapping[str, str]) -> Iterator[Recording]:
             _recordings[-1].add(found)
 
 
-def seen(observation: Observation) -> None:
+def seen(trace: Trace) -> None:
     """A result was taken that rests on what was observed earlier."""
     if _recordings:
-        _recordings[-1].add(observation)
+        _recordings[-1].add(trace)
 
 
 def uncertain() -> None:
@@ -201,8 +201,8 @@ class Present:
                 self._trees[folder] = known.get(folder) or _names_digest(folder)
         return {folder: self._trees[folder] for folder in folders}
 
-    def confirms(self, then: Observation) -> Observation | None:
-        """The observation, with new stamps, when everything is as it was then; otherwise None."""
+    def confirms(self, then: Trace) -> Trace | None:
+        """The trace, with new stamps, when everything is as it was then; otherwise None."""
         if dict(then.trees) != self.trees(then.trees) or any(_kind(path) != kind for path, kind in then.probes.items()):
             return None
         if any(self.variables.get(name) != value for name, value in then.variables.items()):
