@@ -41,7 +41,7 @@ _Changed = Mapping[str, frozenset[Row]]
 class Case:
     """A test: the rows of all relations, and those relations whose rows the test looks at.
 
-    `fails` tells whether the test does with other rows; without it, it does when any observed relation has others.
+    `fails` tells whether the test does with the rows that some observed relations have instead; without it, it does with any.
     """
 
     name: str
@@ -51,9 +51,8 @@ class Case:
 
     def notices(self, changed: Mapping[str, Collection[Row]]) -> bool:
         """Whether the test fails when these relations have these rows."""
-        if all(set(rows) == set(self.rows[name]) for name, rows in changed.items() if name in self.observed):
-            return False
-        return self.fails is None or self.fails({**self.rows, **changed})
+        other = {name: rows for name, rows in changed.items() if name in self.observed and set(rows) != set(self.rows[name])}
+        return bool(other) and (self.fails is None or self.fails(other))
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +136,9 @@ class MutationTest:
     def __init__(self, program: Program, cases: Sequence[Case]) -> None:
         self.rules = rules_of(program)
         self.demand = demanded(program, self.rules)
-        self.cases = [replace(case, rows={name: frozenset(rows) for name, rows in case.rows.items()}) for case in cases]
+        whole = [replace(case, rows={name: frozenset(rows) for name, rows in case.rows.items()}) for case in cases]
+        self.cases = sorted(whole, key=lambda case: sum(map(len, case.rows.values())))
+        self._latest: tuple[tuple[Rule, ...], Case | None] = ((), None)
         self._strata: dict[int, _Part] = {}
         self._fired: tuple[tuple[Rule, ...], dict[int, bool]] = ((), {})
         self._leading: dict[frozenset[str], set[str]] = {}
@@ -154,14 +155,20 @@ class MutationTest:
         for case in self._likely(mutant):
             changed = self._changed(mutant, alone, whole, case)
             if changed is None or (changed and self._noticed(changed, case)):
+                self._latest = mutant.rules, case
                 return Verdict(mutant, case.name)
         return Verdict(mutant, "")
 
     def _likely(self, mutant: Mutant) -> list[Case]:
-        """The cases in which the mutant can differ: rows for every atom that is left in its clause, or in the clause it comes from."""
+        """The cases in which the mutant can differ: rows for every atom that is left in its clause, or in the clause it comes from.
+
+        That which killed the mutant before, of the same clause, comes first, then those with fewest rows.
+        """
         bodies = [clause.body for clause in (*mutant.clauses, *(rule.clause for rule in mutant.rules))]
         atoms = [{literal.name for literal in body if isinstance(literal, Atom)} for body in bodies]
-        return [c for c in self.cases if any(all(c.rows.get(name) for name in names) for names in atoms)]
+        likely = [c for c in self.cases if any(all(c.rows.get(name) for name in names) for names in atoms)]
+        rules, killer = self._latest
+        return sorted(likely, key=lambda case: case is not killer) if rules == mutant.rules else likely
 
     def _changed(self, mutant: Mutant, alone: _Part, whole: list[_Part], case: Case) -> _Changed | None:
         """The relations that are recursive with the mutant's and have other rows in a case; None when these are not found in time.

@@ -27,9 +27,10 @@ def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Ite
             for component in found.components:
                 own = [e for e in about if component in found.of(e.marked.path)]
                 if own and component.rows:
-                    rows = component.result.all_rows()
-                    fails = partial(_fails, found, component, own)
-                    yield MutationCase(f"{case.root}: {component.facts.name}", rows, _observed(program, own), fails)
+                    looked_at = [_observed(program, expectation) for expectation in own]
+                    fails = partial(_fails, found, component, own, looked_at)
+                    name = f"{case.root}: {component.facts.name}"
+                    yield MutationCase(name, component.result.all_rows(), frozenset().union(*looked_at), fails)
 
 
 def model_cases(
@@ -43,22 +44,27 @@ def model_cases(
             yield MutationCase(f"{case.root}: {component.facts.name}", rows, frozenset(program.outputs), fails)
 
 
-def _observed(program: Program, expected: Sequence[Expectation]) -> frozenset[str]:
-    """The relations that expectations look at: those in queries, and what models are made from where elements are expected."""
-    words = {word for e in expected if e.kind is None for word in re.findall(r"[\w.]+", e.query)}
-    models = frozenset(program.outputs) if any(e.kind is not None for e in expected) else frozenset()
-    return models | (words & program.relations.keys())
+def _observed(program: Program, expectation: Expectation) -> frozenset[str]:
+    """The relations that an expectation looks at: those in its query, or what models are made from where an element is expected."""
+    if expectation.kind is not None:
+        return frozenset(program.outputs)
+    return frozenset(re.findall(r"[\w.]+", expectation.query)) & program.relations.keys()
 
 
 def _fails(
-    found: Found, component: ObservedComponent, expected: Sequence[Expectation], rows: Mapping[str, Collection[Row]]
-) -> bool:  # fmt: skip
-    """Whether an expectation that is met is not when the component has these rows."""
+    found: Found,
+    component: ObservedComponent,
+    expected: Sequence[Expectation],
+    looked_at: Sequence[frozenset[str]],
+    rows: Mapping[str, Collection[Row]],
+) -> bool:
+    """Whether an expectation that is met is not when some relations of the component have these rows."""
     changed = _with_rows(component, rows)
     seen = replace(found)
     seen.components = [changed if each is component else each for each in found.components]
+    asked = [e for e, relations in zip(expected, looked_at, strict=True) if not relations.isdisjoint(rows)]
     try:
-        return any(unmet(e, seen, expected) is not None for e in expected)
+        return any(unmet(e, seen, expected) is not None for e in asked)
     except (LookupError, ValueError):
         return True  # no model can be made of such rows
 
@@ -75,5 +81,5 @@ def _shows_other(
 def _with_rows(component: ObservedComponent, rows: Mapping[str, Collection[Row]]) -> ObservedComponent:
     changed = replace(component)
     changed.rows = component.rows  # the extraction is over
-    changed.result = Result.of(rows, component.program)
+    changed.result = Result.of({**component.result.all_rows(), **rows}, component.program)
     return changed

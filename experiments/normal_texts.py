@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from pathlib import PurePath
 from typing import Any
 
 _AT = re.compile(r"(.*?):(\d+)(?::\d+)?$")
+_SPACES = re.compile(r"\s+")
 _SUFFIX_OF_NUMBER = re.compile(r"(?<=\d)[fFuUlL]+\b")
 _TRIVIAL = frozenset({"true", "ok()", "1"})
 
@@ -21,7 +23,12 @@ def line_of(at: Any) -> tuple[str, int]:
 
 def short(name: Any) -> str:
     """A C++ name as `Class::member`, or the bare name of what is in no class."""
-    parts = [part for part in str(name or "").split("::") if part and "anonymous" not in part]
+    return _short(str(name or ""))
+
+
+@lru_cache(maxsize=10_000)
+def _short(name: str) -> str:
+    parts = [part for part in name.split("::") if part and "anonymous" not in part]
     return "::".join(parts[-2:])
 
 
@@ -37,7 +44,12 @@ def normal(value: Any) -> str:
         return ""
     if isinstance(value, bool):
         return "true" if value else "false"
-    text = _SUFFIX_OF_NUMBER.sub("", re.sub(r"\s+", "", str(value))).strip("\"'")
+    return _normal(str(value))
+
+
+@lru_cache(maxsize=10_000)
+def _normal(value: str) -> str:
+    text = _SUFFIX_OF_NUMBER.sub("", _SPACES.sub("", value)).strip("\"'")
     while text.startswith("(") and text.endswith(")") and _balanced(text[1:-1]):
         text = text[1:-1]
     try:

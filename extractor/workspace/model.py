@@ -133,7 +133,7 @@ class Package:
 class Workspace:
     """Packages below `root`. `selected` are the packages asked for; the others are there because those need them.
 
-    Headers that no include path leads to are `searched` in all folders below the root.
+    Headers that no include path leads to are `searched` in all folders below the root, and scripts in those of their package.
     """
 
     root: Path

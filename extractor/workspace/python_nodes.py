@@ -30,7 +30,7 @@ def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[C
         if package.name in workspace.selected:
             roots = tuple(dict.fromkeys((*_roots(package), *shared)))
             yield from _of_entry_points(package, roots, modules, problems)
-            yield from _of_scripts(package, roots, modules)
+            yield from _of_scripts(package, roots, modules, searched=workspace.searched)
 
 
 def _roots(package: Package) -> tuple[Path, ...]:
@@ -51,10 +51,10 @@ def _of_entry_points(package: Package, roots: tuple[Path, ...], modules: Modules
         yield from _component(package, point.name, [point.name], start, modules)
 
 
-def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules) -> Iterator[Component]:
+def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules, *, searched: bool) -> Iterator[Component]:
     """Installed scripts, and where nothing need be installed to be run, those that lie in the package."""
     scripts = {program.path: program.name for program in package.programs if program.path.suffix == ".py" or _has_shebang(program.path)}
-    if package.build_type == "catkin":
+    if searched and package.build_type == "catkin":
         scripts = {path: path.name for path in _scripts_below(package.path)} | scripts
     names: dict[Path, list[str]] = {}
     for path in sorted(scripts, key=lambda path: (path.is_symlink(), path)):
