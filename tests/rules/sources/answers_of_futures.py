@@ -20,15 +20,15 @@ from std_srvs.srv import Trigger
 
 class Asker(LifecycleNode):
     def __init__(self):
-        super().__init__('asker')
+        super().__init__("asker")
         self.active = False
-        self.open_client = self.create_client(Trigger, 'open')
-        self.shut_client = self.create_client(Trigger, 'shut')
-        self.lock_client = self.create_client(Trigger, 'lock')
-        self.told = self.create_publisher(String, 'told', 1)
-        self.done = self.create_publisher(String, 'done', 1)
-        self.ready = self.create_publisher(Bool, self.get_name() + '/ready', 1)
-        self.create_subscription(Bool, 'order', self.on_order, 1)
+        self.open_client = self.create_client(Trigger, "open")
+        self.shut_client = self.create_client(Trigger, "shut")
+        self.lock_client = self.create_client(Trigger, "lock")
+        self.told = self.create_publisher(String, "told", 1)
+        self.done = self.create_publisher(String, "done", 1)
+        self.ready = self.create_publisher(Bool, self.get_name() + "/ready", 1)
+        self.create_subscription(Bool, "order", self.on_order, 1)
         self.timer = self.create_timer(0.5, self.on_once)  # expect: one_shot ~ready 0.5 s
         self.lost = self.create_timer(2.0, self.on_often)  # expect: periodic ~ready 0.5 Hz
 
@@ -76,5 +76,5 @@ def main():
     rclpy.spin(Asker())
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     main()

@@ -12,28 +12,28 @@ from std_msgs.msg import Empty, String
 
 
 def on_left(text):
-    rospy.Publisher('from_left', Empty, queue_size=1)  # expect: publisher from_left
+    rospy.Publisher("from_left", Empty, queue_size=1)  # expect: publisher from_left
 
 
 def on_right(text):
-    rospy.Publisher('from_right', Empty, queue_size=1)  # expect: publisher from_right
+    rospy.Publisher("from_right", Empty, queue_size=1)  # expect: publisher from_right
 
 
 class Sorter:
     def __init__(self):
-        self.handlers = {'left': on_left, 'right': on_right}
+        self.handlers = {"left": on_left, "right": on_right}
         self.pubs = {
-            'left': rospy.Publisher('left', Empty, queue_size=1),  # expect: publisher left
-            'right': rospy.Publisher('right', Empty, queue_size=1),  # expect: publisher right
+            "left": rospy.Publisher("left", Empty, queue_size=1),  # expect: publisher left
+            "right": rospy.Publisher("right", Empty, queue_size=1),  # expect: publisher right
         }
         other = {
-            'up': rospy.Publisher('up', Empty, queue_size=1),  # expect: publisher up
-            'down': rospy.Publisher('down', Empty, queue_size=1),  # expect: publisher down
+            "up": rospy.Publisher("up", Empty, queue_size=1),  # expect: publisher up
+            "down": rospy.Publisher("down", Empty, queue_size=1),  # expect: publisher down
         }
         self.other = other
-        rospy.Subscriber('text', String, self.on_text)
-        rospy.Subscriber('lefts', String, self.on_left_text)
-        rospy.Subscriber('ups', String, lambda message: other['up'].publish(Empty()))
+        rospy.Subscriber("text", String, self.on_text)
+        rospy.Subscriber("lefts", String, self.on_left_text)
+        rospy.Subscriber("ups", String, lambda message: other["up"].publish(Empty()))
 
     def on_text(self, message):
         self.handlers[message.data](message.data)
@@ -42,31 +42,31 @@ class Sorter:
         # expect: reactive text -> right may
 
     def on_left_text(self, message):
-        self.pubs['left'].publish(Empty())  # expect: reactive lefts -> left must
-        self.handlers['left'](message.data)
+        self.pubs["left"].publish(Empty())  # expect: reactive lefts -> left must
+        self.handlers["left"](message.data)
         # expect: reactive ups -> up must
 
 
 class Foreign(absent.Runner):
     def on_run(self):
-        rospy.Publisher('run', Empty, queue_size=1)  # expect: publisher run
+        rospy.Publisher("run", Empty, queue_size=1)  # expect: publisher run
 
     @staticmethod
     def make():
-        rospy.Publisher('never', Empty, queue_size=1)
+        rospy.Publisher("never", Empty, queue_size=1)
 
 
 class Unmade(absent.Runner):
     def on_run(self):
-        rospy.Publisher('never', Empty, queue_size=1)
+        rospy.Publisher("never", Empty, queue_size=1)
 
 
 def main():
-    rospy.init_node('sorter')
-    sorter = Sorter()
-    foreign = Foreign()
+    rospy.init_node("sorter")
+    Sorter()
+    Foreign()
     rospy.spin()
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     main()
