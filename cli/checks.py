@@ -10,7 +10,7 @@ import typer
 
 from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.rule_options import Rules, parse_rules
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.terminal import emit
 
 
@@ -27,6 +27,8 @@ def checks(
         typer.Argument(metavar="[ID]...", help="Explain these checks; `*` for any text. Without one, list all.", show_default=False),
     ] = None,
     own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     output_format: Annotated[CheckFormat, typer.Option("--format", help="The form of the text on stdout.")] = CheckFormat.text,
 ) -> None:
     """List the checks with their severity, or explain some: what each finds, why that is bad, an example, what to do."""
@@ -36,7 +38,7 @@ def checks(
     from rosarch.reports.checks import explanation_text, list_text, reference_markdown, sections_markdown
 
     with datalog_errors():
-        known = sorted((*system_rules(parse_rules(own)).checks, *COMMENT_CHECKS), key=lambda check: check.id)
+        known = sorted((*system_rules(parse_rules(own, variants, settings)).checks, *COMMENT_CHECKS), key=lambda check: check.id)
     for pattern in patterns or ():
         if not any(fnmatchcase(check.id, pattern) for check in known):
             raise InputError(f"no check {pattern}{hint(pattern, [check.id for check in known])}")

@@ -12,6 +12,7 @@ import typer
 from rosarch.cli.errors import FINDINGS, USAGE, InputError
 from rosarch.cli.inputs import check_folder, check_output, read_input, unwritable
 from rosarch.cli.options import Format, path_argument
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.terminal import emit, progress
 from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import file_name
@@ -58,6 +59,9 @@ def corpus(
     jobs: Jobs = 1,
     retries: Retries = 2,
     limit: Limit = 3600.0,
+    own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     output_format: Annotated[Format, typer.Option("--format", help="The summary on stdout.")] = Format.table,
 ) -> None:
     """Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has findings."""
@@ -67,8 +71,11 @@ def corpus(
     from rosarch.reports.corpus import WRITERS
 
     check_output(out)
+    parse_rules(own, variants, settings)  # what is wrong with them is told once, and before anything is done
+    of_rules = {"--rules": [os.path.abspath(path) for path in own or ()], "--variant": variants or (), "--option": settings or ()}
+    options = ("--jobs", str(jobs), *(word for option, values in of_rules.items() for value in values for word in (option, value)))
     folders = _named(_folders(words))
-    tasks = [Job(os.path.abspath(folder), ("--jobs", str(jobs)), limit) for folder in folders.values()]
+    tasks = [Job(os.path.abspath(folder), options, limit) for folder in folders.values()]
     names = list(folders)
     outcomes = {}
     try:

@@ -14,7 +14,7 @@ from rosarch.cli.derivations import Profiled, check_profile, chosen_relations, d
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import unwritable
 from rosarch.cli.questions import Question, asks
-from rosarch.cli.rule_options import Rules, parse_rules
+from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.rules_mutate import mutate
 from rosarch.cli.rules_test import test
 from rosarch.cli.terminal import emit, emit_lines
@@ -33,6 +33,8 @@ Files = Annotated[
 def list_rules(
     pattern: Annotated[str, typer.Argument(metavar="[PATTERN]", help="Only relations of this name; `*` for any text.")] = "*",
     own: Rules = None,
+    variants: Variants = None,
+    settings: Settings = None,
     private: Annotated[bool, typer.Option("--private", help="Also those private to a file, whose names start with `_`.")] = False,
 ) -> None:
     """List relations with the place of their declaration and what they hold."""
@@ -40,7 +42,7 @@ def list_rules(
     from rosarch.datalog.relation_reference import list_text
 
     with datalog_errors():
-        known = [e for e in reference(load_rules(parse_rules(own))) if private or not e.private]
+        known = [e for e in reference(load_rules(parse_rules(own, variants, settings))) if private or not e.private]
     entries = [e for e in known if fnmatchcase(e.name, pattern)]
     if not entries:
         from rosarch.extractor.hints import hint
@@ -113,6 +115,8 @@ def lint(
 @app.command("doc")
 def doc(
     rules: Files = None,
+    variants: Variants = None,
+    settings: Settings = None,
     out: Annotated[
         Path | None, typer.Option("--out", "-o", metavar="FILE", help="Write to FILE, not to stdout.", show_default=False)
     ] = None,
@@ -122,7 +126,7 @@ def doc(
     from rosarch.datalog import reference, reference_text
 
     with datalog_errors():
-        text = reference_text(reference(load_rules(parse_rules(rules))), shorten=shorten, private=private)
+        text = reference_text(reference(load_rules(parse_rules(rules, variants, settings))), shorten=shorten, private=private)
     if out is None:
         emit(text)
         return

@@ -16,7 +16,7 @@ from rosarch.cli.rules_test import checked_path, systems_of
 from rosarch.cli.terminal import emit, progress
 
 
-@asks("variants", "settings", "engine", "defines", "verbose")
+@asks("engine", "defines", "verbose")
 def mutate(
     reading: Reading,
     paths: Annotated[

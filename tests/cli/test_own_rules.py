@@ -134,6 +134,18 @@ def test_variants_and_options_that_do_not_exist(rosarch: Run, workspace: Path, a
     assert (done.code, done.out, done.err) == (2, "", f"rosarch: error: {error}\n")
 
 
+@pytest.mark.parametrize("command", [("rules", "list"), ("rules", "checks"), ("rules", "doc"), ("rules", "mutate")], ids=" ".join)
+def test_commands_about_rules_take_variants(rosarch: Run, command: tuple[str, ...], tmp_path: Path) -> None:
+    done = rosarch(*command, "--variant", "state-variable=rosinfr")
+    assert (done.code, done.out, done.err) == (2, "", "rosarch: error: state-variable has no variant `rosinfr`, did you mean `rosinfer`?\n")
+
+
+def test_the_relations_are_those_of_the_variant(rosarch: Run) -> None:
+    wanted = ("rules", "list", "_entered_by", "--private")
+    assert rosarch(*wanted).err.startswith("rosarch: error: no relation _entered_by")
+    assert "rules/variants/context-depth/two-calls.dl:" in rosarch(*wanted, "--variant", "context-depth=two-calls").out
+
+
 def test_a_relation_is_overridden_and_told(rosarch: Run, examples: Path, tmp_path: Path) -> None:
     rules = write(tmp_path / "r", all='.pragma "override" "state_variable"\nstate_variable(V) :- changes(_, _, V).\n')
     done = rosarch("query", examples / "docking_states", "state_variable(V)", "--rules", rules, "-c", "docking")

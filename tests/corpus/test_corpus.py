@@ -21,6 +21,7 @@ from rosarch.corpus import cluster as corpus_cluster
 from rosarch.corpus.cluster import Cluster, run
 from rosarch.corpus.task import Failed, Job, Unfinished, analyse
 
+RULES = '.pragma "override" "port_queue"\nport_queue(Port, "7") :- port(Port).\n'
 LAUNCH = '<launch><node name="t" pkg="talker" type="talker"/></launch>\n'
 
 
@@ -60,7 +61,9 @@ def test_a_killed_worker_and_a_bad_workspace_cost_nothing_else(
     killed: list[int] = []
     killer = threading.Thread(target=kill_one_that_works, args=(address, killed))
     killer.start()
-    done = rosarch("corpus", tmp_path / "corpus.txt", "-o", tmp_path / "out", "--scheduler", address)
+    own = tmp_path / "own.dl"
+    own.write_text(RULES)
+    done = rosarch("corpus", tmp_path / "corpus.txt", "-o", tmp_path / "out", "--scheduler", address, "--rules", own)
     killer.join()
     assert killed
     assert done.code == 2
@@ -70,9 +73,9 @@ def test_a_killed_worker_and_a_bad_workspace_cost_nothing_else(
         ["two", "1", "1", "-", "-", "-"], ["two_2", "1", "1", "0", "0", "1"], ["ws", "1", "1", "0", "0", "1"]
     ]  # fmt: skip
     assert done.out.splitlines()[5:] == ["", "none: no such folder", "", "4 workspaces, 1 failed"]
-    assert json.loads((tmp_path / "out" / "ws" / "models.json").read_text()) == json.loads(
-        rosarch("analyze", workspaces[0], "--format", "json").out
-    )
+    models = (tmp_path / "out" / "ws" / "models.json").read_text()
+    assert json.loads(models) == json.loads(rosarch("analyze", workspaces[0], "--format", "json", "--rules", own).out)
+    assert '"queue": 7' in models
     assert sorted(str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*.json")) == [
         "corpus.json", "two/models.json", "two_2/findings.json", "two_2/models.json", "ws/findings.json", "ws/models.json"
     ]  # fmt: skip
@@ -104,4 +107,6 @@ def test_without_dask_or_a_scheduler_there_is_a_message(
     assert (done.code, done.err) == (2, "rosarch: error: a corpus needs Dask: pip install 'rosarch[cluster]'\n")
     empty = tmp_path / "empty.txt"
     empty.write_text("# nothing\n")
+    done = rosarch("corpus", workspace, "-o", tmp_path / "out", "--variant", "state-variable=rosinfr")
+    assert (done.code, done.err) == (2, "rosarch: error: state-variable has no variant `rosinfr`, did you mean `rosinfer`?\n")
     assert rosarch("corpus", empty, "-o", tmp_path / "out").err == "rosarch: error: no workspace is named\n"
