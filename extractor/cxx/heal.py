@@ -39,6 +39,8 @@ _GLOBAL = re.compile(rb"(?<![\w>])\s*::\s*$")
 _MACRO = re.compile(r"__\w+__|[A-Z][A-Z0-9_]{2,}")
 _MACRO_CALL = re.compile(rb"\s*\((?:[^()]|\([^()]*\))*\)\s*(.?)")
 _TRAILING_MACRO = re.compile(rb"\s*([A-Z][A-Z0-9_]{2,})\s*(\(?)")
+_HEAD_MACRO = re.compile(rb"\b(?:class|struct)\s+([A-Z][A-Z0-9_]{2,})\s+$")
+_CLASS_BODY = re.compile(rb"\w+\s*(?:final\s*)?[:{]")
 _DECLARATION = re.compile(rb"\s+[A-Za-z_]\w*(?:\s*[*&]+\s*|\s+|\s*<[^;{}]*>\s*|\s*::\s*)[A-Za-z_]")
 _CLASH = re.compile(r"redefinition of '(\w+)'|reference to '(\w+)' is ambiguous|conflicting types for '(\w+)'")
 _END_EXPECTED = (
@@ -285,6 +287,8 @@ def _collect_member(wanted: Wanted, message: str, quoted: list[str], place: _Pla
         owner = quoted[1].partition("<")[0].split("::")
         if wanted.find(owner) is not None:
             wanted.name([*owner, path[0]], kind if len(path) == 1 else "class", parameters)
+        elif len(path) == 1:
+            wanted.member(quoted[1], path[0], "type")
     elif re.search(rb"::\s*$", place.before):
         wanted.member(quoted[1], path[0], "function" if _ARGUMENTS.match(after) else "constant")
     else:
@@ -312,6 +316,8 @@ def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: 
     path = place.chain()[0]
     if message.startswith(_END_EXPECTED) and (macro := _TRAILING_MACRO.match(place.after)):  # `int x GUARDED_BY(mutex_);`
         wanted.macro(macro.group(1).decode(), "(...)" if macro.group(2) else "")
+    elif message.startswith("variable has incomplete") and _CLASS_BODY.match(place.after) and (macro := _HEAD_MACRO.search(place.before)):
+        wanted.macro(macro.group(1).decode(), "")  # `class MY_LIBRARY_EXPORT Driver : public Node {`
     elif message.startswith(("case value is not a constant", "enumerator value is not a constant")) and path:
         wanted.correct(path[-1], "constant")
     elif message.endswith("does not name a template but is followed by template arguments"):

@@ -82,15 +82,15 @@ def _number(name: str) -> int:
 class Wanted:
     """All that is to be declared; `changed` tells of additions.
 
-    `messages` holds, by header and struct, the fields of messages of which only the name is known, true for a constant; `bases` the absent
-    base classes of a class of the workspace.
+    `messages` holds, by header and struct, the members of messages of which only the name is known, each with its kind (`type` for one of
+    a field's type); `bases` the absent base classes of a class of the workspace.
     """
 
     scratch: Path
     top: dict[str, Node] = field(default_factory=dict)
     macros: dict[str, str] = field(default_factory=dict)
     members: dict[str, str] = field(default_factory=dict)
-    messages: dict[tuple[str, str], dict[str, bool]] = field(default_factory=dict)
+    messages: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
     bases: dict[str, set[str]] = field(default_factory=dict)
     banned: set[str] = field(default_factory=set)
     changed: bool = False
@@ -159,14 +159,16 @@ class Wanted:
         owner = re.sub(r"\b(?:const|volatile|struct|class)\b|<.*", "", owner).strip()
         path = owner.split("::")
         struct = assumed_struct(path)
-        if owner == UNKNOWN:
+        if owner == UNKNOWN and kind != "type":
             rank = _MEMBER_KINDS.index(kind)
             if name not in _KEYWORDS and (name not in self.members or rank > _MEMBER_KINDS.index(self.members[name])):
                 self.members[name], self.changed = kind, True
         elif struct is not None and os.path.isfile(self._message(struct[0])):
             fields = self.messages.setdefault(struct, {})
             if name not in fields:
-                fields[name], self.changed = kind == "constant", True
+                fields[name], self.changed = kind, True
+        elif kind == "type":
+            return
         elif self.find(path) is not None:
             self.name([*path, name], "function" if kind == "template" else kind)
         else:
@@ -215,11 +217,14 @@ class Wanted:
         return text
 
 
-def _with_fields(text: str, struct: str, fields: Mapping[str, bool]) -> str:
-    """The stand-in `text` in which `struct` has these fields."""
+_FIELD = {"constant": "  static constexpr int {name} = {number};\n", "type": "  typedef {unknown} {name};\n"}
+
+
+def _with_fields(text: str, struct: str, fields: Mapping[str, str]) -> str:
+    """The stand-in `text` in which `struct` has these members."""
     added = "".join(
-        f"  static constexpr int {key} = {_number(key)};\n" if constant else f"  {UNKNOWN} {key};\n"
-        for key, constant in sorted(fields.items())
+        _FIELD.get(kind, "  {unknown} {name};\n").format(name=name, number=_number(name), unknown=UNKNOWN)
+        for name, kind in sorted(fields.items())
     )
     text = _ROS1_PARTS.sub(lambda part: "" if part[1] in fields else f"  {UNKNOWN} {part[1]};\n", text)
     return text.replace(f"struct {struct} {{\n", f"struct {struct} {{\n{added}", 1)

@@ -67,6 +67,11 @@ def bound(facts) -> list[str]:
             "namespace Far { struct A {}; } struct N { Far::B b; Far::C<int> c; void f(Out out) { out.send(b.size()); } };",
         ),
         ("macro behind a member", "struct N { int x_ GUARDED_BY(m_); void go(Out out) LOCKS(m_) { out.send(x_ + unheard(1)); } };"),
+        (
+            "macro in front of a derived class",
+            "struct Base { Out out; }; class MY_LIBRARY_EXPORT N : public Base { void go() { out.send(unheard(1)); } };",
+        ),
+        ("macro in front of a class", "class MY_LIBRARY_PUBLIC N final { void go(Out out); }; void N::go(Out out) { out.send(1); }"),
         ("macro behind a variable", "int x ALIGNED(8); void f(Out out) NOTHROW; void f(Out out) { out.send(x); }"),
         ("base class from the global namespace", "struct N : public ::far::Base { void go(Out out) override { out.send(level_); } };"),
         (
@@ -93,6 +98,13 @@ def test_fields_of_a_message_of_which_only_the_name_is_known(extract) -> None:
     assert "Out::send" in bound(facts)
     assert ("my_msgs::Level_", "message", "my_msgs/Level") in facts["message_class"]
     assert ("my_msgs::Level_::value", "value") in facts["variable_name"]
+
+
+def test_type_of_a_field_of_a_message_of_which_only_the_name_is_known(extract) -> None:
+    source = "#include <my_msgs/Level.h>\nstruct N { Out out; my_msgs::Level::_value_type last_; void go(my_msgs::Level m) { if (m.value == last_) out.send(1); last_ = m.value; } };"
+    facts = extract(OUT + source)
+    assert bound(facts) == ["Out::send"]
+    assert ("N::last_", "N") in [(field.partition("@")[0], owner) for field, owner in facts["field_class"]]
 
 
 def test_constants_of_a_message_select_a_case_and_have_no_value(extract) -> None:
