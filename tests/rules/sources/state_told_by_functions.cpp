@@ -3,6 +3,7 @@
 // expect: state Fuser::arrived_
 // expect: state Fuser::queue_
 // expect: state Robot::calling_
+// expect: state Kept::parts_
 // expect-only: state
 // expect: transition Fuser::queue_ on /in
 // expect: transition Fuser::arrived_ = true on /first
@@ -42,14 +43,44 @@ Decision decide(int count, bool calling) {
   return {Action::Call, 0};
 }
 
+// made for an object that ends with the callback
+class Built {
+public:
+  explicit Built(int parts) { add(parts); }
+  void add(int parts) { parts_ += parts; }
+  bool whole() const { return parts_ > 3; }
+
+private:
+  int parts_{0};
+};
+
+struct Builder {
+  explicit Builder(int parts) : built_(std::make_unique<Built>(parts)) { built_->add(1); }
+  std::unique_ptr<Built> built_;
+};
+
+class Kept {
+public:
+  void add() { ++parts_; }
+  bool whole() const { return parts_ > 3; }
+
+private:
+  int parts_{0};
+};
+
 class Robot : public rclcpp::Node {
 public:
   Robot() : Node("robot") {
     pub_ = create_publisher<Int>("/out", 1);
     called_ = create_publisher<Int>("/called", 1);
     first_ = create_subscription<Int>("/first", 1, [this](const Int &) { fuser_.start(); });
+    kept_ = std::make_unique<Kept>();
     sub_ = create_subscription<Int>("/in", 1, [this](const Int & message) {
       const auto fused = fuser_.fuse(message);
+      const Builder builder(message.data);
+      if (builder.built_->whole()) pub_->publish(message);
+      kept_->add();
+      if (kept_->whole()) pub_->publish(message);
       if (fused) pub_->publish(*fused);
     });
     timer_ = create_wall_timer(std::chrono::seconds(1), [this]() { tick(); });
@@ -66,6 +97,7 @@ private:
 
   bool calling_{false};
   Fuser fuser_;
+  std::unique_ptr<Kept> kept_;
   rclcpp::Publisher<Int>::SharedPtr pub_, called_;
   rclcpp::Subscription<Int>::SharedPtr first_, sub_;
   rclcpp::TimerBase::SharedPtr timer_;
