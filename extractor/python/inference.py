@@ -23,7 +23,7 @@ from .model import (
     Variable,
 )
 from .program import Program, instance, names_class
-from .shapes import arguments_of, by_name, field_of, last_name, name_of_value, place, returned, super_of
+from .shapes import annotation_of, arguments_of, by_name, field_of, last_name, name_of_value, parts_of, place, returned, super_of, unpacked
 
 Key = TypeVar("Key")
 _ROUNDS = 8
@@ -89,8 +89,10 @@ class Inference:
         return new
 
     def _handed_on(self, call: ast.Call, function: Function, scope: Scope) -> Iterator[tuple[Variable, Values]]:
-        """What a declared function gives to those that it is given: `type[T]` to `Callable[[T], ...]`, `*args` to `Callable[P, ...]`."""
-        arguments = [(_annotation(parameter), self.values(argument, scope)) for parameter, argument in arguments_of(call, function).items()]
+        """What a declared function gives to those that it is given: `type[T]` to `Callable[[T], ...]`, and what goes with it."""
+        given = [(annotation_of(parameter), argument) for parameter, argument in arguments_of(call, function).items()]
+        arguments = [(annotation, self.values(argument, scope)) for annotation, argument in given]
+        packs = {unpacked(kind): [self.values(part, scope) for part in parts] for kind, node in given if (parts := parts_of(node))}
         known: dict[str, Values] = {}
         for annotation, values in arguments:
             match annotation:
@@ -101,6 +103,8 @@ class Inference:
         rest = [self.values(argument, scope) for argument in call.args[sum(parameter.positional for parameter in function.parameters) :]]
         for annotation, values in arguments:
             for taker in (value.function for value in values if isinstance(value, FunctionValue) and value.function.own):
+                if pack := unpacked(annotation):
+                    yield from zip(taker.parameters, packs.get(pack, []), strict=False)
                 match annotation:
                     case ast.Subscript(value=ast.Name(id="Callable"), slice=ast.Tuple(elts=[ast.List(elts=types), _])):
                         taken = [known.get(part.id, NOTHING) if isinstance(part, ast.Name) else NOTHING for part in types]
@@ -383,10 +387,6 @@ class Inference:
         if function.node.returns is not None:
             return self.annotated(function.node.returns, function.scope.parent or function.scope)
         return frozenset().union(*(self.values(value, function.scope) for value in returned(function.node)))
-
-
-def _annotation(parameter: Variable) -> ast.expr | None:
-    return next((source.expr for source in parameter.sources if source.part == "annotation"), None)
 
 
 def _grow(table: dict[Key, Values], key: Key, values: Values) -> bool:

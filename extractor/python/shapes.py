@@ -82,3 +82,23 @@ def name_of_value(value: Value) -> str:
 def by_name(values: Values) -> list[Value]:
     """Values in a fixed order."""
     return sorted(values, key=lambda value: (type(value).__name__, name_of_value(value)))
+
+
+def annotation_of(parameter: Variable) -> ast.expr | None:
+    """What a parameter is declared to be."""
+    return next((source.expr for source in parameter.sources if source.part == "annotation"), None)
+
+
+def unpacked(annotation: ast.expr | None) -> str:
+    """`Ts` of `tuple[Unpack[Ts]]` and `Callable[[Unpack[Ts]], ...]`."""
+    match annotation:
+        case ast.Subscript(value=ast.Name(id="tuple" | "Callable"), slice=inner) | ast.Tuple(elts=[ast.List(elts=[inner]), _]):
+            return unpacked(inner)
+        case ast.Subscript(value=ast.Name(id="Unpack"), slice=ast.Name(id=name)):
+            return name
+    return ""
+
+
+def parts_of(node: ast.expr) -> list[ast.expr]:
+    """What a list or tuple is written with."""
+    return node.elts if isinstance(node, (ast.Tuple, ast.List)) else []

@@ -1,0 +1,3 @@
+from typing import Any, Callable, Unpack
+
+def start_new_thread(function: Callable[[Unpack[Ts]], Any], args: tuple[Unpack[Ts]], kwargs: Any = ...) -> int: ...
