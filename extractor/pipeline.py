@@ -40,6 +40,7 @@ from rosarch.extractor.workspace import (
     discover,
     include_path,
     programs,
+    registered,
     without_library,
 )
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
@@ -86,7 +87,7 @@ class Extraction:
     """The facts of all components; use as a context manager, its temporary files go with it.
 
     `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
-    of the workspace that count as installed, `programs` package and name of all executables that targets build.
+    of the workspace that count as installed, `programs` package and name of all executables that targets build, and of the components that they register.
     """
 
     root: Path
@@ -142,7 +143,7 @@ def extract(
         confinement.enter_context(confined([root, *ros_package_path()]))
         workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
         interfaces = Interfaces.of(workspace.packages)
-        extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *interfaces.diagnostics], programs=programs(workspace))
+        extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *interfaces.diagnostics], programs=programs(workspace) | registered(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
         tracing.ignore(scratch)
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
@@ -166,7 +167,7 @@ def extract(
     defined = _defined(interfaces)
     outcomes = {one: read.of([one.python]) if one.python else reading.of(units_of[one]) for one in found}
     extraction.components = tuple(
-        _component_facts(component, workspace.root, outcomes[component], defined, extraction.programs)
+        _component_facts(component, workspace.root, outcomes[component], defined, programs(workspace))
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction

@@ -41,6 +41,7 @@ TRAITS = {
     "asks_for": ("place", "variable", "text"),
     "ignores": ("port", "variable", "text"),
     "answers_in": ("port", "port", "variable", "text"),
+    "answer_kept_out": ("port", "place", "text"),
     **FLOW_TRAITS,
 }
 

@@ -17,6 +17,7 @@ from .arguments import node_arguments
 from .model import (
     ArgumentDeclared,
     ArgumentUsed,
+    ComponentNamed,
     Composition,
     FileNamed,
     HomePath,
@@ -156,6 +157,10 @@ class _Writer:
                 self.add("program_named", place, named.package, named.type)
                 if named.mentioned:
                     self.add("program_mentioned", named.package, named.type)
+            case ComponentNamed():
+                self.add("component_named", place, named.package, named.plugin)
+                if named.mentioned:
+                    self.add("component_mentioned", named.package, named.plugin)
             case PackageNamed():
                 self.add("package_named", place, named.package)
                 if named.folder is not None:

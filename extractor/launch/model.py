@@ -204,6 +204,16 @@ class ProgramNamed:
 
 
 @dataclass(frozen=True)
+class ComponentNamed:
+    """A container loads the class `plugin` of `package`; `mentioned` when a build file of the package says its unqualified name."""
+
+    package: str
+    plugin: str
+    mentioned: bool
+    place: Place
+
+
+@dataclass(frozen=True)
 class PackageNamed:
     """An element names `package`; `folder` is None when it is not on the package path."""
 
@@ -230,7 +240,7 @@ class HomePath:
     place: Place
 
 
-Reference = FileNamed | ProgramNamed | PackageNamed | ArgumentUsed | HomePath
+Reference = FileNamed | ProgramNamed | ComponentNamed | PackageNamed | ArgumentUsed | HomePath
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.model import LaunchError, NodeStart, PackageNamed, ParamSetting, Place, ProgramNamed, Remap
+from rosarch.extractor.launch.model import ComponentNamed, LaunchError, NodeStart, PackageNamed, ParamSetting, Place, ProgramNamed, Remap
 from rosarch.extractor.launch.names import canonical, ns_join
 
 from .actions import carries_out, conditional, joined
@@ -108,8 +108,7 @@ def _load_component(world: World, made: Made, container: str, context: Context) 
     name = perform(world, made.get("name", "node_name"), context) or None
     namespace = joined(context.namespace, perform(world, made.get("namespace", "node_namespace"), context))
     remaps = [*context.remaps, *_remaps(world, made, context)]
-    if package and not world.state.unknowns.is_open(package):
-        world.references.append(PackageNamed(package, world.state.files.packages.find(package), made.place))
+    _refer_to_component(world, package, plugin, made.place)
     _start(world, made, context, (package, plugin, name, namespace), remaps, [*context.params, *_given(made)], "", container)
 
 
@@ -210,6 +209,17 @@ def _refer(world: World, package: str, executable: str, place: Place) -> None:
     world.references.append(PackageNamed(package, folder, place))
     if folder is not None and not world.state.unknowns.is_open(executable):
         world.references.append(ProgramNamed(package, executable, os.path.basename(executable) in packages.names_in(folder), place))
+
+
+def _refer_to_component(world: World, package: str, plugin: str, place: Place) -> None:
+    if not package or world.state.unknowns.is_open(package):
+        return
+    packages = world.state.files.packages
+    folder = packages.find(package)
+    world.references.append(PackageNamed(package, folder, place))
+    if plugin and folder is not None and not world.state.unknowns.is_open(plugin):
+        mentioned = plugin.rpartition("::")[2] in packages.names_in(folder)
+        world.references.append(ComponentNamed(package, plugin, mentioned, place))
 
 
 def _given(made: Made) -> list[Given]:

@@ -5,7 +5,7 @@
 
 from rosarch.extractor.diagnostics import Diagnostic
 
-from .components import components, programs, without_library
+from .components import components, programs, registered, without_library
 from .discovery import discover
 from .graph import closure, include_path
 from .loose import loose_workspace
@@ -30,5 +30,6 @@ __all__ = [
     "include_path",
     "loose_workspace",
     "programs",
+    "registered",
     "without_library",
 ]

@@ -1,0 +1,30 @@
+// Parameters of ROS 2 have one type.
+#include <rclcpp/rclcpp.hpp>
+
+class Settings : public rclcpp::Node {
+public:
+  Settings() : Node("settings") {
+    declare_parameter("rate", 10.0);
+    declare_parameter<int>("size", 5);
+    declare_parameter<std::vector<double>>("gains", {1.0, 2.0});
+    declare_parameter("name", std::string("settings"));
+    declare_parameter("frame", "base");
+    declare_parameter<bool>("verbose");
+    declare_parameter("limit", rclcpp::PARAMETER_DOUBLE);
+    declare_parameter("any", rclcpp::ParameterValue(1));
+    rcl_interfaces::msg::ParameterDescriptor descriptor;
+    descriptor.dynamic_typing = true;
+    declare_parameter("dynamic", 1, descriptor);
+    double step = declare_parameter("step", 1.0);
+    size_ = get_parameter("size").as_int();
+    get_parameter("rate", rate_);
+    get_parameter_or("other", other_, 5.0);
+  }
+  int size_;
+  double rate_, other_;
+};
+
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Settings>());
+}
