@@ -87,7 +87,8 @@ class Extraction:
     """The facts of all components; use as a context manager, its temporary files go with it.
 
     `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
-    of the workspace that count as installed, `programs` package and name of all executables that targets build, and of the components that they register.
+    of the workspace that count as installed, `programs` package and name of all executables that targets build and of the components that
+    they register.
     """
 
     root: Path
@@ -143,7 +144,8 @@ def extract(
         confinement.enter_context(confined([root, *ros_package_path()]))
         workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
         interfaces = Interfaces.of(workspace.packages)
-        extraction = Extraction(workspace.root, diagnostics=[*workspace.diagnostics, *interfaces.diagnostics], programs=programs(workspace) | registered(workspace))
+        noticed = [*workspace.diagnostics, *interfaces.diagnostics]
+        extraction = Extraction(workspace.root, diagnostics=noticed, programs=programs(workspace) | registered(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
         tracing.ignore(scratch)
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]

@@ -47,7 +47,8 @@ def programs(workspace: Workspace) -> frozenset[tuple[str, str]]:
 
 def registered(workspace: Workspace) -> frozenset[tuple[str, str]]:
     """Package and name of each class that a library registers as a component."""
-    return frozenset((package.name, plugin.name) for package in workspace.packages for plugin in package.plugins if plugin.base == COMPONENT_BASE)
+    found = ((package, plugin) for package in workspace.packages for plugin in package.plugins)
+    return frozenset((package.name, plugin.name) for package, plugin in found if plugin.base == COMPONENT_BASE)
 
 
 def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -> tuple[Component, ...]:

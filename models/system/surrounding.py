@@ -67,7 +67,8 @@ class Interface:
 class Components:
     """The components that launches start, of sources and of the library: their models, their interfaces, and what all systems see of them.
 
-    `programs` are package and name of all executables that the workspace builds, and of the components that it registers, `expected` the packages that the library knows.
+    `programs` are package and name of all executables that the workspace builds and of the components that it registers, `expected` the
+    packages that the library knows.
     """
 
     models: tuple[ComponentModel, ...]
