@@ -238,7 +238,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
         run_py="a",
     )
     (tmp_path / "here" / "package.xml").write_text(MANIFEST.format("here").replace("</package>", "<depend>other</depend></package>"))
-    (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\n")
+    (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\nregister(Inner)\n")
     filled = launch_rows(composition, tmp_path)
     filled |= script_rows(composition, PackagePath([tmp_path]))
     (tmp_path / "here" / "ros2.launch.py").write_text(IN_PYTHON)

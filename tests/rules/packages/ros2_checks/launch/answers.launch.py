@@ -1,3 +1,4 @@
+# expect: component asker_in_threads package=ros2_checks
 from launch import LaunchDescription
 from launch_ros.actions import ComposableNodeContainer, Node
 from launch_ros.descriptions import ComposableNode

@@ -13,7 +13,7 @@ class Settings(Node):
         self.declare_parameter('gains', [1.0, 2.0])
         self.declare_parameter('name', 'settings')
         self.declare_parameter('verbose', False)
-        self.declare_parameter('limit', Parameter.Type.DOUBLE)
+        self.declare_parameter('limit', Parameter.Type.DOUBLE)  # expect: param limit type=double op=declare
         self.declare_parameter('dynamic', 1, ParameterDescriptor(dynamic_typing=True))
         self.declare_parameter('any')
         self.declare_parameter('none', None)

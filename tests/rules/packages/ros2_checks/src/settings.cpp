@@ -10,7 +10,7 @@ public:
     declare_parameter("name", std::string("settings"));
     declare_parameter("frame", "base");
     declare_parameter<bool>("verbose");
-    declare_parameter("limit", rclcpp::PARAMETER_DOUBLE);
+    declare_parameter("limit", rclcpp::PARAMETER_DOUBLE);  // expect: param limit type=double op=declare
     declare_parameter("any", rclcpp::ParameterValue(1));
     rcl_interfaces::msg::ParameterDescriptor descriptor;
     descriptor.dynamic_typing = true;
