@@ -13,7 +13,6 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .common_facts import CommonFacts
     from .errors import DatalogError, Diagnostic, Location
     from .facts import read_facts, write_facts
     from .near_misses import WhyNot, why_not, why_not_text
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from .source_lines import SourceLines, folder_reader
 
 _LATER = {
-    "common_facts": ("CommonFacts",),
     "errors": ("DatalogError", "Diagnostic", "Location"),
     "facts": ("read_facts", "write_facts"),
     "near_misses": ("WhyNot", "why_not", "why_not_text"),
@@ -52,7 +50,6 @@ _MODULE_OF = {name: module for module, names in _LATER.items() for name in names
 
 __all__ = [
     "Attribute",
-    "CommonFacts",
     "Coverage",
     "DatalogError",
     "Diagnostic",

@@ -309,7 +309,6 @@ def assembled(compiler: Compiler, plans: Sequence[Plan]) -> Code:
     code.nested = {name: found for name, ks in kinds.items() if (found := tuple(i for i, k in enumerate(ks) if k in "r+"))}
     code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
     heads = {*code.facts, *(rule.target for plan in plans for rule in plan.rules())}
-    code.fixed = frozenset(relations) - heads - {table.relation for table in code.tables}
     code.scanned = frozenset(relations) - heads - compiler.storage.probed
     last_use: dict[int, int] = {}  # slot to stratum
     for position, plan in enumerate(plans):

@@ -19,7 +19,6 @@ from .runtime import NAMES, EvaluationError, State, ordered
 
 if TYPE_CHECKING:
     from .bulk import BulkLoop, Codes
-    from .common_facts import CommonFacts
     from .on_demand import Table
 
 Functions = Mapping[str, Callable[..., None]]
@@ -94,10 +93,7 @@ def _forget(rules: Iterable[Iterable[_Bound]]) -> None:
 class Evaluation:
     """One evaluation of a program: its relations and indexes, each in a slot, and the strata that fill them."""
 
-    def __init__(
-        self, code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], control: Control,
-        common: CommonFacts | None = None,
-    ) -> None:  # fmt: skip
+    def __init__(self, code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], control: Control) -> None:
         self.code = code
         self.functions = functions
         self.control = control
@@ -110,10 +106,13 @@ class Evaluation:
         self.slots += [None] * len(code.indexes)
         self.tables = self._new_tables()
         self.whole: set[str] = set()  # relations of tables that have been derived as a whole
-        self.common = common
-        self.own: dict[int, tuple[str, Collection[Any]]] = {}  # of relations with rows in common with other evaluations, the other rows
-        for name in {**facts, **(common.rows if common else {})}:
-            self._load(name, facts.get(name, ()))
+        for name, given in facts.items():
+            rows = self._packed(name, _loaded(name, given, code.arity[name]))
+            if name in code.scanned:
+                unique = set(rows)
+                self.slots[code.relation_slot[name]] = rows if len(unique) == len(rows) else list(unique)
+            else:
+                self.slots[code.relation_slot[name]].update(rows)
         if code.uses_ordinals:
             self._number_symbols()
 
@@ -126,22 +125,6 @@ class Evaluation:
                 if slot not in kept:
                     self.slots[slot] = None
         return {name: self._kept(name) for name in keep}
-
-    def _load(self, name: str, given: Iterable[tuple[Any, ...]]) -> None:
-        """Take the facts of a relation."""
-        code, slot = self.code, self.code.relation_slot[name]
-        common = self.common.rows.get(name) if self.common else None
-        if common is not None and name in code.fixed and name not in code.nested and code.arity[name] > 1:
-            own = _loaded(name, given, code.arity[name])
-            self.own[slot] = name, own
-            self.slots[slot] = [*common, *own] if name in code.scanned else common.union(own) if own else common
-            return
-        rows = self._packed(name, _loaded(name, given if common is None else [*common, *given], code.arity[name]))
-        if name not in code.scanned:
-            self.slots[slot].update(rows)
-        else:
-            unique = set(rows)
-            self.slots[slot] = rows if len(unique) == len(rows) else list(unique)
 
     def _packed(self, name: str, rows: Collection[Any]) -> Collection[Any]:
         """Rows from outside with their records as those of this evaluation."""
@@ -215,9 +198,6 @@ class Evaluation:
         rows = self.slots[index.relation]
         if hasattr(rows, "by_first") and index.keys == (0,):
             return rows.by_first()  # pairs as bitmaps are indexed already
-        if self.common is not None and index.relation in self.own:
-            self.slots[slot] = found = self.common.index(*self.own[index.relation], index)
-            return found
         if origins and not growing and self.partial.get(slot, 0) < PARTIAL_INDEXES:
             counts = [(len(self.slots[self.code.relation_slot[o.relation]]), i) for i, o in enumerate(origins)]
             count, best = min(counts)

@@ -56,17 +56,6 @@ class Index:
         else:
             index.update(map(itemgetter(*self.keys), rows))
 
-    def extended(self, index: Any, rows: Collection[Any]) -> Any:
-        """A new index of the rows of another, which stays as it is, and of more."""
-        rows = self._chosen(rows)
-        if not self.listed:
-            return index.union(map(itemgetter(*self.keys), rows))
-        found: dict[Any, Sequence[Any]] = dict(index)
-        for key, values in self._grouped(rows).items():
-            known = found.get(key)
-            found[key] = values if known is None else [*known, *values]
-        return found
-
     def _chosen(self, rows: Collection[Any]) -> Collection[Any]:
         for column, value in self.constants:
             rows = [row for row in rows if row[column] == value]

@@ -119,6 +119,5 @@ class Code:
     nested: dict[str, tuple[int, ...]] = field(default_factory=dict)  # columns of records, of relations that have some
     indexes: tuple[Index, ...] = ()  # their slots follow those of the relations
     tables: tuple[TablePlan, ...] = ()  # their slots follow those of the indexes
-    fixed: frozenset[str] = frozenset()  # relations that have no rows but those given
     scanned: frozenset[str] = frozenset()  # relations that are never asked whether they have a row, nor added to
     uses_ordinals: bool = False

@@ -6,7 +6,8 @@ Without a profile nothing is measured.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -55,25 +56,24 @@ def profile(
 ) -> Profile:
     """Evaluate with the embedded engine and measure every rule."""
     found: dict[str, RuleProfile] = {}
-    for stratum in program.code.strata:
+    for stratum in (*program.code.strata, *(table.whole for table in program.code.tables if table.whole)):
         for rule in (*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)):
             found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
+    clock = _Clock()
 
     class Measured(Evaluation):
         """An evaluation that measures its rules, with the indexes that are built for them."""
 
         def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
             entry = found[_family(rule)]
-            start = time.perf_counter()
-            function = super().prepare(rule, growing)
-            entry.seconds += time.perf_counter() - start
-            return None if function is None else _measured(function, entry, self.slots[self.code.relation_slot[rule.target]])
+            with clock.measured(entry):
+                function = super().prepare(rule, growing)
+            return None if function is None else _measured(function, entry, clock, self.slots[self.code.relation_slot[rule.target]])
 
         def call_bulk(self, rule: BulkRule, loop: BulkLoop) -> None:
             entry = found[_family(rule)]
-            start = time.perf_counter()
-            super().call_bulk(rule, loop)
-            entry.seconds += time.perf_counter() - start
+            with clock.measured(entry):
+                super().call_bulk(rule, loop)
             entry.calls += 1
 
     start = time.perf_counter()
@@ -83,15 +83,33 @@ def profile(
     return Profile(result, seconds, tuple(by_time), _relations(by_time, result))
 
 
-def _measured(function: Callable[[Any, Any], None], entry: RuleProfile, full: Collection[Any]) -> Callable[[Any, Any], None]:
+class _Clock:
+    """Time by rule: what is derived for a rule that asks for it is the time of the rules that derive it."""
+
+    def __init__(self) -> None:
+        self.inner = 0.0  # seconds of rules that were run within the one that is measured
+
+    @contextmanager
+    def measured(self, entry: RuleProfile) -> Iterator[None]:
+        """Count the time of what is done as that of a rule."""
+        before, self.inner = self.inner, 0.0
+        start = time.perf_counter()
+        try:
+            yield
+        finally:
+            seconds = time.perf_counter() - start
+            entry.seconds += seconds - self.inner
+            self.inner = before + seconds
+
+
+def _measured(function: Callable[[Any, Any], None], entry: RuleProfile, clock: _Clock, full: Collection[Any]) -> Callable[[Any, Any], None]:
     def run(delta: Any, new: Any) -> None:
         counted = new if isinstance(new, set) else full
         before = len(counted)
-        start = time.perf_counter()
         try:
-            function(delta, new)
+            with clock.measured(entry):
+                function(delta, new)
         finally:
-            entry.seconds += time.perf_counter() - start
             entry.calls += 1
             entry.rows += len(counted) - before
 

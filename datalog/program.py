@@ -22,7 +22,6 @@ from .types import Types, build_types
 from .user_functors import Functors, FunctorUse, bind, functor_uses
 
 if TYPE_CHECKING:
-    from .common_facts import CommonFacts
     from .overrides import Overridden
     from .sources import Sources
     from .syntax import Directive, Unit
@@ -137,25 +136,21 @@ class Program:
     def evaluate(
         self, facts: Mapping[str, Iterable[Row]] | Path, *, engine: str = "embedded",
         keep: Collection[str] | str | None = None, limit_rows: int | None = None, time_limit: float | None = None,
-        common: CommonFacts | None = None,
     ) -> Result:  # fmt: skip
         """Derive everything from the facts.
 
-        `facts`: rows of `.input` relations (missing ones are empty), or a folder of `.facts` files; `common`: further rows, that other
-        evaluations by the embedded engine have as well.
+        `facts`: rows of `.input` relations (missing ones are empty), or a folder of `.facts` files.
         `keep`: the relations whose rows are wanted; the `.output` ones by default, every one with "all".
         `engine`: `embedded`, or `souffle` to run the souffle binary.
         `limit_rows`, `time_limit`: raise DatalogError once a relation has more rows, or after so many seconds.
         """
         kept = self._kept(keep)
-        if engine == "souffle" and common is not None:
-            raise DatalogError("common facts are for the embedded engine")
         if engine == "souffle":
             from .souffle import evaluate_with_souffle
 
             rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, self._given(facts), kept, time_limit)
         elif engine == "embedded":
-            rows = self._evaluate_embedded(facts, kept, limit_rows=limit_rows, time_limit=time_limit, common=common)
+            rows = self._evaluate_embedded(facts, kept, limit_rows=limit_rows, time_limit=time_limit)
         else:
             raise DatalogError(f"unknown engine `{engine}`, expected `embedded` or `souffle`")
         return Result(rows, self.code.arity)
@@ -169,7 +164,6 @@ class Program:
     def _evaluate_embedded(
         self, facts: Mapping[str, Iterable[Row]] | Path, kept: Collection[str], *,
         limit_rows: int | None = None, time_limit: float | None = None, kind: type[engine.Evaluation] = engine.Evaluation,
-        common: CommonFacts | None = None,
     ) -> Mapping[str, Collection[Any]]:  # fmt: skip
         if self._functions is None:
             self._functions = self.load_functions()
@@ -177,7 +171,7 @@ class Program:
         try:
             with engine.collector_paused():
                 # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
-                evaluation = kind(self.code, self._functions, self._given(facts), control, common)
+                evaluation = kind(self.code, self._functions, self._given(facts), control)
                 if not control.active:
                     return evaluation.run(kept)
                 from .watch import watching

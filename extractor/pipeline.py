@@ -18,7 +18,7 @@ from rosarch.extractor.boundary import confined, ros_package_path
 from rosarch.extractor.cache import Cache, hash_of, write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
-from rosarch.extractor.cxx.unit import file_key, merge
+from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.cxx.units import UnitReader, odd_source
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.facts_text import facts_text
@@ -29,8 +29,7 @@ from rosarch.extractor.memo import Memo
 from rosarch.extractor.messages import Interfaces, MessageClass
 from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.python.units import PythonReader
-from rosarch.extractor.sharing import CommonUnits
-from rosarch.extractor.unit_store import unit_rows
+from rosarch.extractor.unit_store import read_rows
 from rosarch.extractor.units import Outcome, Progress, UnitFile, read_units
 from rosarch.extractor.workspace import (
     Component,
@@ -63,23 +62,22 @@ class ComponentFacts:
     own: Rows
     key: str | None = None
 
-    def rows(self, common: CommonUnits | None = None) -> Rows:
-        """All facts of the component, but for those in `common`.
+    @property
+    def size(self) -> int:
+        """The bytes of all that was read for it."""
+        return sum(map(os.path.getsize, self.units))
 
-        Message classes and configurations that its sources never name are left out.
+    def rows(self) -> Rows:
+        """The facts of the component.
+
+        Code that nothing in it mentions and message classes and configurations that it never names are left out.
         """
-        files = common.files if common else frozenset()
-        merged = merge([*(unit_rows(path) for path in self.units if path not in files), self.own])
-        parts = [merged, common.rows] if common else [merged]
-        classes = {row[0] for part in parts for row in part.get("class", ())}
-        classes |= {row[1] for part in parts for row in part.get("type_class", ())}
-        merged["message_class"] = {row for part in parts for row in part.get("message_class", ()) if row[0] in classes}
-        types = {row[2] for row in merged["message_class"]}
-        merged["config_parameter"] = {row for row in merged["config_parameter"] if row[0] in types}
-        if common:
-            for relation in common.facts():
-                merged[relation] -= common.rows[relation]
-        return merged
+        rows = read_rows(self.units, self.own)
+        classes = {row[0] for row in rows["class"]} | {row[1] for row in rows["type_class"]}
+        rows["message_class"] = {row for row in rows["message_class"] if row[0] in classes}
+        types = {row[2] for row in rows["message_class"]}
+        rows["config_parameter"] = {row for row in rows["config_parameter"] if row[0] in types}
+        return rows
 
 
 @dataclass

@@ -25,6 +25,7 @@ class Facts:
     sources: tuple[str, ...]
     key: str
     rows: Callable[[], Mapping[str, Iterable[tuple[Any, ...]]]]
+    size: int = 0  # unknown before they are read
 
 
 @dataclass(frozen=True)

@@ -1,18 +1,20 @@
 """The files of translation units and headers: those of this run, and those of earlier ones in the cache.
 
-A file holds a head and, apart from it, the rows: the head of a unit are the errors that lost code and the keys of the headers that it
-shares, the head of a header the names that it declares.
+A file holds a head and, apart from it, the rows, those about the body of a function apart for each: the head of a unit are the errors that
+lost code and the keys of the headers that it shares, the head of a header the names that it declares.
 """
 
 from __future__ import annotations
 
 import marshal
+from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from rosarch.extractor.cache import Cache, below_seal, sealed, write_whole
+from rosarch.extractor.live_code import Mentions, by_function, live_functions, mentions_of
 
 Row = tuple[str | int, ...]
 
@@ -43,16 +45,40 @@ class UnitStore:
 
     def keep(self, key: str, head: Any, rows: Mapping[str, Iterable[Row]], *, lasting: bool = True) -> None:
         """Write a file, also for later runs if it is `lasting`."""
-        data = marshal.dumps((head, marshal.dumps({name: list(found) for name, found in rows.items()})))  # sets would be sorted first
+        parts = by_function(rows)  # lists: sets would be sorted first
+        mentions = {function: tuple(mentions_of(part)) for function, part in parts.items()}
+        outside = parts.pop("")
+        bodies = {function: marshal.dumps(part) for function, part in parts.items()}
+        data = marshal.dumps((head, marshal.dumps((outside, mentions)), bodies))
         if self.cache and lasting:
             self.cache.store(key, data)
         write_whole(self.path(key), sealed(data))
 
 
-def unit_rows(path: Path) -> Mapping[str, list[Row]]:
-    """The rows in the file of a unit or header."""
-    rows: Mapping[str, list[Row]] = marshal.loads(_parts(path)[1])
+def read_rows(paths: Iterable[Path], own: Mapping[str, Iterable[Row]]) -> dict[str, set[Row]]:
+    """The rows in files of units and headers of a component and its own, but for those of functions that are not live (see `live_code`)."""
+    rows: dict[str, set[Row]] = defaultdict(set)
+    mentions: dict[str, list[Mentions]] = defaultdict(list)
+    bodies: dict[str, list[bytes]] = defaultdict(list)
+    _add(rows, own)
+    for path in paths:
+        _, rest, own_bodies = _parts(path)
+        outside, mentioned = marshal.loads(rest)
+        _add(rows, outside)
+        for function, found in mentioned.items():
+            mentions[function].append(Mentions(*found))
+        for function, body in own_bodies.items():
+            bodies[function].append(body)
+    for function in live_functions(rows, mentions):
+        for body in bodies.get(function, ()):
+            _add(rows, marshal.loads(body))
     return rows
+
+
+def _add(rows: dict[str, set[Row]], more: Mapping[str, Iterable[Row]]) -> None:
+    """Equal identifiers mean equal entities."""
+    for relation, found in more.items():
+        rows[relation].update(found)
 
 
 def _parts(path: Path) -> Any:

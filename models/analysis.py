@@ -9,11 +9,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rosarch.datalog import CommonFacts
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.limits import LIMITS, SOURCE_SECONDS
 from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
-from rosarch.extractor.sharing import CommonUnits, in_groups, read_common
 from rosarch.extractor.stored import Facts, read_stored
 from rosarch.models.cache import ModelCache
 from rosarch.models.component import ComponentModel, Relations, build_models, distinct
@@ -32,14 +30,6 @@ class Analysis:
     models: tuple[ComponentModel, ...]
     diagnostics: tuple[Diagnostic, ...]
     programs: frozenset[tuple[str, str]] = frozenset()
-
-
-@dataclass(frozen=True)
-class _Common:
-    """What several components have in common: as they read it, and as their evaluations do."""
-
-    units: CommonUnits
-    facts: CommonFacts
 
 
 def analyze(
@@ -121,29 +111,15 @@ def _evaluate(
 def _derived(
     components: Sequence[ComponentFacts | Facts], rules: RuleSet, engine: str, jobs: int | None
 ) -> Iterator[tuple[ComponentFacts | Facts, Relations | Failure]]:
-    """What the rules derive of each component, in worker processes; one that has just done another like it knows what both have."""
+    """What the rules derive of each component, in worker processes."""
     program = model_program(rules)
-    order = in_groups([() if isinstance(each, Facts) or engine != "embedded" else each.units for each in components])
-    latest: list[_Common] = []
+    largest_first = sorted(components, key=lambda each: -each.size)  # so that many processes end evenly
 
-    def common(files: frozenset[Path]) -> _Common:
-        if not (latest and latest[0].units.files == files):
-            latest.clear()
-            units = read_common(files)
-            latest.append(_Common(units, CommonFacts(units.facts())))
-        return latest[0]
+    def work(component: ComponentFacts | Facts) -> Relations:
+        return program.evaluate(component.rows(), engine=engine).all_rows()
 
-    def work(task: tuple[int, frozenset[Path]]) -> Relations:
-        component, files = components[task[0]], task[1]
-        if isinstance(component, Facts) or not files:
-            result = program.evaluate(component.rows(), engine=engine)
-        else:
-            shared = common(files)
-            result = program.evaluate(component.rows(shared.units), common=shared.facts)
-        return result.all_rows()
-
-    for index, outcome in run_tasks(work, order, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation):
-        yield components[order[index][0]], outcome
+    for index, outcome in run_tasks(work, largest_first, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation):
+        yield largest_first[index], outcome
 
 
 def _title(component: ComponentFacts | Facts) -> str:

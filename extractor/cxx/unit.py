@@ -7,7 +7,7 @@ import os
 import re
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
@@ -209,12 +209,3 @@ class UnitFacts:
             identifier = f"{identifier}'{count}"
         self.rows["location"].add((identifier, file.label, line, column))
         return identifier
-
-
-def merge(units: Sequence[Mapping[str, Iterable[tuple[str | int, ...]]]]) -> dict[str, set[tuple[str | int, ...]]]:
-    """Unite the rows of several translation units: equal identifiers mean equal entities."""
-    result: dict[str, set[tuple[str | int, ...]]] = defaultdict(set)
-    for unit in units:
-        for relation, rows in unit.items():
-            result[relation].update(rows)
-    return result

@@ -12,7 +12,6 @@ from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.recover import Names
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.translation_unit import CompileUnit, extract_unit
-from rosarch.extractor.cxx.unit import merge
 
 Rows = Mapping[str, set[tuple[str | int, ...]]]
 
@@ -62,7 +61,8 @@ def read(tmp_path: Path, prelude: Path) -> Callable[..., tuple[Rows, dict[str, s
 
 
 def united(own: Rows, keys: Mapping[str, str], kept: Kept) -> dict[str, set[tuple[str | int, ...]]]:
-    return {name: rows for name, rows in merge([own, *(kept.rows[key] for key in keys.values())]).items() if rows}
+    parts = [own, *(kept.rows[key] for key in keys.values())]
+    return {name: rows for name in {name for part in parts for name in part} if (rows := {row for part in parts for row in part.get(name, ())})}
 
 
 def test_a_header_is_read_once_and_nothing_is_lost(read: Callable) -> None:

@@ -1,0 +1,176 @@
+"""The live code of a component: functions that its start mentions, through any number of others.
+
+A function counts as mentioned where it is called or its address is taken, and with all methods of its class where an object of that class
+may be: where a type tells of it. That is rapid type analysis (Bacon and Sweeney, OOPSLA 1996), but for all methods instead of those that
+are called: it is for the rules to say what really runs. What no function of the component mentions, as most of a large library, is no
+fact of the component.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+Row = tuple[str | int, ...]
+Rows = Mapping[str, Iterable[Row]]
+
+_OWNED = ("expr_function", "block", "variable_function")
+"""What says to which function an expression, block or variable belongs."""
+
+
+class Mentions(NamedTuple):
+    """What a piece of code mentions: `names` are those of functions that are called or used without being known."""
+
+    functions: tuple[str, ...]
+    names: tuple[str, ...]
+    classes: tuple[str, ...]
+    types: tuple[str, ...]
+
+
+def by_function(rows: Rows) -> dict[str, dict[str, list[Row]]]:
+    """Rows apart by the function whose body they are about; with "" declarations, and code outside functions."""
+    owner = {row[0]: str(row[1]) for relation in _OWNED for row in rows.get(relation, ())}
+    parts: dict[str, dict[str, list[Row]]] = defaultdict(lambda: defaultdict(list))
+    parts[""]
+    for relation, found in rows.items():
+        second = relation in ("return_value", "field_initializer")  # these begin with the function, which is declared
+        for row in found:
+            function = str(row[0]) if second else owner.get(row[0], "")
+            parts[function][relation].append(row)
+    return {function: dict(part) for function, part in parts.items()}
+
+
+def mentions_of(code: Rows) -> Mentions:
+    """What the rows of one function, or those outside of all, mention."""
+
+    def column(relation: str, index: int) -> Iterator[str]:
+        return (str(row[index]) for row in code.get(relation, ()))
+
+    parts = {*column("variable_function", 0)}
+    known = {*column("call_function", 0), *column("call_constructs", 0)}
+    no_objects = {row[0] for row in code.get("variable", ()) if row[1] in ("field", "parameter")} - parts
+    return Mentions(
+        tuple({*column("call_function", 1), *column("function_use", 1), *column("lambda", 1)}),
+        tuple({str(name) for call, name in code.get("call", ()) if call not in known} | {*column("template_member_use", 2)}),
+        tuple({*column("call_constructs", 1), *column("class_use", 1), *column("this_use", 1), *column("instance_member_use", 1)}),
+        tuple(
+            {*column("expr_type", 1), *column("call_template_argument", 2), *column("template_member_use", 1)}
+            | {*column("instance_member_use", 3)}
+            | {str(kind) for variable, kind in code.get("variable_type", ()) if variable not in no_objects}
+        ),
+    )
+
+
+def live_functions(declared: Rows, mentions: Mapping[str, Iterable[Mentions]]) -> set[str]:
+    """The functions whose code may run, by the declarations of all sources and what each function mentions; "" is code outside of them."""
+    program = _Program(declared)
+    program.enter()
+    for mentioned in mentions.get("", ()):
+        program.mention(mentioned)
+    while program.waiting:
+        function = program.waiting.pop()
+        program.stand_in(function)
+        for mentioned in mentions.get(function, ()):
+            program.mention(mentioned)
+    return program.live
+
+
+class _Program:
+    """The declarations by what is asked for, and the functions found so far."""
+
+    def __init__(self, declared: Rows) -> None:
+        self.declared = declared
+        self.names = dict(_pairs(declared, "function_name"))
+        self.named = _multimap((_last(name), function) for function, name in self.names.items())
+        self.defined = {row[0] for row in declared.get("function_defined", ())}
+        self.overriding = _multimap((overridden, function) for function, overridden in _pairs(declared, "function_overrides"))
+        self.methods = _multimap((owner, function) for function, owner in _pairs(declared, "function_class"))
+        self.bases = _multimap(_pairs(declared, "class_base"))
+        self.base_types = _multimap(_pairs(declared, "class_base_instance"))
+        kinds = dict(_pairs(declared, "variable_type"))
+        self.field_types = _multimap((owner, kinds[field]) for field, owner in _pairs(declared, "field_class") if field in kinds)
+        self.classes_of = _multimap(_pairs(declared, "type_class"))
+        self.inner = _multimap([*_pairs(declared, "type_inner", 2), *_pairs(declared, "type_argument", 2)])
+        self.live: set[str] = set()
+        self.waiting: list[str] = []
+        self.seen_names: set[str] = set()
+        self.seen_classes: set[str] = set()
+        self.seen_types: set[str] = set()
+
+    def enter(self) -> None:
+        """Where the component starts; objects of its class are made by a library."""
+        self.reach([str(row[0]) for row in self.declared.get("program_entry", ())])
+        self.mention_name("main")
+        aliased = _multimap(_pairs(self.declared, "type_alias"))
+        for row in self.declared.get("component_class", ()):
+            self.mention_classes([str(row[0])])
+            self.mention_types(aliased.get(str(row[0]), ()))
+
+    def mention(self, mentioned: Mentions) -> None:
+        self.reach(mentioned.functions)
+        for name in mentioned.names:
+            self.mention_name(name)
+        self.mention_classes(mentioned.classes)
+        self.mention_types(mentioned.types)
+
+    def reach(self, functions: Iterable[str]) -> None:
+        for function in functions:
+            if function not in self.live:
+                self.live.add(function)
+                self.waiting.append(function)
+
+    def stand_in(self, function: str) -> None:
+        """What may run in the place of a function: what overrides it, and where only its declaration is known all of its name."""
+        self.reach(self.overriding.get(function, ()))
+        if function not in self.defined:
+            self.mention_name(self.names.get(function, ""))
+
+    def mention_name(self, name: str) -> None:
+        """All functions of a name, whatever class or namespace they are in."""
+        name = _last(name)
+        if name not in self.seen_names:
+            self.seen_names.add(name)
+            self.reach(self.named.get(name, ()))
+
+    def mention_classes(self, classes: Iterable[str]) -> None:
+        """Classes with what they consist of."""
+        waiting = list(classes)
+        while waiting:
+            found = waiting.pop()
+            if found in self.seen_classes:
+                continue
+            self.seen_classes.add(found)
+            self.reach(self.methods.get(found, ()))
+            waiting += self.bases.get(found, ())
+            for kind in (*self.base_types.get(found, ()), *self.field_types.get(found, ())):
+                waiting += self._classes_within(kind)
+
+    def mention_types(self, types: Iterable[str]) -> None:
+        for kind in types:
+            self.mention_classes(self._classes_within(kind))
+
+    def _classes_within(self, kind: str) -> Iterator[str]:
+        """The classes that a type is made of, those of types seen before left out."""
+        waiting = [kind]
+        while waiting:
+            found = waiting.pop()
+            if found not in self.seen_types:
+                self.seen_types.add(found)
+                yield from self.classes_of.get(found, ())
+                waiting += self.inner.get(found, ())
+
+
+def _last(name: str) -> str:
+    return name.rpartition("::")[2].rpartition(".")[2]
+
+
+def _pairs(rows: Rows, relation: str, second: int = 1) -> Iterator[tuple[str, str]]:
+    return ((str(row[0]), str(row[second])) for row in rows.get(relation, ()))
+
+
+def _multimap(pairs: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    result: dict[str, list[str]] = defaultdict(list)
+    for key, value in pairs:
+        result[key].append(value)
+    return dict(result)
