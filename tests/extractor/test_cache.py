@@ -181,7 +181,7 @@ def test_headers_that_are_gone_are_read_again(workspace: Path, tmp_path: Path, s
     cache = Cache(tmp_path / "cache")
     (workspace / "names.h").write_text("inline int help(int x) { return x + 1; }\n")
     first = facts(workspace, cache)
-    found = {entry: marshal.loads(marshal.loads(entry.read_bytes()[32:])[1]) for entry in entries(cache)}
+    found = {entry: marshal.loads(marshal.loads(entry.read_bytes()[32:])[1])[0] for entry in entries(cache)}
     (header,) = [entry for entry, rows in found.items() if "source_file" not in rows]
     header.unlink()
     sources_read()
