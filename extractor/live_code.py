@@ -17,6 +17,8 @@ Rows = Mapping[str, Iterable[Row]]
 
 _OWNED = ("expr_function", "block", "variable_function")
 """What says to which function an expression, block or variable belongs."""
+_ABOUT = {"return_value": 1, "field_initializer": 2}
+"""The column of the expression that a row is about, where it is not the first."""
 
 
 class Mentions(NamedTuple):
@@ -31,14 +33,15 @@ class Mentions(NamedTuple):
 def by_function(rows: Rows) -> dict[str, dict[str, list[Row]]]:
     """Rows apart by the function whose body they are about; with "" declarations, and code outside functions."""
     owner = {row[0]: str(row[1]) for relation in _OWNED for row in rows.get(relation, ())}
-    parts: dict[str, dict[str, list[Row]]] = defaultdict(lambda: defaultdict(list))
-    parts[""]
+    parts: dict[str, dict[str, list[Row]]] = {"": {}}
     for relation, found in rows.items():
-        second = relation in ("return_value", "field_initializer")  # these begin with the function, which is declared
+        column = _ABOUT.get(relation, 0)
+        grouped: dict[str, list[Row]] = defaultdict(list)
         for row in found:
-            function = str(row[0]) if second else owner.get(row[0], "")
-            parts[function][relation].append(row)
-    return {function: dict(part) for function, part in parts.items()}
+            grouped[owner.get(row[column], "")].append(row)
+        for function, part in grouped.items():
+            parts.setdefault(function, {})[relation] = part
+    return parts
 
 
 def mentions_of(code: Rows) -> Mentions:
