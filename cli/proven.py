@@ -42,7 +42,7 @@ def prove(question: SystemQuestion, rules: RuleSet, configuration: Configuration
     from rosarch.models.selection import select
 
     program, engine = component_program(rules), question.engine.value
-    tasks = _about_findings(question, rules, configuration, reported)
+    tasks = _about_systems(question, rules, configuration, reported)
     found: dict[str, Derivations] = {}
     cache = extraction_cache(question.cached)
     with (
@@ -92,9 +92,9 @@ def _key(program: Program, engine: str, component: SelectedComponent) -> str | N
     return hash_of(["proofs", models_version(), program.hash, engine, component.title, component.key]) if component.key else None
 
 
-def _about_findings(question: SystemQuestion, rules: RuleSet, configuration: Configuration, reported: Reported) -> list[_Task]:
-    """A task for each system that is the first to have a finding."""
-    from rosarch.models.derivations import finding_derivations
+def _about_systems(question: SystemQuestion, rules: RuleSet, configuration: Configuration, reported: Reported) -> list[_Task]:
+    """A task for each system, for its connectors and the findings that it is the first to have."""
+    from rosarch.models.derivations import system_derivations
     from rosarch.models.rule_sets import system_rules
 
     systems, engine = system_rules(rules), question.engine.value
@@ -102,12 +102,10 @@ def _about_findings(question: SystemQuestion, rules: RuleSet, configuration: Con
     for finding in (*reported.shown, *reported.known):
         for system in finding.systems[:1]:
             asked[system].add(finding.fingerprint)
-    if not asked:
-        return []
     shared, launches = load_surrounding(question.inputs(rules), configuration)
 
     def prove_in(index: int) -> Derivations:
         launch = launches[index]
-        return finding_derivations(systems, shared.rows(launch), launch.name, asked[launch.name], engine, shorten)
+        return system_derivations(systems, shared.rows(launch), launch.name, asked[launch.name], engine, shorten)
 
-    return [_Task(launch.name, partial(prove_in, index)) for index, launch in enumerate(launches) if launch.name in asked]
+    return [_Task(launch.name, partial(prove_in, index)) for index, launch in enumerate(launches)]

@@ -16,7 +16,7 @@ from .clauses import Rule, Rules, rules_of
 from .errors import DatalogError, Diagnostic
 from .goals import Goal, parse_goal, show_goal
 from .match import HEAD, Body, Folded, Match
-from .proofs import Absent, AggregateValue, Condition, Premise, Proof, RowRef
+from .proofs import Absent, AggregateValue, Condition, Proof, RowRef
 from .rows import Given, Row, RowStore, row_store
 from .show import Writer, show_row, show_term
 from .syntax import Aggregate, Atom, Constraint, Negation, Truth, variables
@@ -269,10 +269,15 @@ class Prover:
         writer = Writer(self.rules.types, rule.types, match.bound)
         names = {v for literal in (rule.clause.head, *rule.clause.body) for v in variables(literal)}
         bindings = tuple((name, writer.value(name)) for name in sorted(names & set(match.bound)) if "+" not in name)
-        premises = tuple(self._premises(rule, match, writer))
+        premises = tuple(self.proofs[p] if isinstance(p, tuple) else p for p in self.premises(derivation))
         return Proof(*node, self.text(*node), derivation.kind, rule.location, rule.text, bindings, premises)
 
-    def _premises(self, rule: Rule, match: Match, writer: Writer) -> Iterator[Premise]:
+    def premises(self, derivation: Derivation) -> Iterator[Node | Absent | Condition | AggregateValue]:
+        """What a derivation rests on, rows unproven; follows the literals of the rule."""
+        rule, match = derivation.rule, derivation.match
+        if rule is None or match is None:
+            return
+        writer = Writer(self.rules.types, rule.types, match.bound)
         plain = Writer(self.rules.types, rule.types)
         folded = {id(f.aggregate): self._folded(f, rule) for folds in match.folds.values() for f in folds}
         computed = Writer(self.rules.types, rule.types, match.bound, folded)
@@ -280,7 +285,7 @@ class Prover:
             yield from self._aggregates(match.folds.get(number, ()), rule, writer)
             match literal:
                 case Atom():
-                    yield self.proofs[literal.name, match.rows[number]]
+                    yield literal.name, match.rows[number]
                 case Negation():
                     yield Absent(writer.literal(literal), literal.atom.name, literal.location)
                 case Constraint() if not (literal.op == "=" and _says_nothing(literal, writer)):

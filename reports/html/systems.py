@@ -51,6 +51,7 @@ def _steps(told: Told | None, numbers: Mapping[End, list[int]]) -> list[Any] | N
 
 def _node(node: SystemNode) -> dict[str, Any]:
     return {
+        "id": node.id,
         "name": node.name,
         "package": node.package,
         "type": node.type,

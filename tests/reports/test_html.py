@@ -93,7 +93,7 @@ def test_every_place_that_can_be_read_is_excerpted(document: Any, examples: Path
     assert len(there) > 20 and there <= told
 
 
-def test_ports_and_findings_are_proven(delivery: str, document: Any) -> None:
+def test_components_connectors_and_findings_are_proven(delivery: str, document: Any) -> None:
     proofs = json.loads(unpacked(delivery, "proofs"))
     courier = next(c for c in document["components"] if c["name"] == "delivery_robot/courier")
     steps, roots = proofs[courier["name"]]["steps"], proofs[courier["name"]]["roots"]
@@ -102,8 +102,13 @@ def test_ports_and_findings_are_proven(delivery: str, document: Any) -> None:
         text, rule, premises, _cut = steps[number]
         assert premises and rule.startswith("rules/core/"), text
     assert any(rule == "input" for _text, rule, _premises, _cut in steps)
-    proven = {finding for system in document["systems"] for finding in proofs[system["name"]]["roots"]}
+    proven = {root for system in document["systems"] for root in proofs[system["name"]]["roots"] if not root.startswith("end ")}
     assert proven == {finding["id"] for finding in document["findings"]["shown"] if finding["systems"]}
+    for system in document["systems"]:
+        ends = {(node, port) for connector in system["connectors"] for node, port in connector["sources"] + connector["sinks"]}
+        asked = [(system["nodes"][node], system["nodes"][node]["ports"][port]) for node, port in ends]
+        keys = {f"end {port['name']} {node['id']} {node['component']}#{port['id']}" for node, port in asked if "implicit" not in port}
+        assert keys <= set(proofs[system["name"]]["roots"])
 
 
 def test_only_what_the_page_brings_may_run(delivery: str) -> None:

@@ -33,6 +33,7 @@ NODE = """\
 #include <ros/ros.h>
 #include <std_msgs/String.h>
 ros::Publisher pub;
+void onTimer(const ros::TimerEvent&) {{ pub.publish(std_msgs::String()); }}
 bool seen_ = false;
 void onText(const std_msgs::String::ConstPtr& text)
 {{
@@ -46,6 +47,7 @@ int main(int argc, char** argv)
   ros::param::param<std::string>("~{bad}", name, "{bad}");
   ros::Subscriber sub = nh.subscribe("{bad}", 1, onText);
   pub = nh.advertise<std_msgs::String>("{long}", 10);
+  ros::Timer timer = nh.createTimer(ros::Duration(2.0), onTimer, true);
   ros::spin();
 }}
 """
@@ -76,7 +78,7 @@ def report(examples: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
     from rosarch.cli.main import main
 
     workspace = tmp_path_factory.mktemp("browser") / "workspace"
-    for example in ("delivery_robot", "docking_states"):
+    for example in ("delivery_robot", "docking_states", "elevator"):
         shutil.copytree(examples / example / "src", workspace / example)
     hostile_package(workspace / "hostile")
     out = workspace.parent / "report.html"
@@ -127,8 +129,9 @@ def reader(browser: Any, report: str, request: pytest.FixtureRequest) -> Iterato
 
 
 DELIVERY = "delivery_robot/delivery_bringup/launch/delivery.launch"
+ELEVATOR = "elevator/elevator/launch/elevator.launch.xml"
 PAGES = (
-    "", "components", "component/delivery_robot/courier", "component/auto_docking/docking", "component/hostile/hostile", "component/no/such",
+    "", "component/elevator/panel", "components", "component/delivery_robot/courier", "component/auto_docking/docking", "component/hostile/hostile", "component/no/such",
     "findings", f"graph?system={DELIVERY}", "graph?system=hostile/hostile.launch&implicit=1&kinds=topic,service,action,tf", "launch",
     "launch?system=hostile/hostile.launch", f"timing?system={DELIVERY}", "nowhere",
 )  # fmt: skip
@@ -144,11 +147,19 @@ def test_every_page_is_accessible(reader: Reader, pages: tuple[str, ...]) -> Non
         if where.endswith("docking"):
             expect(page.locator("svg.machine")).to_be_visible()
         page.evaluate("for (const fold of [...document.querySelectorAll('main details')].slice(0, 4)) fold.open = true")
-        found = axe.Axe().run(page).response["violations"]
-        serious = {
-            each["id"]: [node["html"][:160] for node in each["nodes"][:3]] for each in found if each["impact"] in ("serious", "critical")
-        }
-        assert serious == {}, where
+        assert violations(page) == {}, where
+    page = reader.open("component/auto_docking/docking")
+    for button in (page.locator("#ports .place").first, page.locator("#ports .why").first):
+        button.click()
+        expect(page.get_by_role("dialog").locator(".excerpt, .proof-tree").first).to_be_visible()
+        assert violations(page) == {}
+        page.keyboard.press("Escape")
+
+
+def violations(page: Any) -> dict[str, list[str]]:
+    """What axe finds serious: the rule, and examples."""
+    found = [each for each in axe.Axe().run(page).response["violations"] if each["impact"] in ("serious", "critical")]
+    return {each["id"]: [node["html"][:160] for node in each["nodes"][:3]] for each in found}
 
 
 @pytest.mark.parametrize("reader", [{"viewport": {"width": 360, "height": 740}}], indirect=True, ids=["narrow"])
@@ -314,6 +325,65 @@ def test_state_machines_lead_to_the_source(reader: Reader) -> None:
     page.keyboard.press("Escape")
     page.get_by_text("Transitions as a table").click()
     expect(page.get_by_role("table").filter(has_text="stays").first).to_be_visible()
+
+
+WITHOUT_PROOF = """async () => {
+  const failed = [];
+  const wait = () => new Promise((done) => setTimeout(done, 10));
+  const until = async (holds) => { for (let tries = 0; !holds() && tries < 500; tries++) await wait(); };
+  const dialog = () => document.querySelector('dialog[open]');
+  const buttons = [...document.querySelectorAll('main button.why')];
+  for (const button of buttons) {
+    button.click();
+    await until(() => dialog()?.querySelector('.proof-body') && !/Reading the proofs/.test(dialog().textContent));
+    if (!dialog().querySelector('.proof-tree')) failed.push(button.ariaLabel);
+    dialog().querySelector('button').click();
+    await until(() => !dialog());
+  }
+  return [buttons.length, failed];
+}"""
+"""How many things of a page have a button that asks why, and those whose question has no answer."""
+
+
+def test_whatever_is_shown_leads_to_its_derivation(reader: Reader) -> None:
+    least = {
+        "component/auto_docking/docking": 20,
+        "component/hostile/hostile": 5,
+        "component/elevator/cabin_node": 10,
+        f"graph?system={DELIVERY}&at=connector:topic:/battery": 2,
+        f"graph?system={DELIVERY}&at=node:0": 3,
+    }
+    for where, most in least.items():
+        page = reader.open(where)
+        page.locator("main button.why").first.wait_for(state="attached")
+        asked, failed = page.evaluate(WITHOUT_PROOF)
+        assert (asked >= most, failed) == (True, []), where
+
+
+def test_nodes_of_ros_2_have_their_qualities(reader: Reader) -> None:
+    page = reader.open("component/elevator/cabin_node")
+    expect(page.locator(".lead")).to_contain_text("component of ROS 2")
+    expect(page.locator("main")).to_contain_text("elevator::Cabin")
+    cells = page.get_by_role("region", name="Ports", exact=True).locator("tr", has_text="floor").locator("td")
+    expect(cells.nth(3)).to_have_text("keep last 1, reliable, transient local")
+    page = reader.open("component/elevator/door")
+    expect(page.locator(".lead")).to_contain_text("lifecycle node of ROS 2")
+    page = reader.open("component/elevator/panel")
+    expect(page.locator("main")).to_contain_text("The program makes 2 nodes: buttons, display")
+    expect(page.locator(".started li")).to_have_count(2)
+    page.get_by_role("link", name="display", exact=True).click()
+    expect(page.locator("main")).to_contain_text("One of the nodes of the program panel")
+    page = reader.open("components?filter=lifecycle")
+    expect(page.locator("tbody tr")).to_have_count(1)
+    page = reader.open(f"graph?system={ELEVATOR}&at=connector:topic:/floor")
+    expect(page.get_by_role("complementary")).to_contain_text("keep last 1, reliable, volatile")
+
+
+def test_timers_that_run_once(reader: Reader) -> None:
+    page = reader.open("component/hostile/hostile")
+    cells = page.get_by_role("region", name="Timers that run once").locator("tbody td")
+    expect(cells.nth(0)).to_have_text("2 s")
+    expect(cells.nth(2)).to_have_text("always")
 
 
 def test_chains_are_found_and_lit(reader: Reader, report: str, tmp_path: Path) -> None:

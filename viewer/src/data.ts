@@ -19,6 +19,8 @@ export interface Port {
   implicit?: boolean;
   unknown?: string;
   in_namespace?: string;
+  /** Of ROS 2: policies of the quality of service that are told, and the profile it begins as. */
+  qos?: Record<string, string>;
 }
 
 export interface Parameter {
@@ -114,7 +116,14 @@ export interface Component {
   component: string;
   package: string;
   kind: string;
+  middleware: string | null;
   node_name: string | null;
+  /** Of a node that is one of several of a program: the program. */
+  executable?: string;
+  /** What launch files start it as, where that need not be its name. */
+  executables?: string[];
+  /** Of a class that programs load: its name, and what they want it as. */
+  plugin?: { name: string; base: string | null };
   sources: string[];
   ports: Port[];
   params: Parameter[];
@@ -141,6 +150,7 @@ export interface SystemPort {
 }
 
 export interface SystemNode {
+  id: string;
   name: string;
   package: string;
   type: string;

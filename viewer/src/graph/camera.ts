@@ -22,9 +22,6 @@ const READABLE = 1;
 const STEP = 60;
 /** Milliseconds that the view has to rest before it is told of. */
 const REST = 250;
-/** Below this scale texts cannot be read: names of nodes grow, others are left out. */
-const LEGIBLE = 0.5;
-
 /** The camera on a drawing. It begins where `start` says (see `onRest`), otherwise with all of the drawing, as with any other drawing later. */
 export function useCamera(
   svg: RefObject<SVGSVGElement>,
@@ -33,19 +30,22 @@ export function useCamera(
   start: string,
   /** Is told the middle of the view and its scale, or "" when it is all of the drawing. */
   onRest: (view: string) => void,
+  /** Is told the scale whenever the view changes. */
+  onScale: (scale: number) => void,
 ): Camera {
   const view = useRef<View>({ x: 0, y: 0, scale: 1 });
   const begin = useRef(start);
   const resting = useRef(0);
   const tell = useRef(onRest);
   tell.current = onRest;
+  const tellScale = useRef(onScale);
+  tellScale.current = onScale;
 
   const apply = useCallback(() => {
     const { x, y, scale } = view.current;
     scene.current?.setAttribute("transform", `translate(${x} ${y}) scale(${scale})`);
-    svg.current?.classList.toggle("far", scale < LEGIBLE);
-    svg.current?.style.setProperty("--far", String(LEGIBLE / scale));
-  }, [svg, scene]);
+    tellScale.current(scale);
+  }, [scene]);
 
   const moved = useCallback(() => {
     apply();
@@ -188,6 +188,13 @@ function listen(
     view.current.y += step[1];
     changed();
   };
+  const onPaper = () => {
+    const { width, height } = element.getBoundingClientRect();
+    element.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  };
+  const onScreen = () => element.removeAttribute("viewBox");
+  addEventListener("beforeprint", onPaper);
+  addEventListener("afterprint", onScreen);
   element.addEventListener("pointerdown", down);
   element.addEventListener("pointermove", move);
   element.addEventListener("pointerup", up);
@@ -196,6 +203,8 @@ function listen(
   element.addEventListener("wheel", wheel, { passive: false });
   element.addEventListener("keydown", key);
   return () => {
+    removeEventListener("beforeprint", onPaper);
+    removeEventListener("afterprint", onScreen);
     element.removeEventListener("pointerdown", down);
     element.removeEventListener("pointermove", move);
     element.removeEventListener("pointerup", up);

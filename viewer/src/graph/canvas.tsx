@@ -1,8 +1,10 @@
 /** The drawing of a graph in a frame that can be moved, with what the pointer and keys do on it. */
+import type { RefObject } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { ShownGraph } from "./build";
 import { type Camera, useCamera } from "./camera";
 import { GraphDrawing } from "./drawing";
+import { fitting, LEGIBLE, labelsOf } from "./labels";
 import type { Drawing } from "./layout";
 
 interface Props {
@@ -43,9 +45,10 @@ export function GraphCanvas(props: Props) {
   const scene = useRef<SVGGElement>(null);
   const { width, height } = drawing;
   const whole = useMemo(() => ({ x: 0, y: 0, width, height }), [width, height]);
-  const camera = useCamera(svg, scene, whole, view, onView);
+  const names = useNames(svg, graph, drawing);
+  const camera = useCamera(svg, scene, whole, view, onView, names.scaled);
   useEffect(() => onCamera(camera));
-  const rest = () => (selected ? light(scene.current, selected) : lightAll(scene.current, chain));
+  const rest = () => names.lit(selected ? light(scene.current, selected) : lightAll(scene.current, chain));
   useEffect(rest, [selected, chain, drawing]);
 
   const act = (target: EventTarget | null, open: boolean) => {
@@ -57,7 +60,7 @@ export function GraphCanvas(props: Props) {
   const hover = (event: PointerEvent | FocusEvent) => {
     const element = event.target instanceof Element ? event.target.closest<SVGGElement>("[data-id]") : null;
     const id = element?.dataset.id ?? null;
-    if (id) light(scene.current, id);
+    if (id) names.lit(light(scene.current, id));
     else rest();
     const box = svg.current?.getBoundingClientRect();
     if (!element || !box) return onHover(null, { x: 0, y: 0 });
@@ -67,7 +70,7 @@ export function GraphCanvas(props: Props) {
   return (
     <svg
       ref={svg}
-      class="graph"
+      class={graph.links.length > DENSE ? "graph dense" : "graph"}
       role="application"
       aria-label={label}
       tabindex={0}
@@ -96,14 +99,47 @@ export function GraphCanvas(props: Props) {
   );
 }
 
+const DENSE = 300; // links, beyond which lines are paler
+const NONE: ReadonlySet<string> = new Set();
+const LEVEL = 1.15; // scales closer to each other than by this factor show the same names
+
+interface Names {
+  /** The drawing has another scale. */
+  scaled: (scale: number) => void;
+  /** Only these are lit, or with none all is as ever. */
+  lit: (ids: ReadonlySet<string>) => void;
+}
+
+/** Shows the names that there is room for, of what is lit if anything is; see labels.ts. */
+function useNames(svg: RefObject<SVGSVGElement>, graph: ShownGraph, drawing: Drawing): Names {
+  const labels = useMemo(() => labelsOf(graph, drawing), [graph, drawing]);
+  const shown = useRef({ labels, level: Number.NaN, lit: NONE });
+  const show = (level: number, lit: ReadonlySet<string>) => {
+    const before = shown.current;
+    if (!svg.current || (before.labels === labels && before.level === level && before.lit === lit)) return;
+    shown.current = { labels, level, lit };
+    svg.current.toggleAttribute("data-far", level < 0);
+    if (level >= 0) return;
+    const scale = LEGIBLE * LEVEL ** level;
+    svg.current.style.setProperty("--px", `${1 / scale}px`);
+    const told = fitting(lit.size ? labels.filter(({ id }) => lit.has(id)) : labels, scale);
+    for (const element of svg.current.querySelectorAll<SVGGElement>("[data-id], [data-frame]"))
+      element.toggleAttribute("data-told", told.has(element.dataset.id ?? element.dataset.frame ?? ""));
+  };
+  return {
+    scaled: (scale) => show(Math.floor(Math.log(scale / LEGIBLE) / Math.log(LEVEL)), shown.current.lit),
+    lit: (ids) => show(shown.current.level, ids.size ? ids : NONE),
+  };
+}
+
 /** Light what is connected with a box or connector, and make the rest pale. */
-function light(scene: SVGGElement | null, id: string) {
+function light(scene: SVGGElement | null, id: string): ReadonlySet<string> {
   const lit = new Set([id]);
   const links = [...(scene?.querySelectorAll<SVGPathElement>(".link") ?? [])];
   const isBox = id.startsWith("node:") || id.startsWith("group:");
   for (const { dataset } of links) if (isBox && dataset.box === id) lit.add(dataset.connector ?? "");
   for (const { dataset } of links) if (lit.has(dataset.connector ?? "")) lit.add(dataset.box ?? "");
-  lightAll(scene, lit, (link) => lit.has(link.dataset.connector ?? ""));
+  return lightAll(scene, lit, (link) => lit.has(link.dataset.connector ?? ""));
 }
 
 /** Light these, and links as they say; all of the drawing is as ever without any. */
@@ -112,12 +148,14 @@ function lightAll(
   lit: ReadonlySet<string>,
   wanted: (link: SVGPathElement) => boolean = ({ dataset }) =>
     lit.has(dataset.connector ?? "") && lit.has(dataset.box ?? ""),
-) {
-  if (!scene) return;
+): ReadonlySet<string> {
+  if (!scene) return lit;
   for (const element of scene.querySelectorAll<SVGGElement>("[data-id]")) {
     element.classList.toggle("lit", lit.has(element.dataset.id ?? ""));
   }
   for (const link of scene.querySelectorAll<SVGPathElement>(".link"))
     link.classList.toggle("lit", lit.size > 0 && wanted(link));
-  scene.classList.toggle("some-lit", scene.querySelector("[data-id].lit") !== null);
+  const some = scene.querySelector("[data-id].lit") !== null;
+  scene.classList.toggle("some-lit", some);
+  return some ? lit : NONE;
 }

@@ -81,7 +81,7 @@ export const GraphDrawing = memo(({ graph, drawing, filtered, selected }: Props)
 function FrameShape({ frame, at }: { frame: Frame; at: Rectangle | undefined }) {
   if (!at) return null;
   return (
-    <g class="frame" transform={`translate(${at.x} ${at.y})`}>
+    <g class="frame" data-frame={frame.id} transform={`translate(${at.x} ${at.y})`}>
       <rect width={at.width} height={at.height} rx="8" />
       <g
         class="frame-title"
@@ -92,7 +92,7 @@ function FrameShape({ frame, at }: { frame: Frame; at: Rectangle | undefined }) 
       >
         <rect class="hit" width={Math.min(at.width, 24 + frame.label.length * 8)} height="26" />
         <path class="fold" d="M10 10h9l-4.500 6z" />
-        <text x="25" y="17">
+        <text class="label" x="25" y="17">
           {frame.label}
         </text>
       </g>
@@ -171,6 +171,7 @@ function ConnectorShape({ connector, at, pale, selected }: ShapeProps & { connec
       {lines.map((text, number) => (
         <text
           key={`${number}`}
+          class="label"
           x={at.x + at.width / 2}
           y={at.y + at.height / 2 + (number - (lines.length - 1) / 2) * 14 + 4}
         >

@@ -1,11 +1,12 @@
 /** What is known of the box or connector that is selected, and what can be done with it. */
 
 import { useReport } from "../context";
-import type { End, System, SystemNode } from "../data";
+import type { End, Port, System, SystemNode } from "../data";
 import { amount, counted, portKey, rateText } from "../model";
 import { SeverityBadge } from "../parts/controls";
-import { PortKind, portLabel } from "../parts/kinds";
+import { componentKind, PortKind, portLabel } from "../parts/kinds";
 import { Why } from "../parts/proof";
+import { qualityWords } from "../parts/quality";
 import { Source } from "../parts/source";
 import { Condition, Name, shortened } from "../parts/text";
 import { componentHref, href, setParams } from "../route";
@@ -68,6 +69,7 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
   const node = box.nodes[0];
   if (!node) return null;
   const own = node.component ? report.component.get(node.component) : undefined;
+  const ownPort = (id: string) => own?.ports.find((port) => port.id === id);
   const findings = report.findingsOfNode(system, node);
   return (
     <>
@@ -75,7 +77,9 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
         <Name text={node.name} />
       </h2>
       <p class="muted">
-        <Name text={`${node.package}/${node.type}`} />, {ORIGINS[node.origin]}
+        <Name text={`${node.package}/${node.type}`} />,{" "}
+        {own && `${componentKind(own.kind)}${own.middleware ? ` of ${own.middleware}` : ""}, `}
+        {ORIGINS[node.origin]}
         {node.open && "; it may have more ports than are known"}
       </p>
       <p class="actions">
@@ -131,7 +135,7 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
                   {node.origin === "source" && node.component && port.at && (
                     <Why
                       owner={node.component}
-                      of={`port ${portKey(own?.ports.find(({ id }) => id === port.id))}`}
+                      of={`port ${portKey(ownPort(port.id))}`}
                       title={`${portLabel(port.kind)} ${port.name}`}
                     />
                   )}
@@ -140,11 +144,11 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
               <Name text={port.name} strong />
               <div class="muted">
                 <Name text={port.type ?? "type not known"} />
+                <Flow port={ownPort(port.id)} />
                 {port.written !== port.name && (
-                  <>
-                    {" · in the code "}
-                    <code>{shortened(port.written, 80)}</code>
-                  </>
+                  <div>
+                    in the code <code>{shortened(port.written, 80)}</code>
+                  </div>
                 )}
               </div>
               {port.conditional && (
@@ -157,6 +161,14 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
       </ul>
     </>
   );
+}
+
+/** The queue of a port, or its quality of service. */
+function Flow({ port }: { port: Port | undefined }) {
+  if (!port) return null;
+  const queue = port.queue === null ? [] : [`queue ${port.queue}`];
+  const words = port.qos ? qualityWords(port) : [...queue, ...(port.latched ? ["latched"] : [])];
+  return words.length ? <div>{words.join(", ")}</div> : null;
 }
 
 const MOST = 30;
@@ -188,6 +200,7 @@ function ConnectorDetails({ shown, system }: { shown: ShownConnector; system: Sy
 }
 
 function Ends({ title, ends, system }: { title: string; ends: End[]; system: System }) {
+  const { component: components } = useReport();
   return (
     <>
       <h3>{title}</h3>
@@ -202,6 +215,22 @@ function Ends({ title, ends, system }: { title: string; ends: End[]; system: Sys
                   {shortened(node?.name ?? "", 80)}
                 </button>{" "}
                 {port?.at && <Source at={port.at} />}
+                {port && !port.implicit && (
+                  <Why
+                    owner={system.name}
+                    of={`end ${port.name} ${node?.id} ${node?.component}#${port.id}`}
+                    title={`${node?.name} at ${port.name}`}
+                  />
+                )}
+                <div class="muted">
+                  <Flow
+                    port={
+                      node?.component
+                        ? components.get(node.component)?.ports.find(({ id }) => id === port?.id)
+                        : undefined
+                    }
+                  />
+                </div>
               </li>
             );
           })}

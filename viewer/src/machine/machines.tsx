@@ -200,6 +200,10 @@ function Effects({ texts, effects, x, y }: { texts: TextLine[][]; effects: Effec
 
 /** What makes a part of a drawing a button. */
 function action(label: string, act: () => void) {
-  const onKeyDown = (event: KeyboardEvent) => event.key === "Enter" && act();
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    act();
+  };
   return { role: "button" as const, tabindex: 0, "aria-label": label, onClick: act, onKeyDown };
 }

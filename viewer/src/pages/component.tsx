@@ -1,15 +1,16 @@
 /** One component: ports, parameters, rates, behaviour, state machines, findings. */
 
 import { useReport } from "../context";
-import type { Component, Port } from "../data";
+import type { Component, Port, ReportDocument } from "../data";
 import { Machines } from "../machine/machines";
 import { amount, counted, frequency, type Instance, portKey, portsById, sentIn } from "../model";
 import { Section, Table } from "../parts/controls";
-import { PortKind, portLabel, portOrder } from "../parts/kinds";
+import { componentKind, PortKind, portLabel, portOrder } from "../parts/kinds";
 import { Why } from "../parts/proof";
+import { Quality } from "../parts/quality";
 import { Source, Sources } from "../parts/source";
-import { Condition, Maybe, Name } from "../parts/text";
-import { href } from "../route";
+import { Condition, Maybe, Name, shortened } from "../parts/text";
+import { componentHref, href } from "../route";
 import { FindingCard } from "./findings";
 
 export function ComponentPage({ name }: { name: string }) {
@@ -26,6 +27,7 @@ export function ComponentPage({ name }: { name: string }) {
     );
   }
   const findings = report.findingsOf(component);
+  const made = nodesOf(component, report.document);
   return (
     <>
       <p class="above">
@@ -35,16 +37,18 @@ export function ComponentPage({ name }: { name: string }) {
         <Name text={component.component} />
       </h1>
       <p class="lead">
-        {component.kind === "node" ? "Node" : component.kind}
-        {component.node_name && (
+        <span class="begins">{componentKind(component.kind)}</span>
+        {component.middleware && ` of ${component.middleware}`}
+        {component.node_name && !made.length && (
           <>
             {" "}
             that calls itself <code>{component.node_name}</code>
           </>
-        )}{" "}
-        in {counted(component.sources.length, "source")}.
+        )}
+        , in {counted(component.sources.length, "source")}.
       </p>
-      <Started instances={report.instances.get(name) ?? []} />
+      <Programs component={component} made={made} />
+      <Started instances={[component, ...made].flatMap((each) => report.instances.get(each.name) ?? [])} />
       <Ports component={component} />
       <Parameters component={component} />
       <Behaviour component={component} />
@@ -56,6 +60,64 @@ export function ComponentPage({ name }: { name: string }) {
             <FindingCard key={finding.id} finding={finding} />
           ))}
         </Section>
+      )}
+    </>
+  );
+}
+
+/** The nodes of a program that makes several. */
+const nodesOf = (program: Component, { components }: ReportDocument) =>
+  components.filter((each) => each.package === program.package && each.executable === program.component);
+
+/** How it is started: the program that it is part of or is made of, the names that it is loaded by. */
+function Programs({ component, made }: { component: Component; made: readonly Component[] }) {
+  const { document } = useReport();
+  const { package: own, plugin, executable, executables = [] } = component;
+  const program = document.components.find((each) => each.package === own && each.component === executable);
+  const link = (other: Component) => <a href={componentHref(other.name)}>{shortened(other.component, 80)}</a>;
+  return (
+    <>
+      {executable && (
+        <p>
+          One of the nodes of the program {program ? link(program) : <code>{executable}</code>}, of which only what
+          belongs to this node is shown.
+        </p>
+      )}
+      {made.length > 0 && (
+        <p>
+          The program makes {counted(made.length, "node")}:{" "}
+          {made.map((node, at) => (
+            <span key={node.name}>
+              {at > 0 && ", "}
+              {link(node)}
+            </span>
+          ))}
+          . Here they are shown together.
+        </p>
+      )}
+      {plugin && (
+        <p>
+          Loaded by the name of its class, <code>{plugin.name}</code>
+          {plugin.base && (
+            <>
+              {" "}
+              (<code>{plugin.base}</code>)
+            </>
+          )}
+          .
+        </p>
+      )}
+      {executables.length > 0 && (
+        <p>
+          {executables.length === 1 ? "Its executable is " : "Its executables are "}
+          {executables.map((name, at) => (
+            <span key={name}>
+              {at > 0 && ", "}
+              <code>{name}</code>
+            </span>
+          ))}
+          .
+        </p>
       )}
     </>
   );
@@ -104,8 +166,12 @@ function Ports({ component }: { component: Component }) {
 }
 
 function PortTable({ owner, ports, label }: { owner: string; ports: readonly Port[]; label: string }) {
+  const hasQuality = ports.some(({ qos }) => qos);
   return (
-    <Table label={label} head={["Kind", "Name", "Type", "Queue", "Callback", "If", "Source"]}>
+    <Table
+      label={label}
+      head={["Kind", "Name", "Type", hasQuality ? "Quality of service" : "Queue", "Callback", "If", "Source"]}
+    >
       {ports.map((port) => (
         <tr key={port.id} id={`port-${port.id}`}>
           <td>
@@ -116,8 +182,7 @@ function PortTable({ owner, ports, label }: { owner: string; ports: readonly Por
           </td>
           <td>{port.type ? <Name text={port.type} /> : <span class="none">not known</span>}</td>
           <td class="number">
-            <Maybe text={port.queue} />
-            {port.latched && <span class="tag">latched</span>}
+            <Quality port={port} />
           </td>
           <td>
             {port.callback ? <code>{port.callback}</code> : <span class="none">–</span>}
@@ -232,7 +297,7 @@ function Behaviour({ component }: { component: Component }) {
           </Table>
         </>
       )}
-      {reactive.length + one_shot.length > 0 && (
+      {reactive.length > 0 && (
         <>
           <h3>Reactions</h3>
           <Table label="Reactions" head={["On", "Sends", "", "If", "Source"]}>
@@ -254,13 +319,35 @@ function Behaviour({ component }: { component: Component }) {
                 </td>
               </tr>
             ))}
+          </Table>
+        </>
+      )}
+      {one_shot.length > 0 && (
+        <>
+          <h3>Timers that run once</h3>
+          <Table label="Timers that run once" head={["After", "Sends", "", "If", "Timer", "Sent at"]}>
             {one_shot.map((shot, at) => (
               <tr key={`o${at}`}>
-                <td>timer, once{shot.after === null ? "" : ` after ${amount(shot.after)} s`}</td>
+                <td>
+                  {shot.after === null ? <span class="none">not known</span> : `${amount(shot.after)} s`}
+                  {shot.after_from_param && (
+                    <div class="muted">
+                      from <code>{shot.after_from_param}</code>
+                    </div>
+                  )}
+                </td>
                 <td>{names([shot.output])}</td>
                 <td>{shot.must ? "always" : "may"}</td>
                 <td>
                   <Condition text={shot.when} />
+                </td>
+                <td>
+                  <Source at={shot.at} />
+                  <Why
+                    owner={component.name}
+                    of={`once ${shot.at} > ${portKey(ports.get(shot.output))}`}
+                    title={`timer, once → ${ports.get(shot.output)?.name}`}
+                  />
                 </td>
                 <td>
                   <Sources at={shot.sent_at} />
@@ -273,7 +360,7 @@ function Behaviour({ component }: { component: Component }) {
       {reactive_deferred.length > 0 && (
         <>
           <h3>Kept and sent later</h3>
-          <Table label="Kept and sent later" head={["What arrives at", "is kept in", "and sent on"]}>
+          <Table label="Kept and sent later" head={["What arrives at", "is kept in", "and sent on", "Source"]}>
             {reactive_deferred.map((deferred, at) => (
               <tr key={`${at}`}>
                 <td>{names([deferred.input])}</td>
@@ -281,6 +368,14 @@ function Behaviour({ component }: { component: Component }) {
                   <code>{deferred.variable}</code>
                 </td>
                 <td>{names([deferred.output])}</td>
+                <td>
+                  <Source at={ports.get(deferred.output)?.at} />
+                  <Why
+                    owner={component.name}
+                    of={`kept ${[deferred.input, deferred.output].map((id) => portKey(ports.get(id))).join(" > ")} in ${deferred.variable}`}
+                    title={`${ports.get(deferred.input)?.name} → ${ports.get(deferred.output)?.name}`}
+                  />
+                </td>
               </tr>
             ))}
           </Table>
@@ -321,6 +416,7 @@ function Variables({ component }: { component: Component }) {
             </td>
             <td>
               <Source at={variable.at} />
+              <Why owner={component.name} of={`variable ${variable.at}`} title={`variable ${variable.name}`} />
             </td>
           </tr>
         ))}

@@ -4,7 +4,8 @@ import { useReport } from "../context";
 import type { Component } from "../data";
 import { countedOf } from "../model";
 import { Filter, matches, SeverityBadge, Table } from "../parts/controls";
-import { Name } from "../parts/text";
+import { componentKind } from "../parts/kinds";
+import { Maybe, Name } from "../parts/text";
 import { componentHref, type Route } from "../route";
 
 export function ComponentsPage({ route }: { route: Route }) {
@@ -15,7 +16,10 @@ export function ComponentsPage({ route }: { route: Route }) {
       filter,
       component.name,
       component.node_name,
-      component.kind,
+      componentKind(component.kind),
+      component.middleware,
+      component.executable,
+      component.plugin?.name,
       ...component.ports.flatMap((port) => [port.name, port.type]),
     ),
   );
@@ -33,6 +37,7 @@ export function ComponentsPage({ route }: { route: Route }) {
         head={[
           "Component",
           "Kind",
+          "Middleware",
           "Sends",
           "Receives",
           "Serves",
@@ -63,8 +68,12 @@ function Row({ component }: { component: Component }) {
         <a href={componentHref(component.name)}>
           <Name text={component.name} />
         </a>
+        {component.executable && <div class="muted">of {component.executable}</div>}
       </td>
-      <td>{component.kind}</td>
+      <td class="whole">{componentKind(component.kind)}</td>
+      <td class="whole">
+        <Maybe text={component.middleware} />
+      </td>
       <Count value={number(/publisher|broadcaster/)} />
       <Count value={number(/subscriber|listener/)} />
       <Count value={number(/server/)} />

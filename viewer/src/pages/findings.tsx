@@ -6,7 +6,7 @@ import { bySeverity, counted, countedOf, SEVERITIES } from "../model";
 import { Filter, matches, SeverityBadge, Toggle } from "../parts/controls";
 import { ProofTree } from "../parts/proof";
 import { Excerpt, Source } from "../parts/source";
-import { Name, shortened } from "../parts/text";
+import { ending, Name, shortened } from "../parts/text";
 import { type Route, setParams } from "../route";
 
 const PAGE = 200;
@@ -55,7 +55,7 @@ export function FindingsPage({ route }: { route: Route }) {
             <option value="">all systems</option>
             {document.systems.map(({ name }) => (
               <option key={name} value={name}>
-                {shortened(name, 80)}
+                {ending(name, 60)}
               </option>
             ))}
           </select>

@@ -76,8 +76,8 @@ function SystemGraph({ system, route }: { system: System; route: Route }) {
         {laid && (
           <Panel id={options.selected} graph={laid.graph} system={system} onClose={() => select("")} onGroup={toggle} />
         )}
-        <Status graph={graph} busy={laid?.graph !== graph} failure={failure} />
       </div>
+      <Status graph={graph} busy={laid?.graph !== graph} failure={failure} />
     </div>
   );
 }

@@ -43,7 +43,7 @@ function File({ file, system }: { file: LaunchFile; system: System }) {
     <li>
       <details open>
         <summary>
-          <Name text={file.file ?? file.text} strong />
+          <Name text={file.file ?? (file.text || "a file whose name is not known")} strong />
           {file.file === null && <span class="tag bad">not there</span>}
           {file.cut && <span class="tag">not told again</span>}
         </summary>

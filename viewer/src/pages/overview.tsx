@@ -1,5 +1,6 @@
 /** What was analysed, what was found, and what is not known and why. */
 
+import { useState } from "preact/hooks";
 import { useReport } from "../context";
 import type { Diagnostic, ReportDocument } from "../data";
 import { counted, grouped, SEVERITIES } from "../model";
@@ -13,15 +14,18 @@ const MOST = 12;
 
 export function OverviewPage() {
   const { document } = useReport();
-  const packages = new Set(document.components.map((component) => component.package)).size;
-  const ports = document.components.reduce((sum, { ports }) => sum + ports.filter((port) => !port.implicit).length, 0);
+  const components = programs(document);
+  const packages = new Set(components.map((component) => component.package)).size;
+  const ports = components.reduce((sum, { ports }) => sum + ports.filter((port) => !port.implicit).length, 0);
+  const middlewares = [...new Set(components.flatMap(({ middleware }) => middleware ?? []))].sort();
   return (
     <>
       <h1>
         <Name text={document.title} />
       </h1>
       <p class="lead">
-        {counted(document.components.length, "component")} in {counted(packages, "package")} with{" "}
+        {counted(components.length, "component")}
+        {middlewares.length > 0 && ` of ${middlewares.join(" and ")}`} in {counted(packages, "package")} with{" "}
         {counted(ports, "port")}; {counted(document.systems.length, "system")} that launch files start.
       </p>
       <Found document={document} />
@@ -34,6 +38,9 @@ export function OverviewPage() {
     </>
   );
 }
+
+/** The components, without nodes of programs that have several: they are in the program. */
+const programs = (document: ReportDocument) => document.components.filter(({ executable }) => !executable);
 
 function Found({ document }: { document: ReportDocument }) {
   const { shown, suppressed, checks } = document.findings;
@@ -62,12 +69,15 @@ function Found({ document }: { document: ReportDocument }) {
           ))}
         </Table>
       )}
-      {byCheck.size > MOST && <p class="muted">and {byCheck.size - MOST} other checks</p>}
+      {byCheck.size > MOST && <p class="muted more">and {byCheck.size - MOST} other checks</p>}
     </Section>
   );
 }
 
 function Systems({ document }: { document: ReportDocument }) {
+  const [whole, setWhole] = useState(false);
+  const all = [...document.systems].sort((a, b) => b.nodes.length - a.nodes.length);
+  const shown = whole ? all : all.slice(0, MOST);
   if (!document.systems.length) {
     return (
       <Section id="systems" title="Systems">
@@ -80,9 +90,9 @@ function Systems({ document }: { document: ReportDocument }) {
     <Section id="systems" title="Systems" count={document.systems.length}>
       <Table
         label="Systems"
-        head={["Launch file and arguments", "Nodes", "Without model", "Connectors", "Findings", ""]}
+        head={["Launch file and arguments", "Nodes", "Without model", "Connectors", "Findings", "Files"]}
       >
-        {document.systems.map((system) => (
+        {shown.map((system) => (
           <tr key={system.name}>
             <td>
               <a href={href(["graph"], { system: system.name })}>
@@ -93,7 +103,7 @@ function Systems({ document }: { document: ReportDocument }) {
             <td class="number">
               {system.nodes.filter((node) => node.origin === "unknown").length || <span class="none">–</span>}
             </td>
-            <td class="number">{system.connectors.length}</td>
+            <td class="number">{system.connectors.filter((connector) => !connector.implicit).length}</td>
             <td class="number">
               {found(system.name) ? (
                 <a href={href(["findings"], { system: system.name })}>{found(system.name)}</a>
@@ -101,18 +111,25 @@ function Systems({ document }: { document: ReportDocument }) {
                 <span class="none">–</span>
               )}
             </td>
-            <td>
+            <td class="whole">
               <a href={href(["launch"], { system: system.name })}>launch tree</a>
             </td>
           </tr>
         ))}
       </Table>
+      {all.length > MOST && (
+        <p class="more">
+          <button type="button" aria-expanded={whole} onClick={() => setWhole(!whole)}>
+            {whole ? "Only the largest systems" : `All ${all.length} systems`}
+          </button>
+        </p>
+      )}
     </Section>
   );
 }
 
 function Unknown({ document }: { document: ReportDocument }) {
-  const ports = document.components.flatMap((component) =>
+  const ports = programs(document).flatMap((component) =>
     component.ports.filter((port) => port.unknown).map((port) => ({ component, port })),
   );
   const missing = new Map<string, Set<string>>();

@@ -24,6 +24,9 @@ export const CONNECTOR_LABELS: Record<ConnectorKind, string> = {
 
 export const portLabel = (kind: string): string => LABELS[kind] ?? kind.replaceAll("_", " ");
 
+/** The kind of a component in words. */
+export const componentKind = (kind: string): string => kind.replaceAll("_", " ");
+
 export const portOrder = (kind: string): number => {
   const at = Object.keys(LABELS).indexOf(kind);
   return at < 0 ? Number.MAX_SAFE_INTEGER : at;

@@ -12,16 +12,20 @@ interface Props {
 
 export function Modal({ open, label, title, onClose, children }: Props) {
   const dialog = useRef<HTMLDialogElement>(null);
+  const told = useRef(0); // closings whose event is to come, perhaps when the dialog is open again
   useEffect(() => {
     if (open) dialog.current?.showModal();
-    else dialog.current?.close();
+    else if (dialog.current?.open) {
+      told.current++;
+      dialog.current.close();
+    }
   }, [open]);
   return (
     <dialog
       ref={dialog}
       class="modal"
       aria-label={label}
-      onClose={onClose}
+      onClose={() => (told.current ? told.current-- : onClose())}
       onClick={(event) => event.target === dialog.current && onClose()}
     >
       {open && (

@@ -2,7 +2,7 @@
 import { useReport } from "../context";
 import type { System } from "../data";
 import { type Route, setParams } from "../route";
-import { shortened } from "./text";
+import { ending } from "./text";
 
 /** The system that the address names, or else the largest one. */
 export function useSystem(route: Route): System | undefined {
@@ -14,6 +14,8 @@ export function useSystem(route: Route): System | undefined {
   );
   return systems.find(({ name }) => name === wanted) ?? largest;
 }
+
+const MOST = 44;
 
 /** Parameters that name something in one system. */
 const OF_ONE_SYSTEM = { focus: null, at: null, groups: null, from: null, to: null };
@@ -30,7 +32,7 @@ export function SystemChoice({ system }: { system: System }) {
     >
       {systems.map(({ name, nodes }) => (
         <option key={name} value={name}>
-          {shortened(name, 90)} ({nodes.length})
+          {ending(name, MOST)} ({nodes.length})
         </option>
       ))}
     </select>

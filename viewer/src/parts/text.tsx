@@ -18,6 +18,10 @@ export function shortened(text: string, most: number): string {
   return `${text.slice(0, head)}…${text.slice(text.length - (most - 1 - head))}`;
 }
 
+/** The end of a text, which of paths is what tells them apart. */
+export const ending = (text: string, most: number): string =>
+  text.length <= most ? text : `…${text.slice(text.length - most + 1)}`;
+
 /** The parts of a name, with places between them where a line may be broken. */
 function breakable(text: string) {
   const parts = text.split(/(?<=[/_:.])/);
