@@ -2,10 +2,10 @@
 
     benchmarks/report_speed.py PAGE... [--runs N] [--where ADDRESS]
 
-PAGE is what `rosarch report` wrote, opened from disk in headless Chromium, in a new browser for each run. *first paint* is the browser's own
-measure, *contents* when the report is there instead of a word to wait, *laid out* when the graph of the largest system (or that which ADDRESS,
-such as `graph?by=none`, names) is drawn; all from the moment when the page is asked for, in seconds, of several runs the median. Needs
-playwright and Chromium, as the tests of the report do. Prints a Markdown table.
+PAGE is what `rosarch report` wrote, opened from disk in headless Chromium, in a new browser for each run. *first paint* is the browser's
+own measure, *contents* when the report is there instead of a word to wait, *laid out* when the graph of the largest system (or that which
+ADDRESS, such as `graph?by=none`, names) is drawn; all from the moment when the page is asked for, in seconds, of several runs the median.
+Needs playwright and Chromium, as the tests of the report do. Prints a Markdown table.
 """
 
 from __future__ import annotations

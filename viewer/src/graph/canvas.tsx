@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { ShownGraph } from "./build";
 import { type Camera, useCamera } from "./camera";
 import { GraphDrawing } from "./drawing";
-import { fitting, LEGIBLE, labelsOf } from "./labels";
+import { fitting, type Label, LEGIBLE, labelsOf } from "./labels";
 import type { Drawing } from "./layout";
 
 interface Props {
@@ -45,7 +45,8 @@ export function GraphCanvas(props: Props) {
   const scene = useRef<SVGGElement>(null);
   const { width, height } = drawing;
   const whole = useMemo(() => ({ x: 0, y: 0, width, height }), [width, height]);
-  const names = useNames(svg, graph, drawing);
+  const labels = useMemo(() => labelsOf(graph, drawing), [graph, drawing]);
+  const names = useNames(svg, labels);
   const camera = useCamera(svg, scene, whole, view, onView, names.scaled);
   useEffect(() => onCamera(camera));
   const rest = () => names.lit(selected ? light(scene.current, selected) : lightAll(scene.current, chain));
@@ -93,7 +94,7 @@ export function GraphCanvas(props: Props) {
       }}
     >
       <g ref={scene}>
-        <GraphDrawing graph={graph} drawing={drawing} filtered={filtered} selected={selected} />
+        <GraphDrawing graph={graph} drawing={drawing} labels={labels} filtered={filtered} selected={selected} />
       </g>
     </svg>
   );
@@ -111,8 +112,7 @@ interface Names {
 }
 
 /** Shows the names that there is room for, of what is lit if anything is; see labels.ts. */
-function useNames(svg: RefObject<SVGSVGElement>, graph: ShownGraph, drawing: Drawing): Names {
-  const labels = useMemo(() => labelsOf(graph, drawing), [graph, drawing]);
+function useNames(svg: RefObject<SVGSVGElement>, labels: readonly Label[]): Names {
   const shown = useRef({ labels, level: Number.NaN, lit: NONE });
   const show = (level: number, lit: ReadonlySet<string>) => {
     const before = shown.current;
@@ -123,8 +123,8 @@ function useNames(svg: RefObject<SVGSVGElement>, graph: ShownGraph, drawing: Dra
     const scale = LEGIBLE * LEVEL ** level;
     svg.current.style.setProperty("--px", `${1 / scale}px`);
     const told = fitting(lit.size ? labels.filter(({ id }) => lit.has(id)) : labels, scale);
-    for (const element of svg.current.querySelectorAll<SVGGElement>("[data-id], [data-frame]"))
-      element.toggleAttribute("data-told", told.has(element.dataset.id ?? element.dataset.frame ?? ""));
+    for (const name of svg.current.querySelectorAll<SVGTextElement>("[data-name]"))
+      name.toggleAttribute("data-told", told.has(name.dataset.name ?? ""));
   };
   return {
     scaled: (scale) => show(Math.floor(Math.log(scale / LEGIBLE) / Math.log(LEVEL)), shown.current.lit),

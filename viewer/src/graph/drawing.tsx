@@ -6,17 +6,19 @@ import { SEVERITY_SIGNS } from "../parts/controls";
 import { CONNECTOR_KINDS, SIGN_PATHS } from "../parts/kinds";
 import { rounded } from "../parts/lines";
 import type { Box, BoxPort, Frame, ShownConnector, ShownGraph } from "./build";
+import type { Label } from "./labels";
 import type { Drawing } from "./layout";
 import { boxLines, connectorLines } from "./measure";
 
 interface Props {
   graph: ShownGraph;
   drawing: Drawing;
+  labels: readonly Label[];
   filtered: boolean;
   selected: string;
 }
 
-export const GraphDrawing = memo(({ graph, drawing, filtered, selected }: Props) => (
+export const GraphDrawing = memo(({ graph, drawing, labels, filtered, selected }: Props) => (
   <>
     <defs>
       {CONNECTOR_KINDS.map((kind) => (
@@ -75,13 +77,20 @@ export const GraphDrawing = memo(({ graph, drawing, filtered, selected }: Props)
         />
       ))}
     </g>
+    <g class="names">
+      {labels.map(({ id, of, text, x, y }) => (
+        <text key={id} class={`name-${of}`} data-name={id} x={x} y={y}>
+          {text}
+        </text>
+      ))}
+    </g>
   </>
 ));
 
 function FrameShape({ frame, at }: { frame: Frame; at: Rectangle | undefined }) {
   if (!at) return null;
   return (
-    <g class="frame" data-frame={frame.id} transform={`translate(${at.x} ${at.y})`}>
+    <g class="frame" transform={`translate(${at.x} ${at.y})`}>
       <rect width={at.width} height={at.height} rx="8" />
       <g
         class="frame-title"
@@ -92,7 +101,7 @@ function FrameShape({ frame, at }: { frame: Frame; at: Rectangle | undefined }) 
       >
         <rect class="hit" width={Math.min(at.width, 24 + frame.label.length * 8)} height="26" />
         <path class="fold" d="M10 10h9l-4.500 6z" />
-        <text class="label" x="25" y="17">
+        <text x="25" y="17">
           {frame.label}
         </text>
       </g>
@@ -171,7 +180,6 @@ function ConnectorShape({ connector, at, pale, selected }: ShapeProps & { connec
       {lines.map((text, number) => (
         <text
           key={`${number}`}
-          class="label"
           x={at.x + at.width / 2}
           y={at.y + at.height / 2 + (number - (lines.length - 1) / 2) * 14 + 4}
         >

@@ -12,8 +12,10 @@ import { boxLines, connectorLines } from "./measure";
 export const LEGIBLE = 0.8;
 
 /** A name: where it is in the drawing, and how wide it is on the screen. */
-interface Label {
+export interface Label {
   id: string;
+  of: "frame" | "box" | "connector";
+  text: string;
   x: number;
   y: number;
   width: number;
@@ -26,24 +28,31 @@ const FRAME_TITLE = { x: 25, y: 9 };
 
 /** The names of a drawing, those that matter most first. */
 export function labelsOf(graph: ShownGraph, drawing: Drawing): Label[] {
-  const placed = (id: string, width: number): Label[] => {
+  const placed = (id: string, of: Label["of"], text: string, width: number): Label[] => {
     const at = drawing.at.get(id);
-    return at ? [{ id, x: at.x + at.width / 2, y: at.y + at.height / 2, width, begins: false }] : [];
+    return at ? [{ id, of, text, x: at.x + at.width / 2, y: at.y + at.height / 2, width, begins: false }] : [];
   };
   const frames = [...graph.frames.values()].flatMap(({ id, label }) => {
     const at = drawing.at.get(id);
     const width = textWidth(label, 12, 600);
-    return at ? [{ id, x: at.x + FRAME_TITLE.x, y: at.y + FRAME_TITLE.y, width, begins: true }] : [];
+    const [x, y] = [(at?.x ?? 0) + FRAME_TITLE.x, (at?.y ?? 0) + FRAME_TITLE.y];
+    return at ? [{ id, of: "frame" as const, text: label, x, y, width, begins: true }] : [];
   });
   const boxes = [...graph.boxes.values()]
     .sort((a, b) => Number(b.isGroup) - Number(a.isGroup) || b.ports.length - a.ports.length)
-    .flatMap((box) => placed(box.id, textWidth(boxLines(box)[0]?.text ?? "", 11, 600)));
+    .flatMap((box) => {
+      const text = boxLines(box)[0]?.text ?? "";
+      return placed(box.id, "box", text, textWidth(text, 11, 600));
+    });
   const ends = (connectors: { sources: unknown[]; sinks: unknown[] }[]) =>
     connectors.reduce((sum, { sources, sinks }) => sum + sources.length + sinks.length, 0);
   const connectors = [...graph.connectors.values()]
     .filter((shown) => connectorLines(shown).length === 1)
     .sort((a, b) => ends(b.connectors) - ends(a.connectors))
-    .flatMap((shown) => placed(shown.id, textWidth(connectorLines(shown)[0] ?? "", 10)));
+    .flatMap((shown) => {
+      const text = connectorLines(shown)[0] ?? "";
+      return placed(shown.id, "connector", text, textWidth(text, 10));
+    });
   return [...frames, ...boxes, ...connectors];
 }
 
