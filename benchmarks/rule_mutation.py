@@ -1,39 +1,49 @@
-"""Measure how well the tests pin the rules of components: clauses that fire, and mutants that are noticed.
+"""Measure how well the tests pin the rules: clauses that fire, and mutants that are noticed.
 
-    benchmarks/rule_mutation.py [FILE...] [--sample N] [--seed N] [--list]
+    benchmarks/rule_mutation.py [FILE...] [--systems] [--sample N] [--seed N] [--list]
 
-The cases are the drop-in tests of `tests/rules`, sources in `tests` that say what is expected of them, and the workspaces of `examples`
-whose models are written by hand. Exit code 1 below the figures to reach: 95 % of the clauses fire, 80 % of the mutants are killed.
+The cases of the rules of components are the drop-in tests of `tests/rules`, sources in `tests` that say what is expected of them, and the
+workspaces of `examples` whose models are written by hand. Those of the rules of systems and of checks are `tests/rules/systems` and
+`tests/rules/checks`. Exit code 1 below the figures to reach: 95 % of the clauses fire, 80 % of the mutants are killed.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 
 from rosarch.datalog import Program, Result
 from rosarch.datalog.mutation import Case, MutationTest, summary, survivors_text
+from rosarch.datalog.rows import Row
 from rosarch.datalog.rule_coverage import coverage
 from rosarch.expectations.alone import Alone
 from rosarch.expectations.cases import Case as Sources
 from rosarch.expectations.cases import find_cases
 from rosarch.expectations.mutation import model_cases, mutation_cases
 from rosarch.expectations.run import Running
+from rosarch.models.checks import read_check
 from rosarch.models.component import ComponentModel, to_json
+from rosarch.models.findings import Check
+from rosarch.models.places import Place
 from rosarch.models.rule_mutation import drop_in_cases, judge_all, mutants_of, workspace_cases
 from rosarch.models.rule_sets import SHIPPED, component_program, rule_set
+from rosarch.models.system.findings import evidence_of, findings, shown_as
 
 TOP = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(TOP / "tests" / "models"))
+sys.path[:0] = [str(TOP / "tests" / folder) for folder in ("rules", "models")]
+import system_cases  # noqa: E402
 import test_behavior  # noqa: E402
+import test_checks  # noqa: E402
+import test_systems  # noqa: E402
 import test_traits  # noqa: E402
 
 TESTS = TOP / "tests"
 RULES = TESTS / "rules"
 FIRED, KILLED = 0.95, 0.80
+Rows = Mapping[str, Collection[Row]]
 
 
 def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
@@ -55,17 +65,45 @@ def behavior(model: ComponentModel) -> object:
     return test_behavior.lines(to_json(model)), test_behavior.normal_lines(to_json(model))
 
 
+def cases_of_systems(program: Program) -> Iterator[Case]:
+    """All that the tests look at of systems: rows, and the findings of a check. Cases that add to what rules derive are left out."""
+    for path in (*test_systems.CASES, *test_checks.CASES):
+        facts, own = system_cases.facts_and_program(path)
+        if own is not program:
+            continue
+        rows = program.evaluate(facts, keep="all").all_rows()
+        name = f"{path.parent.name}/{path.stem}"
+        if path in test_systems.CASES:
+            yield Case(name, rows, frozenset(test_systems.expectations(path)))
+            continue
+        check = read_check(TOP / "rules" / "checks" / f"{path.parent.name}.dl")
+        told = {relation for _, type_ in check.columns for relation in (evidence_of(type_), shown_as(type_))} & program.relations.keys()
+        yield Case(name, rows, frozenset({check.relation, *told}), partial(finds_other, check, program, rows))
+
+
+def finds_other(check: Check, program: Program, usual: Rows, changed: Rows) -> bool:
+    """Whether a check has other findings when some relations have changed."""
+    return found(check, program, {**usual, **changed}) != found(check, program, usual)
+
+
+def found(check: Check, program: Program, rows: Rows) -> set[tuple[str, str]]:
+    """The findings of a check, as `tests/rules/test_checks.py` compares them."""
+    places = {row[0]: Place(*row[1:]) for row in rows["place"]}
+    return {(finding.message, str(finding.place)) for finding in findings([check], Result.of(rows, program), places, "demo")}
+
+
 def main() -> int:
     """Print both figures; with `--list`, what is not pinned."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="*", type=Path, help="mutants of these files of rules alone")
+    parser.add_argument("--systems", action="store_true", help="the rules of systems and checks, not those of components")
     parser.add_argument("--sample", type=int, help="as many mutants, chosen at random; all by default")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int)
     parser.add_argument("--list", action="store_true", help="clauses that never fire and mutants that survive")
     given = parser.parse_args()
-    program = component_program()
-    cases = list(cases_of(program, given.jobs))
+    program = system_cases.whole() if given.systems else component_program()
+    cases = list(cases_of_systems(program) if given.systems else cases_of(program, given.jobs))
     fired = coverage(program, (Result.of(case.rows, program) for case in cases))
     test = MutationTest(program, cases)
     verdicts = judge_all(test, mutants_of(test, given.files, given.sample, given.seed), jobs=given.jobs)
