@@ -14,7 +14,8 @@ known to have; only where its rows differ, what reads it, up to the observed rel
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -31,6 +32,7 @@ from .syntax import Atom, Clause, Literal, Truth, Unit
 from .tree import negate_literal
 
 _ALONE = "_derived by one clause"
+_INSTANCE = re.compile(r"\b(?:\w+\.)+(?=\w+\()")
 PATIENCE = 5.0  # seconds for one mutant on one case: one that takes longer is noticed
 
 _Part = tuple[Program, frozenset[str]]  # and the relations whose rows it is given
@@ -74,6 +76,11 @@ class Mutant:
     def relation(self) -> str:
         """What the clause derives."""
         return self.rules[0].clause.head.name
+
+    @property
+    def written(self) -> tuple[Location, str]:
+        """The place and the change as they are in the text, where instances of a component are one."""
+        return self.location, _INSTANCE.sub("", self.change)
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,6 +277,16 @@ class MutationTest:
         except DatalogError:
             return None
         return {name: frozenset(result.rows(name)) for name in kept}
+
+
+def merged(verdicts: Iterable[Verdict]) -> list[Verdict]:
+    """A verdict for each change of the text: one in a component is noticed when it is in an instance."""
+    found: dict[tuple[Location, str], Verdict] = {}
+    for verdict in verdicts:
+        known = found.setdefault(verdict.mutant.written, verdict)
+        if verdict.killed_by and not known.killed_by:
+            found[verdict.mutant.written] = verdict
+    return list(found.values())
 
 
 def summary(verdicts: Sequence[Verdict]) -> str:

@@ -8,7 +8,7 @@ from itertools import groupby
 from pathlib import Path
 
 from rosarch.datalog import Program
-from rosarch.datalog.mutation import Case, Mutant, MutationTest, Verdict, mutants
+from rosarch.datalog.mutation import Case, Mutant, MutationTest, Verdict, merged, mutants
 from rosarch.datalog.rule_tests import EXPECTED, FACTS, PROGRAM, find_tests
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.limits import LIMITS
@@ -80,4 +80,4 @@ def judge_all(
             if progress is not None:
                 progress("mutants", len(killed), len(chosen))
         tasks = again
-    return [Verdict(chosen[i], found) for i, found in sorted(killed.items()) if found is not None]
+    return merged(Verdict(chosen[i], found) for i, found in sorted(killed.items()) if found is not None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rosarch.datalog import load_program
-from rosarch.datalog.mutation import Case, MutationTest, mutants
+from rosarch.datalog.mutation import Case, MutationTest, merged, mutants
 from rosarch.datalog.program import Program
 
 RULES = """\
@@ -125,3 +125,37 @@ def test_demand_is_not_dropped(tmp_path: Path) -> None:
     assert not any(change.startswith(("6 without", "11 without asked")) for change in found)
     assert {change for change in found if change.startswith("9 ")} == {'9 without X != "q"', '9 X = "q" for X != "q"'}
     assert "11 !asked(X) for asked(X)" in found
+
+
+INSTANCES = """\
+.comp Far {
+  .decl near(x: symbol, y: symbol)
+  .decl far(x: symbol)
+  far(X) :- near(_, X), X != "a".
+}
+.init there = Far
+.init here = Far
+.decl edge(x: symbol, y: symbol)
+.input edge
+there.near(X, Y) :- edge(X, Y).
+here.near(X, X) :- edge(X, _).
+.output there.far
+.output here.far
+"""
+
+
+def test_instances_of_a_component_are_one_text(tmp_path: Path) -> None:
+    """What is noticed in one instance is noticed, though no row tells it in the other."""
+    (tmp_path / "rules.dl").write_text(INSTANCES)
+    program = load_program(tmp_path / "rules.dl")
+    test = MutationTest(program, [case(program, "0", {"edge": [("b", "a")]}, {"there.far", "here.far"})])
+    changed = [mutant for mutant in mutants(test.rules) if mutant.location.line == 4]
+    assert {mutant.written[1] for mutant in changed} == {
+        "without near(_, X)",
+        "!near(_, X) for near(_, X)",
+        'without X != "a"',
+        'X = "a" for X != "a"',
+    }
+    verdicts = [verdict for mutant in changed if (verdict := test.judge(mutant)) is not None]
+    assert [v.killed_by for v in verdicts if v.mutant.change == 'without X != "a"'] == ["0", ""]
+    assert [v.killed_by for v in merged(verdicts) if v.mutant.change == 'without X != "a"'] == ["0"]
