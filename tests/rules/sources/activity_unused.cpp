@@ -21,6 +21,7 @@
 // expect-not: gets_anything(_)
 // expect-not: lasting_class("NeverMade")
 // expect-not: gives_constant(_, _, _, "7")
+// expect-not: _lookup_argument(_, _, _); _sent(_, _); _first_value(_, _)
 #include <csignal>
 #include <memory>
 #include <ros/ros.h>

@@ -8,6 +8,8 @@
 // expect: transition g_step = 5 on periodic
 // expect-only: transition
 // expect: Count = count : { _main_loop(H) }, Count = 1
+// expect: N = count : { _done_before(_, _) }, N = 2
+// expect-not: _comparison(_, _, _, _)
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <unistd.h>

@@ -10,6 +10,7 @@
 // expect: publisher /second/first
 // expect-only: publisher
 // expect: Count = count : { bound_argument(F, I, A), literal(A, "string", _) }, Count = 10
+// expect: N = count : { _passed_to(_, _) }, N = 1
 #include <boost/bind.hpp>
 #include <functional>
 #include <ros/ros.h>

@@ -7,6 +7,7 @@
 # expect: publisher filtered/first
 # expect: publisher filtered/second
 # expect-only: publisher
+# expect-not: _result(_, _); _assigned(_); _passed_to(_, _); _assigned_place(_, _)
 
 import message_filters
 import rospy

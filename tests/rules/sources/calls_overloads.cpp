@@ -17,6 +17,7 @@
 // expect: publisher any_a
 // expect: publisher any_b
 // expect-only: publisher
+// expect: N = count : { template_argument_for(_, _, _, _) }, N = 1
 #include <memory>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>

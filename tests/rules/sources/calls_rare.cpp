@@ -10,6 +10,8 @@
 // expect: publisher base
 // expect: publisher worked
 // expect-only: publisher *
+// expect: _called_inside(_, V), variable_name(V, "action"), 1 = count : { _called_inside(_, _) }
+// expect-not: _assigned(_); timer_variable(_, _); _enters_at(_, _); _of_parameter_type(_); template_made_with(_, _); asks_if_empty(_, _)
 #include <functional>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>

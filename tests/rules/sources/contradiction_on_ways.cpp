@@ -17,6 +17,8 @@
 // expect: transition g_level = 1
 // expect: transition g_level = 2 on /other if "message.data < 0 && !g_simulated"
 // expect-only: transition
+// expect: N = count : { _enters_at(_, _) }, N = 2
+// expect-not: _dropped(_, _, _); _local_made_of_parameter(_, _)
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 

@@ -16,6 +16,7 @@
 // expect: N = count : { feeds_itself(_) }, N = 1
 // expect: N = count : { outer_use(_, _) }, N = 6
 // expect-only: subscriber
+// expect: N = count : { number_variable(_) }, N = 2
 #include <boost/algorithm/string.hpp>
 #include <algorithm>
 #include <cstdio>

@@ -6,6 +6,7 @@
 // expect: field_flow([_, _, "/in"], "data", [_, _, "/out"], "data")
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 2
 // expect-not: flow_always(_, _, _)
+// expect: N = count : { _result(_, _) }, N = 7
 #include <ros/ros.h>
 #include <std_msgs/Float32.h>
 

@@ -7,6 +7,7 @@
 // expect: field_flow([_, _, "/pose"], "position.x", [_, _, "/goal"], "x")
 // expect: Fields = count : { field_flow(_, _, _, _) }, Fields = 1
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 1
+// expect-not: assigned_object(_, _); _entry_call(_, _, _); _frame_of(_, _, _); _answered_to(_, _)
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Pose.h>
 #include <ros/ros.h>

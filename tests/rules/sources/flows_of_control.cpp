@@ -7,6 +7,7 @@
 // expect-not: round_always(_, _)
 // expect-not: sent_untimed(_)
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 2
+// expect: N = count : { _goes_back(_, _) }, N = 1
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>
 #include <std_msgs/Int32.h>

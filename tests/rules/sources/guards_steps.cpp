@@ -13,6 +13,7 @@
 // expect: reactive /mode -> /caught may
 // expect: reactive /mode -> /late may
 // expect: reactive /mode -> /ready may if "!(!ready) && message.data > 3"
+// expect-not: captured(_, _, _); _not_empty_by(_, _, _); _comparison(_, _, _, _); _local_made_of_parameter(_, _); _asks_for_arrival(_, _, _); _lasts(_)
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 #include <stdexcept>

@@ -8,6 +8,7 @@
 // expect-not: subscriber /until_2
 // expect: subscriber ?
 // expect: periodic /half 2 Hz
+// expect: N = count : { _counts_to(_, _) }, N = 2
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <string>

@@ -32,6 +32,7 @@
 // expect: port_quality([_, _, "reset"], "profile", "services")
 // expect: service_client other std_srvs/Trigger
 // expect: port_quality([_, _, "other"], "reliability", "best_effort")
+// expect: N = count : { port_queue(_, _) }, N = 15, 6 = count : { result_value(_, _) }
 #include <memory>
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/bool.hpp>

@@ -36,6 +36,8 @@
 // expect: settled_local(E, "local", Value)
 // expect: settled_local(E, "scaled", Value)
 // expect: Count = count : { stable_condition(E) }, Count = 1
+// expect: N = count : { _result(_, _) }, N = 16
+// expect-not: _generic(_, _); _belongs_to(_, _, _)
 #include <memory>
 #include <ros/ros.h>
 #include <sstream>

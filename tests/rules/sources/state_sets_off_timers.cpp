@@ -3,6 +3,7 @@
 // expect: state ticks_ = 0
 // expect: state made_ = false
 // expect-only: state
+// expect-not: _not_empty_by(_, _, _)
 #include <ros/ros.h>
 
 class Lamp {

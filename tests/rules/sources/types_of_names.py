@@ -11,6 +11,8 @@
 # expect: publisher ? std_msgs/String from_param=~settings unknown="named by parameter ~settings"
 # expect: publisher given_default std_msgs/String from_param=~default
 # expect-only: publisher
+# expect: N = count : { untyped_map_access(_, _) }, N = 1, 2 = count : { field_of_this(_) }
+# expect-not: _result(_, _)
 import rospy
 import std_msgs.msg
 from std_msgs.msg import Bool, Float32, String

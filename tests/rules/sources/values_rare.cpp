@@ -8,6 +8,7 @@
 // expect: subscriber /of_global
 // expect: subscriber /left
 // expect: subscriber /right
+// expect-not: constant_condition(_, _)
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <string>
