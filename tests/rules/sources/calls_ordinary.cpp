@@ -5,7 +5,7 @@
 // expect: subscriber /number std_msgs/Int32 queue=1 callback=onNumber
 // expect: reactive /number -> /answer must
 // expect-only: *
-// expect: Given = count : { _as_given(_, _, _) }, Made = count : { _result(_, _) }, Given = 25, Made = 31
+// expect: Given = count : { as_given(_, _, _) }, Made = count : { _result(_, _) }, Given = 25, Made = 31
 // expect: Reached = count : { value_reaches(_, _, _) }, Typed = count : { chained_type(_, _) }, Templates = count : { template_argument_for(_, _, _, _) }, Reached = 2, Typed = 1, Templates = 1
 //
 // waits, timers and starts

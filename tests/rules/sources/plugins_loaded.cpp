@@ -7,7 +7,7 @@
 // expect: Count = count : { plugin_load_any(C, Base) }, Count = 2
 // expect: Count = count : { plugin_load_any(C, "Tool") }, Count = 1
 // expect: Count = count : { plugin_load_any(C, "Part") }, Count = 1
-// expect: N = count : { _as_given(_, _, _) }, N = 5
+// expect: N = count : { as_given(_, _, _) }, N = 5
 // expect-not: chained_type(_, _); _type_operand(_, _)
 #include <boost/shared_ptr.hpp>
 #include <pluginlib/class_loader.h>
