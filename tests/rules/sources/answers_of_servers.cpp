@@ -1,6 +1,12 @@
 // What comes back to requests and goals is handed to callbacks of their clients.
 // expect-only: reactive * -> *
 // expect-only: transition *
+// expect: N = count : { default_group(_, _) }, N = 3, 2 = count : { asks(_, _, _) }, 2 = count : { future_of(_, _) }
+// expect-not: callback_group(_, _); _group_set(_, _); _another_group(_); exclusive_group(_); _group_made(_, _); _made_otherwise(_); _exclusive(_)
+// expect-not: _keeps_future(_, _); _waits(_, _); _wait_time(_, _); _polled(_); awaits_answer(_, _); _leads_to_wait(_, _); callback_in_group(_, _, _)
+// expect-not: _handed_by(_, _); _kept_in_group(_); _called_for_parameters(_, _); answer_kept_out(_, _, _); _waits_for_answer(_, _)
+// expect-not: _waits_earlier(_, _, _, _); _answer_for(_, _, _); _kept_out(_, _); _in_one_thread(_, _); _runs_callbacks(_); _served_apart(_)
+// expect-not: _group_call(_); _other_executor(_)
 #include <rclcpp/rclcpp.hpp>
 #include <rclcpp_action/rclcpp_action.hpp>
 #include <nav2_msgs/action/navigate_to_pose.hpp>

@@ -22,6 +22,13 @@
 // expect-not: flow_variable(_, _, _); flows_to_sink(_, _); given_to_field(_, _, _); sink_callback(_, _); implicit_port(_, _)
 // expect-not: _implicit(_, _, _, _, _); hidden_site(_, _); hidden_namespace(_, _); port_object(_, _); port_unknown(_, _); port_made_through(_, _)
 // expect-not: _sends_other(_, _, _); _sends_several(_); _data_flow(_, _, _); steps_through(_); may_skip(_, _, _)
+// groups of callbacks, and answers
+// expect-not: callback_group(_, _); _group_set(_, _); default_group(_, _); _another_group(_); _made_on(_, _); exclusive_group(_); _group_made(_, _)
+// expect-not: _made_otherwise(_); _exclusive(_); asks(_, _, _); future_of(_, _); _keeps_future(_, _); _waits(_, _); _wait_time(_, _); _polled(_)
+// expect-not: awaits_answer(_, _); _leads_to_wait(_, _); callback_in_group(_, _, _); _handed_by(_, _); _kept_in_group(_)
+// expect-not: _called_for_parameters(_, _); answer_kept_out(_, _, _); _waits_for_answer(_, _); _waits_earlier(_, _, _, _); _answer_for(_, _, _)
+// expect-not: _kept_out(_, _); _one_node(_, _); _in_one_thread(_, _); _runs_callbacks(_); _served_with_node(_); _served_apart(_); _group_call(_)
+// expect-not: _other_executor(_)
 // qualities
 // expect-not: _calls_quality(_, _); _profile(_, _); _entry_call(_, _, _); port_quality(_, _, _); quality(_, _, _, _)
 // functions that hand on
