@@ -9,7 +9,7 @@
 // expect: transition g_phase = 1 on thread
 // expect: transition g_phase = 2 on main
 // expect-only: transition
-// expect: Count = count : { endless_loop(H) }, Count = 6
+// expect: Count = count : { endless_loop(H) }, Count = 5
 // expect: Count = count : { timed_loop(H, C) }, Count = 4
 // expect: Count = count : { activity(Root, Kind) }, Count = 7
 // expect: activity(F, "end"), function_name(F, "Lasting::~Lasting")

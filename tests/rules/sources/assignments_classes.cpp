@@ -2,10 +2,10 @@
 //
 // expect: N = count : { component_variable(_) }, N = 31
 // expect: N = count : { assignment(_, _, _) }, N = 29
-// expect: N = count : { final_value(_, _) }, N = 33
+// expect: N = count : { final_value(_, _) }, N = 31
 // expect: N = count : { parameter_assigned(_, _) }, N = 5
 // expect: N = count : { part_of_variable(_, _) }, N = 59
-// expect: N = count : { plain_class(Class), location(Class, _, _, _) }, N = 3
+// expect: N = count : { plain_class(Class), location(Class, _, _, _) }, N = 5
 // expect: plain_class("Pose")
 // expect: plain_class("Size")
 // expect: plain_class("Short::Inner")

@@ -17,9 +17,8 @@
 // expect-only: publisher
 // expect-not: reachable(F), function_name(F, Name), contains("never", Name)
 // expect: Count = count : { calls(C, F), function_name(F, "Made::Made") }, Count = 1
-// expect: Count = count : { makes_instance(C, Class) }, Count = 2
+// expect: Count = count : { makes_instance(C, Class) }, Count = 1
 // expect: makes_instance(C, "Made")
-// expect: makes_instance(C, "Unbuilt")
 #include <boost/bind.hpp>
 #include <memory>
 #include <ros/ros.h>

@@ -11,8 +11,7 @@
 // expect: concurrent(F, G), activity(F, "loop"), function_name(as(G, Function), "onIn")
 // expect: concurrent(F, G), function_name(as(F, Function), "onIn"), activity(G, "main")
 // expect-not: concurrent(_, F), activity(F, "signal")
-// expect: Count = count : { locks(F) }, Count = 2
-// expect: locks(F), function_name(F, "lockedStep")
+// expect: Count = count : { locks(F) }, Count = 1
 // expect: locks(F), function_name(F, "onGuarded")
 #include <csignal>
 #include <mutex>
