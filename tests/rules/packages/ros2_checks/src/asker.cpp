@@ -1,4 +1,6 @@
 // Callbacks that wait for answers: in the group of the client, in another one, in a reentrant one, in one that is served apart. A single thread runs them.
+// expect: N = count : { callback_group(_, _) }, N = 5, 4 = count : { default_group(_, _) }, 2 = count : { exclusive_group(_) }, 3 = count : { _group_made(_, _) }, 2 = count : { _exclusive(_) }, 9 = count : { _made_on(_, _) }, 1 = count : { _served_apart(_) }, 1 = count : { single_threaded(_) }
+// expect: N = count : { asks(_, _, _) }, N = 6, 8 = count : { _waits(_, _) }, 2 = count : { _wait_time(_, _) }, 1 = count : { _polled(_) }, 5 = count : { awaits_answer(_, _) }, 5 = count : { _keeps_future(_, _) }, 3 = count : { answer_kept_out(_, _, _) }
 // expect-not: finding callback-deadlock "*/separate,*"
 // expect-not: finding callback-deadlock "*/polled,*"
 // expect-not: finding callback-deadlock "*/later,*"
