@@ -79,13 +79,22 @@ export const GraphDrawing = memo(({ graph, drawing, labels, filtered, selected }
     </g>
     <g class="names">
       {labels.map(({ id, of, text, x, y }) => (
-        <text key={id} class={`name-${of}`} data-name={id} x={x} y={y}>
+        <text
+          key={id}
+          class={`name-${of} ${filtered && !isMatched(graph, id) ? "pale" : ""}`}
+          data-name={id}
+          x={x}
+          y={y}
+        >
           {text}
         </text>
       ))}
     </g>
   </>
 ));
+
+const isMatched = ({ boxes, connectors }: ShownGraph, id: string): boolean =>
+  (boxes.get(id) ?? connectors.get(id))?.matched ?? true;
 
 function FrameShape({ frame, at }: { frame: Frame; at: Rectangle | undefined }) {
   if (!at) return null;

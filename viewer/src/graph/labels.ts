@@ -26,6 +26,9 @@ export interface Label {
 const LINE = 15; // of the screen
 const FRAME_TITLE = { x: 25, y: 9 };
 
+/** What a filter matches comes before what it does not. */
+const first = (a: { matched: boolean }, b: { matched: boolean }) => Number(b.matched) - Number(a.matched);
+
 /** The names of a drawing, those that matter most first. */
 export function labelsOf(graph: ShownGraph, drawing: Drawing): Label[] {
   const placed = (id: string, of: Label["of"], text: string, width: number): Label[] => {
@@ -39,7 +42,7 @@ export function labelsOf(graph: ShownGraph, drawing: Drawing): Label[] {
     return at ? [{ id, of: "frame" as const, text: label, x, y, width, begins: true }] : [];
   });
   const boxes = [...graph.boxes.values()]
-    .sort((a, b) => Number(b.isGroup) - Number(a.isGroup) || b.ports.length - a.ports.length)
+    .sort((a, b) => first(a, b) || Number(b.isGroup) - Number(a.isGroup) || b.ports.length - a.ports.length)
     .flatMap((box) => {
       const text = boxLines(box)[0]?.text ?? "";
       return placed(box.id, "box", text, textWidth(text, 11, 600));
@@ -48,7 +51,7 @@ export function labelsOf(graph: ShownGraph, drawing: Drawing): Label[] {
     connectors.reduce((sum, { sources, sinks }) => sum + sources.length + sinks.length, 0);
   const connectors = [...graph.connectors.values()]
     .filter((shown) => connectorLines(shown).length === 1)
-    .sort((a, b) => ends(b.connectors) - ends(a.connectors))
+    .sort((a, b) => first(a, b) || ends(b.connectors) - ends(a.connectors))
     .flatMap((shown) => {
       const text = connectorLines(shown)[0] ?? "";
       return placed(shown.id, "connector", text, textWidth(text, 10));
