@@ -7,6 +7,8 @@
 // expect-only: *
 // expect: Given = count : { as_given(_, _, _) }, Made = count : { _result(_, _) }, Given = 25, Made = 31
 // expect: Reached = count : { value_reaches(_, _, _) }, Typed = count : { chained_type(_, _) }, Templates = count : { template_argument_for(_, _, _, _) }, Reached = 2, Typed = 1, Templates = 1
+// expect: N = count : { _path(_, _, _) }, N = 9, 12 = count : { _local_made_of_parameter(_, _) }, 4 = count : { _goes_back(_, _) }, 2 = count : { _touched(_) }
+// expect: N = count : { asks_if_empty(_, _) }, N = 1, 1 = count : { decides(_, _) }
 //
 // waits, timers and starts
 // expect-not: _asks_for_arrival(_, _, _); _at_once(_, _, _); _awaited(_); _done_before(_, _); _entered_before(_, _); _limited(_)
