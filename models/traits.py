@@ -42,6 +42,10 @@ TRAITS = {
     "ignores": ("port", "variable", "text"),
     "answers_in": ("port", "port", "variable", "text"),
     "answer_kept_out": ("port", "place", "text"),
+    "declares_without_default": ("place",),
+    "of_inner_node": ("port",),
+    "sent_inactive": ("port", "place", "text"),
+    "timer_waits": ("place", "place", "text", "text"),
     **FLOW_TRAITS,
 }
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.cache import hash_of, rows_digest
 from rosarch.extractor.launch.facts import launch_rows, library_name, started
-from rosarch.extractor.launch.model import Composition, NodeStart
+from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.memo import Memo
@@ -86,11 +86,14 @@ class Components:
                 parts[model.package, model.executable].append(model)
         if not parts:
             return launch
+        composition = launch.composition
         nodes: list[NodeStart] = []
-        for start in launch.composition.nodes:
+        for start in composition.nodes:
             own = parts.get((start.package, start.type), ())
-            nodes += [replace(start, type=model.component, called=start.called and model.node_name) for model in own] or [start]
-        return replace(launch, composition=replace(launch.composition, nodes=tuple(nodes)))
+            made = [replace(start, type=model.component, called=start.called and model.node_name) for model in own]
+            composition = _given_to_each(composition, start, made)
+            nodes += made or [start]
+        return replace(launch, composition=replace(composition, nodes=tuple(nodes)))
 
     def started(self, launch: Launch) -> list[Interface]:
         """The interfaces of those that a launch may start, with those that these load."""
@@ -107,6 +110,21 @@ class Components:
                     found[number] = each
                     waiting.append(each)
         return [found[number] for number in sorted(found)]
+
+
+def _given_to_each(composition: Composition, start: NodeStart, made: Sequence[NodeStart]) -> Composition:
+    """The composition, in which what is set for a program that no launch file names is set for each of the nodes that it makes."""
+    below = f"{start.full_name}/"
+    names = {node.full_name for node in made if start.name is None} - {start.full_name}
+    if not names:
+        return composition
+
+    def spread(settings: Iterable[ParamSetting]) -> tuple[ParamSetting, ...]:
+        own = [setting for setting in settings if f"{setting.name}/".startswith(below)]
+        others = (replace(setting, name=name + setting.name[len(below) - 1 :]) for name in sorted(names) for setting in own)
+        return (*(setting for setting in settings if setting not in own), *others)
+
+    return replace(composition, params=spread(composition.params), unread=spread(composition.unread))
 
 
 @dataclass(frozen=True)

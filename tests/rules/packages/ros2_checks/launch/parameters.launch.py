@@ -18,6 +18,7 @@ def generate_launch_description():
         # expect: finding parameter-type "*/settings/limit is the int 5*reads a double"
         # expect: finding parameter-type "*/settings/step is the int 2*reads a double"
         Node(package='ros2_checks', executable='settings', name='settings', parameters=[wrong, right]),
+        Node(package='ros2_checks', executable='pair', parameters=[{'side': 'inner'}]),
         # expect: finding parameter-type "*/script/rate*reads a double"
         # expect: finding parameter-type "*/script/size*reads a int"
         # expect: finding parameter-type "*/script/name*reads a string"
