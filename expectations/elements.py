@@ -71,7 +71,8 @@ def elements(document: Mapping[str, Any]) -> Iterator[Element]:
     for port in document["ports"]:
         yield _element(port["kind"], port)
     for parameter in document["params"]:
-        yield _element("param", parameter)
+        default = parameter["default"]
+        yield _element("param", {**parameter, "default": f"[{', '.join(map(str, default))}]" if isinstance(default, list) else default})
     for loop in document["periodic"]:
         for port in sent_in_loop(loop) or [""]:
             yield _element("periodic", {**loop, "output": names.get(port, port)})

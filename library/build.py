@@ -94,7 +94,8 @@ def _parameters(accesses: Iterable[Parameter]) -> list[dict[str, Any]]:
         for key, value in _known(type=access.type).items():
             known.setdefault(key, value)
         if access.default not in (None, UNKNOWN):
-            known.setdefault("default", default_value(access))
+            value = default_value(access)
+            known.setdefault("default", access.default if isinstance(value, list) else value)
     return [found[key] for key in sorted(found)]
 
 

@@ -355,12 +355,18 @@ def port_json(port: Port) -> dict[str, Any]:
 _NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?", re.ASCII)
 
 
-def default_value(parameter: Parameter) -> str | float | int | bool | None:
-    """A parameter's default as the value that it is."""
-    return _literal(parameter.default, parameter.type)
+Value = str | float | int | bool | None
 
 
-def _literal(text: str | None, type_: str | None) -> str | float | int | bool | None:
+def default_value(parameter: Parameter) -> Value | list[Value]:
+    """A parameter's default as the value that it is, `[a, b]` as the list that it is."""
+    text = parameter.default
+    if text is not None and parameter.type != "string" and text.startswith("[") and text.endswith("]"):
+        return [_literal(part, None) for part in text[1:-1].split(", ") if part]
+    return _literal(text, parameter.type)
+
+
+def _literal(text: str | None, type_: str | None) -> Value:
     """A text as the value that it is; a string stays the text it is."""
     if text is None or type_ == "string":
         return text

@@ -183,7 +183,19 @@ def test_callbacks(via: str, function: str, display: tuple[str, str], callback: 
 
 @pytest.mark.parametrize(
     ("text", "value"),
-    [("true", True), ("false", False), ("5", 5), ("-5", -5), ("2.5", 2.5), ("1e3", 1000.0), ("image", "image"), ("", ""), ("5m", "5m")],
+    [
+        ("true", True),
+        ("false", False),
+        ("5", 5),
+        ("-5", -5),
+        ("2.5", 2.5),
+        ("1e3", 1000.0),
+        ("image", "image"),
+        ("", ""),
+        ("5m", "5m"),
+        ("[0.5, a]", [0.5, "a"]),
+        ("[]", []),
+    ],
 )
 def test_defaults_are_typed(text: str, value: object) -> None:
     (parameter,) = to_json(
