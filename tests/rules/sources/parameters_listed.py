@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+# Parameters that are declared, or asked for, several at once.
+#
+# expect: param speed = 0.5 op=declare
+# expect: param frame = base op=declare
+# expect: param gains = "[1.0, 2.0]" op=declare
+# expect: param bare op=declare
+# expect: param held = 3 op=declare
+# expect: param speed op=read
+# expect: param frame op=read
+# expect-only: param
+# expect: publisher base
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+HELD = [("held", 3)]
+
+
+class Arm(Node):
+    def __init__(self):
+        super().__init__("arm")
+        self.declare_parameters("", [("speed", 0.5), ("frame", "base"), ("gains", [1.0, 2.0]), ("bare",)])
+        self.declare_parameters(namespace="", parameters=HELD)
+        speed, frame = self.get_parameters(["speed", "frame"])
+        self.create_publisher(String, "base", 1)
+
+
+rclpy.init()
+rclpy.spin(Arm())
