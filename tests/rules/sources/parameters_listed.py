@@ -22,7 +22,7 @@ class Arm(Node):
         super().__init__("arm")
         self.declare_parameters("", [("speed", 0.5), ("frame", "base"), ("gains", [1.0, 2.0]), ("bare",)])
         self.declare_parameters(namespace="", parameters=HELD)
-        speed, frame = self.get_parameters(["speed", "frame"])
+        self.limits = self.get_parameters(["speed", "frame"])
         self.create_publisher(String, "base", 1)
 
 
