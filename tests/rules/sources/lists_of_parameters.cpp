@@ -1,4 +1,8 @@
 // Parameters whose default is a list. The text of a list that is a container's, and of one that only stands for a text.
+#include <memory>
+#include <string>
+#include <vector>
+
 #include <rclcpp/rclcpp.hpp>
 
 class Arm : public rclcpp::Node {
