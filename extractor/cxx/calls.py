@@ -102,11 +102,14 @@ def lower_dependent_construction(body: Body, tree: Tree, type_: Type, values: Tr
 
 
 def lower_base_construction(body: Body, base: Tree, values: list[Tree]) -> str:
-    """Record that a constructor of a template makes its `base`, or leaves all to another constructor, with `values`.
+    """Record that a constructor of a template makes its `base`, one of its fields, or leaves all to another constructor, with `values`.
 
     Clang does not say which of the values is within which: the commas between them do.
     """
     unit, type_ = body.unit, libclang.target(base)
+    field = libclang.cursor_type(type_) if type_.kind == kinds.FIELD else None
+    if field is not None:
+        type_ = libclang.type_declaration(libclang.canonical_type(field))
     span = unit.span_of(base)
     found = [(unit.span_of(tree), tree) for value in values for tree in _all(value) if kinds.is_expression(tree.kind)]
     lowered = []
@@ -119,10 +122,19 @@ def lower_base_construction(body: Body, base: Tree, values: list[Tree]) -> str:
     unit.add("call_unresolved", call, "dependent")
     if type_.kind in kinds.CLASSES:
         unit.add("call_constructs", call, declare_class(unit, type_))
+    if field is not None:
+        unit.add("expr_type", call, declare_type(unit, field))
     for index, argument in enumerate(lowered):
         unit.add("call_argument", call, index, argument)
     body.flow.evaluate(call)
     return call
+
+
+def is_argument_list(body: Body, value: Tree) -> bool:
+    """Whether `value` is several values in brackets: in a template, clang gives them without the construction that they are for."""
+    span = body.unit.span_of(value)
+    bracketed = value.kind == kinds.UNEXPOSED_EXPR and span.file.data[span.begin : span.begin + 1] == b"("
+    return bracketed and len(list(_pieces(span.file.data, span.begin, span.end - 1))) > 1
 
 
 def _all(tree: Tree) -> Iterator[Tree]:

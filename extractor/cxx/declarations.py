@@ -8,6 +8,7 @@ import re
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.includes import SHIPPED
 from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
+from rosarch.extractor.cxx.literals import decode_string
 from rosarch.extractor.cxx.unit import UnitFacts
 
 _FUNCTION_KINDS = {
@@ -141,10 +142,27 @@ def declare_variable(unit: UnitFacts, cursor: Cursor, function: str = "") -> str
         unit.add("variable", identifier, "global")
     unit.declared[cursor.d0 or 0] = unit.declared[pattern.d0 or 0] = identifier
     unit.add("variable_name", identifier, name)
-    unit.add("variable_type", identifier, declared_type(unit, pattern))
+    type_ = declared_type(unit, pattern)
+    unit.add("variable_type", identifier, type_)
     if file.key:
         unit.add("location", identifier, file.key, line, column)
+    elif pattern.kind == kinds.VARIABLE and type_ == _CONSTANT_TEXT and (literal := _literal(pattern)):
+        expr = f"{identifier}:value"
+        unit.add("literal", expr, "string", decode_string(libclang.spelling(literal)))
+        unit.add("variable_initializer", identifier, expr)
     return identifier
+
+
+_CONSTANT_TEXT = "const std::basic_string<char>"
+
+
+def _literal(cursor: Cursor) -> Cursor | None:
+    """The text that a constant of a message is made of, which is declared outside the workspace."""
+    for child in libclang.children(cursor):
+        found = child if child.kind == kinds.STRING else _literal(child)
+        if found is not None:
+            return found
+    return None
 
 
 def declared_type(unit: UnitFacts, cursor: Cursor) -> str:

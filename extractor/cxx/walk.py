@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body
-from rosarch.extractor.cxx.calls import lower_base_construction
+from rosarch.extractor.cxx.calls import is_argument_list, lower_base_construction
 from rosarch.extractor.cxx.declarations import (
     declare_class,
     declare_function,
@@ -110,6 +110,9 @@ def _walk_initialisers(body: Body, tree: Tree) -> None:
     for target, values in initialisers:
         if target is not None and values and _is_unnamed_construction(body, target, values[0]):
             body.unit.add("call_receiver", lower_base_construction(body, target, values), body.this())
+        elif target is not None and values and _is_object(target) and is_argument_list(body, values[0]):
+            field = declare_variable(body.unit, libclang.target(target))
+            body.unit.add("field_initializer", body.function, field, lower_base_construction(body, target, values))
         else:
             _walk_values(body, target, values)
 
@@ -117,6 +120,13 @@ def _walk_initialisers(body: Body, tree: Tree) -> None:
 def _is_unnamed_construction(body: Body, target: Tree, value: Tree) -> bool:
     """In a template, clang gives the arguments of a base's constructor without a call of this."""
     return bool(body.owner) and target.kind == kinds.TYPE_REFERENCE and body.unit.span_of(target).begin < body.unit.span_of(value).begin
+
+
+def _is_object(target: Tree) -> bool:
+    """A field of a class."""
+    if target.kind != kinds.MEMBER_REFERENCE:
+        return False
+    return libclang.type_declaration(libclang.canonical_type(libclang.cursor_type(libclang.target(target)))).kind in kinds.CLASSES
 
 
 def _walk_values(body: Body, target: Tree | None, values: list[Tree]) -> None:

@@ -5,6 +5,7 @@ The structs are plain, not templates; a struct is called `Name_`, so that a fiel
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterable
 
@@ -145,7 +146,10 @@ def ros2_classes(store: MessageStore) -> list[MessageClass]:
 
 
 def _constant(constant: Constant) -> str:
-    if constant.type in ("string", "wstring", "float32", "float64"):
+    if constant.type == "string":
+        text = constant.value[1:-1] if constant.value[:1] in ("'", '"') and constant.value[:1] == constant.value[-1:] else constant.value
+        return f"inline static const std::string {constant.name} = {json.dumps(text)};"
+    if constant.type in ("wstring", "float32", "float64"):
         return f"static const {_CXX[constant.type]} {constant.name};"
     kind = _CXX.get(constant.type, f"{constant.type}_t")
     return f"static constexpr {kind} {constant.name} = {integer_value(constant)};"

@@ -160,6 +160,19 @@ def test_initialisers_of_bases_and_fields(facts_of) -> None:
     assert facts.one("this_use", facts.one("call_receiver", base)) == "B"
 
 
+def test_a_constructor_of_a_template_makes_its_fields(facts_of) -> None:
+    head = "template <class T> struct Client { template <class N> Client(int name, N node, bool own = false); };"
+    facts = facts_of(
+        head
+        + "struct Caller { Client<int> client_; int level_; template <class N> Caller(int n, N node) : client_(n + 1, node, true), level_(n) {} };"
+    )
+    values = {field: facts.show(value) for _, field, value in facts["field_initializer"]}
+    assert values == {"Caller::client_": "Client((n + 1), node, true)", "Caller::level_": "n"}
+    (call,) = [call for call, cls in facts["call_constructs"] if cls == "Client"]
+    assert facts.one("call_unresolved", call) == "dependent"
+    assert facts.one("expr_type", call) == "Client<int>"
+
+
 def test_a_delegating_constructor_calls_the_other_on_this(facts_of) -> None:
     facts = facts_of("struct D { int x_; D(int x) : x_(x) {} D() : D(9) {} };")
     (call,) = [call for call, _ in facts["call"]]
