@@ -1,6 +1,7 @@
 // Ports that objects make which a constructor of a template has for members.
 //
 // expect: service_client ~arm/change_state std_srvs/Trigger
+// expect-not: publisher /never
 // expect: reactive /in -> ~arm/change_state
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/empty.hpp>
@@ -38,7 +39,11 @@ public:
     sub_ = create_subscription<std_msgs::msg::Empty>("/in", 1, [this](const std_msgs::msg::Empty &) { life_->change(); });
   }
 
+  // nobody calls it
+  void later(bool now = true) { other_ = create_publisher<std_msgs::msg::Empty>("/never", 1); }
+
 private:
+  rclcpp::Publisher<std_msgs::msg::Empty>::SharedPtr other_;
   std::shared_ptr<Life> life_;
   rclcpp::Subscription<std_msgs::msg::Empty>::SharedPtr sub_;
 };
