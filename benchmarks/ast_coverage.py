@@ -14,13 +14,13 @@ import re
 import sys
 import tempfile
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.cxx import libclang
-from rosarch.extractor.cxx.heal import lost_calls
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, parsed_unit
 from rosarch.extractor.messages import Interfaces
@@ -96,12 +96,18 @@ def offsets(cursor: libclang.Cursor) -> Iterator[tuple[str, int]]:
     yield libclang.spelling_location(begin)
 
 
+def call_places(rows: Mapping[str, set[tuple[str | int, ...]]]) -> Counter[str]:
+    """How many calls begin where; without those read from text and without operators that clang took for calls."""
+    recovered = {call for call, reason in rows.get("call_unresolved", ()) if reason == "recovered"}
+    return Counter(str(call).rpartition(":")[0] for call, name in rows.get("call", ()) if call not in recovered and name != "?")
+
+
 def measure(unit: CompileUnit, root: Path, finder: HeaderFinder, prelude: Path) -> tuple[list[Measured], int, int]:
     """The files that `unit` compiles, the calls of its first parse, and how many of them are lost by healing."""
     with parsed_unit(unit, root, finder, prelude) as (_first, plain):
         calls = plain.rows
     with parsed_unit(unit, root, finder, prelude, heal=True) as (parsed, facts):
-        lost = sum(lost_calls(calls, facts.rows).values())
+        lost = (call_places(calls) - call_places(facts.rows)).total()
         places: dict[str, set[int]] = {}
         for cursor in libclang.descendants(parsed.cursor):
             for name, offset in offsets(cursor):

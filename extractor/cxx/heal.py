@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.cxx import libclang
-from rosarch.extractor.cxx.unit import UnitFacts
+from rosarch.extractor.cxx.libclang import Cursor
+from rosarch.extractor.cxx.unit import Span, UnitFacts
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
 from rosarch.extractor.files import read_file
 
@@ -50,7 +51,7 @@ _END_EXPECTED = (
 )
 _NAME_ERRORS = ("use of undeclared identifier", "unknown type name", "no template named", "expected class name", "expected namespace name")
 
-Rows = Mapping[str, set[tuple[str | int, ...]]]
+CallPlaces = Counter[tuple[str, int]]
 
 
 @dataclass(frozen=True)
@@ -103,25 +104,36 @@ def worth_healing(facts: UnitFacts, parsed: libclang.Unit) -> bool:
     return any(facts.file(error.file).key for error in _errors(parsed) if error.file)
 
 
-def keeps_calls(first: Rows, healed: Rows) -> bool:
+def keeps_calls(first: CallPlaces, healed: CallPlaces) -> bool:
     """Whether of the calls that clang had found in the first place none is lost, or few, and many more are found."""
-    return sum(lost_calls(first, healed).values()) * _GAIN <= sum(lost_calls(healed, first).values())
+    return (first - healed).total() * _GAIN <= (healed - first).total()
 
 
-def lost_calls(first: Rows, healed: Rows) -> Counter[str]:
-    """The places where fewer calls begin than clang had found in the first place, with how many are gone."""
-    return _call_places(first) - _call_places(healed)
+def call_places(facts: UnitFacts, declarations: Iterable[Cursor]) -> CallPlaces:
+    """How many calls begin where in files of the workspace."""
+    places: CallPlaces = Counter()
+    for declaration in declarations:
+        if facts.locate(libclang.location(declaration))[0].key is None:
+            continue
+        for call in libclang.calls_within(declaration):
+            span = facts.span(call)
+            if not _is_operator(facts, call, span):
+                places[str(span.file.path), span.begin] += 1
+    return places
+
+
+def _is_operator(facts: UnitFacts, call: Cursor, span: Span) -> bool:
+    """Whether clang takes an operator for a call: where it does not know which, nothing opens after the first operand."""
+    name = libclang.spelling(call)
+    if name:
+        return name.startswith("operator") and name != "operator()"
+    callee = facts.span(next(iter(libclang.children(call)), call))
+    return span.file.data[callee.end : span.end].lstrip()[:1] not in (b"(", b"{", b"<")
 
 
 def without_unknown(rows: dict[str, set[tuple[str | int, ...]]]) -> None:
     """Take back the types that stand for unknown ones: no type is what the rules know as unknown."""
     rows["expr_type"] = {row for row in rows["expr_type"] if UNKNOWN not in str(row[1])}
-
-
-def _call_places(rows: Rows) -> Counter[str]:
-    """How many calls begin where; without those read from text and without operators that clang took for calls."""
-    recovered = {call for call, reason in rows.get("call_unresolved", ()) if reason == "recovered"}
-    return Counter(str(call).rpartition(":")[0] for call, name in rows.get("call", ()) if call not in recovered and name != "?")
 
 
 @contextmanager

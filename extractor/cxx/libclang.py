@@ -16,6 +16,8 @@ from typing import Any
 
 import clang.native
 
+from rosarch.extractor.cxx.kinds import CALL
+
 
 class Cursor(Structure):
     """CXCursor. `data[1]` tells expressions and statements apart, `data[0]` declarations."""
@@ -293,6 +295,28 @@ def descendants(cursor: Cursor) -> Iterator[Cursor]:
 
     _visit(cursor, _Visitor(visit), None)
     yield from found
+
+
+_calls: list[Cursor] = []
+
+
+def _collect_call(child: Cursor, _parent: Cursor, _data: Any) -> int:
+    if child.kind == CALL:
+        _calls.append(child)
+    return 2
+
+
+_COLLECT_CALL = _Visitor(_collect_call)
+
+
+def calls_within(cursor: Cursor) -> list[Cursor]:
+    """The calls at and below `cursor`."""
+    if cursor.kind == CALL:
+        _calls.append(cursor)
+    _visit(cursor, _COLLECT_CALL, None)
+    found = _calls[:]
+    _calls.clear()
+    return found
 
 
 def target(tree: Tree) -> Cursor:

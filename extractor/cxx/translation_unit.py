@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,7 +12,7 @@ from pathlib import Path
 from rosarch.extractor.cache import extractor_version, hash_of
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.assumed import assumed_classes
-from rosarch.extractor.cxx.heal import OPTIONS, healed, keeps_calls, without_unknown, worth_healing
+from rosarch.extractor.cxx.heal import OPTIONS, call_places, healed, keeps_calls, without_unknown, worth_healing
 from rosarch.extractor.cxx.includes import CUDA_PRELUDE, Folders, HeaderFinder, Includes, prelude_of, shipped_dirs
 from rosarch.extractor.cxx.libclang import Location
 from rosarch.extractor.cxx.recover import declared_names, recover
@@ -142,14 +142,17 @@ def parsed_unit(
     includes = includes or finder.closure(unit.source, unit.folders)
     arguments = arguments_of(unit, includes, prelude)
     with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
-        facts = _facts(root, includes, parsed, headers)
+        facts, declarations = _declarations(root, includes, parsed, headers)
         if heal and unit.language != "c" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
-                again = _facts(root, includes, better, headers) if better else None
-                if better and again and keeps_calls(facts.rows, again.rows):
-                    without_unknown(again.rows)
-                    yield better, again
-                    return
+                if better:
+                    again, found = _declarations(root, includes, better, headers)
+                    if keeps_calls(call_places(facts, declarations), call_places(again, found)):
+                        _walk(again, found, headers)
+                        without_unknown(again.rows)
+                        yield better, again
+                        return
+        _walk(facts, declarations, headers)
         yield parsed, facts
 
 
@@ -176,8 +179,10 @@ def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProble
         yield path, line, column, f"code from here on may be missing: {message}{more}"
 
 
-def _facts(root: Path, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None) -> UnitFacts:
-    """Walk a parsed unit."""
+def _declarations(
+    root: Path, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None
+) -> tuple[UnitFacts, Sequence[libclang.Cursor]]:
+    """The declarations of a parsed unit that it is to read itself, and the facts that are known without reading them."""
     facts = UnitFacts(root)
     for missing in includes.missing:
         if missing.file.is_relative_to(root):
@@ -193,7 +198,11 @@ def _facts(root: Path, includes: Includes, parsed: libclang.Unit, headers: Share
         if file.key:
             facts.add("lines_skipped", file.key, file.line_column(begin)[0], file.line_column(end)[0])
     cursors = libclang.children(parsed.cursor)
-    for cursor in headers.leave_out(facts, parsed, cursors) if headers else cursors:
+    return facts, headers.leave_out(facts, parsed, cursors) if headers else cursors
+
+
+def _walk(facts: UnitFacts, declarations: Iterable[libclang.Cursor], headers: SharedHeaders | None) -> None:
+    """Add the facts of declarations, and of calls in their text that clang dropped."""
+    for cursor in declarations:
         walk_declaration(facts, cursor)
     recover(facts, [declared_names(facts.rows), *(headers.names if headers else ())])
-    return facts

@@ -61,7 +61,11 @@ def test_what_is_mentioned(live: Live, body: str, used: set[str]) -> None:
 
 
 def test_what_another_source_defines(live: Live) -> None:
-    assert live("void far(); int main() { far(); }", other="void near() {} void far() { near(); }\nvoid lost() {}") == {"main", "far", "near"}
+    assert live("void far(); int main() { far(); }", other="void near() {} void far() { near(); }\nvoid lost() {}") == {
+        "main",
+        "far",
+        "near",
+    }
 
 
 def test_what_overrides_a_function_of_another_source(live: Live) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
 from rosarch.extractor.cxx import libclang, translation_unit
-from rosarch.extractor.cxx.heal import healed, keeps_calls, without_unknown
+from rosarch.extractor.cxx.heal import CallPlaces, healed, keeps_calls, without_unknown
 from rosarch.extractor.cxx.includes import SHIPPED_DIRS
 from rosarch.extractor.cxx.translation_unit import BASE_ARGUMENTS
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
@@ -163,15 +164,25 @@ def _losing(wanted: Wanted) -> Path:
     return folder
 
 
-def test_a_call_is_kept_by_its_place() -> None:
-    first = {"call": {("n.cpp:1:2:call", "a"), ("n.cpp:3:2:call", "b")}, "call_unresolved": set()}
-    moved = {"call": {("n.cpp:1:2:op", "operator()"), ("n.cpp:3:2:call", "b")}, "call_unresolved": set()}
-    lost = {"call": {("n.cpp:1:2:call", "a")}, "call_unresolved": set()}
-    text = {"call": first["call"], "call_unresolved": {("n.cpp:3:2:call", "recovered")}}
-    assert keeps_calls(first, moved)
-    assert not keeps_calls(first, lost)
-    assert not keeps_calls(first, text)
-    assert keeps_calls(text, lost)
+def test_few_calls_may_be_lost_where_many_more_are_found() -> None:
+    first = Counter({("n.cpp", 1): 2, ("n.cpp", 9): 1})
+    assert keeps_calls(first, first)
+    assert not keeps_calls(first, Counter({("n.cpp", 1): 2}))
+    assert not keeps_calls(first, Counter({("n.cpp", 1): 1, ("n.cpp", 9): 1, ("n.cpp", 5): 3}))
+    assert keeps_calls(first, Counter({("n.cpp", 1): 1, ("n.cpp", 9): 1, ("n.cpp", 5): 4}))
+
+
+def test_operators_are_no_calls(extract, monkeypatch: pytest.MonkeyPatch) -> None:
+    places: list[CallPlaces] = []
+    monkeypatch.setattr(translation_unit, "keeps_calls", lambda *given: places.extend(given) or True)
+    code = """
+        struct Sum { Sum operator+(const Sum&); operator int(); int operator()(int); };
+        int plain(int);
+        template <typename T> void f(Sum s, T t) { plain(s + s); s(1); t.later(2) * unheard(3); t * t; }
+    """
+    extract(code)
+    found = [[code[begin:].partition("(")[0] for _, begin in sorted(each)] for each in places]
+    assert found == [["plain", "s", "t.later"], ["plain", "s", "t.later", "unheard"]]
 
 
 def test_types_of_unknown_values_are_taken_back() -> None:

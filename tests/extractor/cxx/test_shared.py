@@ -62,7 +62,9 @@ def read(tmp_path: Path, prelude: Path) -> Callable[..., tuple[Rows, dict[str, s
 
 def united(own: Rows, keys: Mapping[str, str], kept: Kept) -> dict[str, set[tuple[str | int, ...]]]:
     parts = [own, *(kept.rows[key] for key in keys.values())]
-    return {name: rows for name in {name for part in parts for name in part} if (rows := {row for part in parts for row in part.get(name, ())})}
+    return {
+        name: rows for name in {name for part in parts for name in part} if (rows := {row for part in parts for row in part.get(name, ())})
+    }
 
 
 def test_a_header_is_read_once_and_nothing_is_lost(read: Callable) -> None:
