@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle nh; nh.param<int>("p", argc, 3); nh.publish(undeclared);
 #if 0
 #endif
-  int many = node.one(1, 2, 3); callback(static_cast<int>(1.5)); auto text = undeclared("x");
+  int many = node.one(made(1), 2, 3); callback(static_cast<int>(1.5)); auto text = undeclared("x");
   return 0;
 }
 """
