@@ -31,9 +31,11 @@ LARGE = 15_000
 _INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*(?:<([^>\n]+)>|\"([^\"\n]+)\")", re.MULTILINE)
 _UNPREDICTABLE = re.compile(  # a macro's include; a directive that is not written as `_INCLUDE` expects; what another run may see otherwise
     rb"^[ \t]*#[ \t]*include(?:_next)?[ \t]*[A-Za-z_\\/]|^[ \t]*#[ \t]*[a-z]*(?:\\\r?\n|/\*)|^[ \t]*(?:%:|\?\?=)"
-    rb"|\*/[ \t]*#[ \t]*[i\\]|__has_include|__DATE__|__TIME",
+    rb"|\*/[ \t]*#[ \t]*[i\\]|\b__(?:DATE|TIME|TIMESTAMP)__(?!\w)",
     re.MULTILINE,
 )
+_ASKED = re.compile(rb"__has_include(?:_next)?[ \t]*\([ \t]*(?:<([^>\n]+)>|\"([^\"\n]+)\")?")
+"""Whether there is a header: no name when it is a macro that says which."""
 _NO_NAME = (errno.EISDIR, errno.ENOTDIR, errno.EEXIST, errno.ENAMETOOLONG, errno.EINVAL)
 """What the system says of a name that no file can have here."""
 _DEEPEST = 100
@@ -222,7 +224,7 @@ class HeaderFinder:
             except OSError:
                 data = b""
             self._digests[file] = hashlib.sha256(data).digest()
-            if not is_shipped(file) and _UNPREDICTABLE.search(data):
+            if not is_shipped(file) and (_UNPREDICTABLE.search(data) or not _names(_ASKED, data) <= _names(_INCLUDE, data)):
                 self._unpredictable.add(file)
             self._included[file] = [
                 (
@@ -379,3 +381,8 @@ def _headers_below(root: Path) -> dict[str, list[str]]:
             elif entry.name.endswith(_HEADER_SUFFIXES):
                 found.setdefault(entry.name, []).append(entry.path)
     return found
+
+
+def _names(pattern: re.Pattern[bytes], data: bytes) -> set[bytes]:
+    """The headers of directives, "" where they do not say one."""
+    return {(match.group(1) or match.group(2) or b"").strip() for match in pattern.finditer(data)}

@@ -246,6 +246,10 @@ def test_a_callback_parameter_has_its_message_type(flags: list[str]) -> None:
         ("/* c */ #include H\n", False),
         ("%:include H\n", False),
         ("#include_next H\n", False),
+        ("#ifndef A__TIME_H_\n#ifdef __has_include\n#if __has_include(<a.h>)\n#include <a.h>\n#endif\n#endif\n#endif\n", True),
+        ("#if __has_include(<a.h>)\n#include <b.h>\n#endif\n", False),
+        ("#if __has_include(H)\n#endif\n", False),
+        ("const char* built = __DATE__ __TIME__;\n", False),
     ],
 )
 def test_includes_that_macros_decide(tmp_path: Path, text: str, predictable: bool) -> None:
