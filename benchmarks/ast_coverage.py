@@ -142,7 +142,6 @@ def read_system(root: Path, jobs: int) -> tuple[dict[str, tuple[set[Word], set[W
         finder = HeaderFinder(workspace.root, scratch, interfaces.header_text)
 
         def work(unit: CompileUnit) -> tuple[list[Measured], int, int]:
-            sys.setrecursionlimit(20_000)
             return measure(unit, workspace.root, finder, scratch / "prelude.pch")
 
         for index, outcome in run_tasks(work, units, jobs=jobs, timeout=300.0):

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 SOURCE_SECONDS = 60.0
@@ -23,3 +26,15 @@ class Limits:
 
 
 LIMITS = Limits()
+_DEPTH = 20_000
+
+
+@contextmanager
+def deep_recursion() -> Iterator[None]:
+    """Let functions call each other as deeply as expressions and statements of sources are nested."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, _DEPTH))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)

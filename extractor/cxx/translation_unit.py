@@ -21,6 +21,7 @@ from rosarch.extractor.cxx.unit import UnitFacts, file_key
 from rosarch.extractor.cxx.walk import walk_declaration
 from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import path_text
+from rosarch.extractor.limits import deep_recursion
 from rosarch.extractor.workspace.model import ROS1
 
 # gnu++17: the shipped headers need deduction guides; a fixed target: the same types on every host;
@@ -141,7 +142,7 @@ def parsed_unit(
     """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
     includes = includes or finder.closure(unit.source, unit.folders)
     arguments = arguments_of(unit, includes, prelude)
-    with libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
+    with deep_recursion(), libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts, declarations = _declarations(root, includes, parsed, headers)
         if heal and unit.language != "c" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:

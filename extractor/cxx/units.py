@@ -6,7 +6,6 @@ import errno
 import os
 import re
 import shutil
-import sys
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -106,7 +105,6 @@ class UnitReader:
     def read(self, unit: CompileUnit) -> UnitFile:
         """Extract one unit."""
         start = time.perf_counter()
-        sys.setrecursionlimit(20_000)
         includes = self.finder.closure(unit.source, unit.folders)
         key = unit_key(unit, self.root, includes, self.finder)
         problems: list[SourceProblem] = []

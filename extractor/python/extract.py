@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.diagnostics import SourceProblem, why
 from rosarch.extractor.files import path_text
 from rosarch.extractor.flow import Flow
+from rosarch.extractor.limits import deep_recursion
 from rosarch.extractor.workspace.model import PythonEntry
 
 from .body import Body, Facts
@@ -22,15 +22,14 @@ from .scopes import open_module
 from .source import Problem, read_source
 
 Rows = dict[str, set[tuple[str | int, ...]]]
-RECURSION = 20_000
 
 
 def extract_program(root: Path, entry: PythonEntry) -> tuple[Rows, list[SourceProblem]]:
     """The facts of the component that `entry` starts, and what was not understood of its sources."""
-    sys.setrecursionlimit(max(sys.getrecursionlimit(), RECURSION))
     problems: list[SourceProblem] = []
-    modules = {module.name: module for name, path in entry.modules for module in _read(root, entry, name, path, problems)}
-    rows = _rows(modules, entry, problems) if modules else {}
+    with deep_recursion():
+        modules = {module.name: module for name, path in entry.modules for module in _read(root, entry, name, path, problems)}
+        rows = _rows(modules, entry, problems) if modules else {}
     return rows, problems
 
 

@@ -31,6 +31,7 @@ from rosarch.extractor.pool import Failure, default_jobs, run_tasks  # noqa: E40
 SLOW = 3.0
 """Seconds of processor time that no input of this size may take."""
 MEMORY = 1 << 30
+"""Bytes that a worker may have beyond those that it begins with."""
 _BATCH = 50
 _HANG = 30.0
 OWN_PROCESS = frozenset({"cxx"})
@@ -59,6 +60,7 @@ def inputs(target: Target, count: int, seed: int) -> list[bytes]:
 def defects(target: Target, given: Sequence[bytes], jobs: int) -> Iterator[Defect]:
     """Those of the inputs that `target` cannot take."""
     top = Path(tempfile.mkdtemp(prefix="rosarch-fuzz-"))
+    memory = MEMORY + _addresses()
     try:
         os.environ["ROSARCH_CACHE_DIR"] = str(top / "cache")
 
@@ -67,12 +69,12 @@ def defects(target: Target, given: Sequence[bytes], jobs: int) -> Iterator[Defec
 
         batches = [given[begin : begin + _BATCH] for begin in range(0, len(given), _BATCH)]
         again: list[bytes] = []
-        for index, outcome in run_tasks(work, batches, jobs=jobs, timeout=_HANG, memory=MEMORY):
+        for index, outcome in run_tasks(work, batches, jobs=jobs, timeout=_HANG, memory=memory):
             if isinstance(outcome, Failure):
                 again += batches[index]
             else:
                 yield from (Defect(target.name, batches[index][at], reason) for at, reason in outcome)
-        for index, outcome in run_tasks(work, [[data] for data in again], jobs=jobs, timeout=_HANG / 3, memory=MEMORY):
+        for index, outcome in run_tasks(work, [[data] for data in again], jobs=jobs, timeout=_HANG / 3, memory=memory):
             if isinstance(outcome, Failure):
                 if target.name not in OWN_PROCESS:
                     yield Defect(target.name, again[index], f"{outcome.reason}: {outcome.detail}")
@@ -80,6 +82,12 @@ def defects(target: Target, given: Sequence[bytes], jobs: int) -> Iterator[Defec
                 yield from (Defect(target.name, again[index], reason) for _, reason in outcome)
     finally:
         shutil.rmtree(top, ignore_errors=True)
+
+
+def _addresses() -> int:
+    """Bytes of the addresses of this process, which may have run other tests: its workers begin with as many."""
+    sizes = Path("/proc/self/statm")
+    return int(sizes.read_text().split()[0]) * resource.getpagesize() if sizes.exists() else 0
 
 
 def _tried(target: Target, batch: Iterable[bytes], folder: Path) -> Iterator[tuple[int, str]]:

@@ -401,14 +401,12 @@ def source_text(data: bytes, folder: Path) -> None:
 )
 def cxx(data: bytes, folder: Path) -> None:
     """A C++ source: parsed, healed, walked. A crash of libclang costs its process; what is asked for here is that nothing else happens."""
-    import sys
 
     from rosarch.extractor.cxx import libclang
     from rosarch.extractor.cxx.includes import HeaderFinder
     from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit
     from rosarch.extractor.facts import validate
 
-    sys.setrecursionlimit(20_000)
     prelude, scratch = folder / "prelude.pch", folder / "scratch"
     scratch.mkdir(exist_ok=True)
     if not prelude.is_file():

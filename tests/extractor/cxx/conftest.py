@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
@@ -165,7 +164,7 @@ def prelude(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def extract(tmp_path: Path, prelude: Path) -> Iterator[Callable[..., Snippet]]:
+def extract(tmp_path: Path, prelude: Path) -> Callable[..., Snippet]:
     """Extract a source of a small tree of files; every row is checked against the schema."""
     root = tmp_path / "src"
     finder = HeaderFinder(root, tmp_path / "scratch", lambda _name: None)
@@ -181,10 +180,7 @@ def extract(tmp_path: Path, prelude: Path) -> Iterator[Callable[..., Snippet]]:
         validate(rows)
         return Snippet(rows, path)
 
-    limit = sys.getrecursionlimit()
-    sys.setrecursionlimit(20_000)  # as in the pipeline's workers
-    yield extract_one
-    sys.setrecursionlimit(limit)
+    return extract_one
 
 
 @pytest.fixture
