@@ -205,6 +205,16 @@ def near(transform: str) -> re.Pattern[str]:
     return re.compile(rf"translate\({around[0]}(?:\.\d+)? {around[1]}(?:\.\d+)?\) scale")
 
 
+def settled(page: Any) -> str:
+    """Where the graph lies once it is laid out and fitted."""
+    seen, latest = "", page.locator("svg.graph > g").get_attribute("transform")
+    while latest != seen:
+        page.wait_for_timeout(500)
+        page.get_by_role("button", name="Fit").click()
+        seen, latest = latest, page.locator("svg.graph > g").get_attribute("transform")
+    return latest
+
+
 def test_graph_controls(reader: Reader) -> None:
     page = reader.open(f"graph?system={DELIVERY}")
     boxes, connectors = page.locator(".box"), page.locator(".connector")
@@ -228,7 +238,7 @@ def test_graph_controls(reader: Reader) -> None:
     page.get_by_role("button", name="only these").click()
     expect(boxes).to_have_count(2)
     assert connectors.count() >= 1
-    before = page.locator("svg.graph > g").get_attribute("transform")
+    before = settled(page)
     for name in ("Zoom in", "Zoom out", "Fit"):
         page.get_by_role("button", name=name).click()
     page.mouse.move(640, 500)
