@@ -14,7 +14,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.cxx import libclang
+from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.libclang import Cursor
 from rosarch.extractor.cxx.unit import Span, UnitFacts
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
@@ -115,10 +115,11 @@ def call_places(facts: UnitFacts, declarations: Iterable[Cursor]) -> CallPlaces:
     for declaration in declarations:
         if facts.locate(libclang.location(declaration))[0].key is None:
             continue
-        for call in libclang.calls_within(declaration):
-            span = facts.span(call)
-            if not _is_operator(facts, call, span):
-                places[str(span.file.path), span.begin] += 1
+        for cursor in libclang.descendants(declaration):
+            if cursor.kind == kinds.CALL:
+                span = facts.span(cursor)
+                if not _is_operator(facts, cursor, span):
+                    places[str(span.file.path), span.begin] += 1
     return places
 
 

@@ -16,8 +16,6 @@ from typing import Any
 
 import clang.native
 
-from rosarch.extractor.cxx.kinds import CALL
-
 
 class Cursor(Structure):
     """CXCursor. `data[1]` tells expressions and statements apart, `data[0]` declarations."""
@@ -285,37 +283,19 @@ def tree(cursor: Cursor) -> Tree:
     return root
 
 
-def descendants(cursor: Cursor) -> Iterator[Cursor]:
-    """All cursors below `cursor`, each before those below it."""
-    found: list[Cursor] = []
-
-    def visit(child: Cursor, _parent: Cursor, _data: Any) -> int:
-        found.append(Cursor.from_buffer_copy(child))
-        return 2
-
-    _visit(cursor, _Visitor(visit), None)
-    yield from found
-
-
-_calls: list[Cursor] = []
-
-
-def _collect_call(child: Cursor, _parent: Cursor, _data: Any) -> int:
-    if child.kind == CALL:
-        _calls.append(child)
+def _descend(child: Cursor, _parent: Cursor, _data: Any) -> int:
+    _found.append(child)
     return 2
 
 
-_COLLECT_CALL = _Visitor(_collect_call)
+_DESCEND = _Visitor(_descend)
 
 
-def calls_within(cursor: Cursor) -> list[Cursor]:
-    """The calls at and below `cursor`."""
-    if cursor.kind == CALL:
-        _calls.append(cursor)
-    _visit(cursor, _COLLECT_CALL, None)
-    found = _calls[:]
-    _calls.clear()
+def descendants(cursor: Cursor) -> list[Cursor]:
+    """All cursors below `cursor`, each before those below it."""
+    _visit(cursor, _DESCEND, None)
+    found = _found[:]
+    _found.clear()
     return found
 
 

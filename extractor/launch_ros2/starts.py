@@ -202,24 +202,25 @@ def _private(name: str) -> str:
 
 
 def _refer(world: World, package: str, executable: str, place: Place) -> None:
-    if not package or world.state.unknowns.is_open(package):
-        return
-    packages = world.state.files.packages
-    folder = packages.find(package)
-    world.references.append(PackageNamed(package, folder, place))
-    if folder is not None and not world.state.unknowns.is_open(executable):
-        world.references.append(ProgramNamed(package, executable, os.path.basename(executable) in packages.names_in(folder), place))
+    names = _names_in(world, package, place)
+    if names is not None and not world.state.unknowns.is_open(executable):
+        world.references.append(ProgramNamed(package, executable, os.path.basename(executable) in names, place))
 
 
 def _refer_to_component(world: World, package: str, plugin: str, place: Place) -> None:
+    names = _names_in(world, package, place)
+    if names is not None and plugin and not world.state.unknowns.is_open(plugin):
+        world.references.append(ComponentNamed(package, plugin, plugin.rpartition("::")[2] in names, place))
+
+
+def _names_in(world: World, package: str, place: Place) -> frozenset[str] | None:
+    """The names that the build files of a package say, which is named at `place`; None when it is not known or there is none."""
     if not package or world.state.unknowns.is_open(package):
-        return
+        return None
     packages = world.state.files.packages
     folder = packages.find(package)
     world.references.append(PackageNamed(package, folder, place))
-    if plugin and folder is not None and not world.state.unknowns.is_open(plugin):
-        mentioned = plugin.rpartition("::")[2] in packages.names_in(folder)
-        world.references.append(ComponentNamed(package, plugin, mentioned, place))
+    return None if folder is None else packages.names_in(folder)
 
 
 def _given(made: Made) -> list[Given]:
