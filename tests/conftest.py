@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import gc
+import time
 from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -49,6 +52,27 @@ def rosarch(capfd: pytest.CaptureFixture[str]) -> Callable[..., Outcome]:
         return Outcome(code, captured.out, captured.err)
 
     return run
+
+
+@contextmanager
+def _at_most(seconds: float) -> Iterator[None]:
+    gc.disable()
+    start = time.thread_time()
+    try:
+        yield
+        cost = time.thread_time() - start
+    finally:
+        gc.enable()
+    assert cost < seconds
+
+
+@pytest.fixture
+def at_most() -> Callable[[float], AbstractContextManager[None]]:
+    """What is done within takes less than some seconds of this thread's processor time.
+
+    Neither other processes count nor the collection of garbage that other tests left, which may take seconds.
+    """
+    return _at_most
 
 
 @pytest.fixture
