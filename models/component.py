@@ -218,8 +218,14 @@ def _qualities(relations: Relations) -> dict[Any, tuple[tuple[str, str], ...]]:
     found: dict[Any, list[tuple[str, str]]] = defaultdict(list)
     for (port, policy), values in settings.items():
         if len(values) == 1:
-            found[port].append((policy, values[0]))
+            found[port].append((policy, _setting(values[0])))
     return {port: tuple(sorted(policies)) for port, policies in found.items()}
+
+
+def _setting(text: str) -> str:
+    """A setting as it is told: what was calculated, a time, as its number."""
+    number = calculated(text) if text.startswith("(") else None
+    return text if number is None else format(number, "g")
 
 
 def _short_name(owner: str, name: str) -> str:

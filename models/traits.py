@@ -21,6 +21,7 @@ TRAITS = {
     "sent_at_start": ("port", "place"),
     "sent_in_a_row": ("port", "place"),
     "serves_callbacks": ("place",),
+    "serves_one": ("place",),
     "awaits": ("port", "port", "variable"),
     "never_is": ("place", "variable", "text"),
     "changed_at_once": ("variable", "place", "place"),

@@ -131,9 +131,12 @@ def test_qualities_that_are_told() -> None:
         (OUT, "durability", "volatile"),
         (OUT, "durability", "transient_local"),
         (OUT, "history", "keep_last"),
+        (OUT, "deadline", "(250)/(1000.0)"),
+        (OUT, "lifespan", "unknown"),
     ]
     document = to_json(model(**RELATIONS, port_quality=rows))
-    assert [port.get("qos") for port in document["ports"]] == [{"history": "keep_last", "reliability": "reliable"}, None]
+    told = {"deadline": "0.25", "history": "keep_last", "lifespan": "unknown", "reliability": "reliable"}
+    assert [port.get("qos") for port in document["ports"]] == [told, None]
 
 
 def test_the_middleware_and_managed_nodes() -> None:
