@@ -131,7 +131,7 @@ def _within(offset: int, ranges: Sequence[tuple[int, int]]) -> bool:
 def read_system(root: Path, jobs: int) -> tuple[dict[str, tuple[set[Word], set[Word]]], int, int, list[str]]:
     """Per file the words compiled in some unit and those found in some unit; calls, lost calls, failed sources."""
     workspace = discover(root)
-    interfaces, commands = Interfaces.of(workspace.packages), read_compile_commands(workspace.root)
+    interfaces, commands = Interfaces.of(workspace.packages, workspace.root), read_compile_commands(workspace.root)
     units = sorted({unit for component in components(workspace) for unit in compile_units(workspace, component, commands)}, key=repr)
     files: dict[str, tuple[set[Word], set[Word]]] = {}
     calls = lost = 0

@@ -51,7 +51,7 @@ def seconds(work: Callable[[], object]) -> float:
 
 def measure(workspace: Workspace, units: Sequence[CompileUnit], scratch: Path) -> dict[str, float]:
     """One round: the time of each column, over all sources."""
-    interfaces = Interfaces.of(workspace.packages)
+    interfaces = Interfaces.of(workspace.packages, workspace.root)
     finder = HeaderFinder(workspace.root, scratch, interfaces.header_text)
     aside = UnitReader(workspace.root, finder, scratch, None)
     reader = UnitReader(workspace.root, finder, scratch / "extraction", None)

@@ -141,7 +141,7 @@ def extract(
     with ExitStack() as confinement:
         confinement.enter_context(confined([root, *ros_package_path()]))
         workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
-        interfaces = Interfaces.of(workspace.packages)
+        interfaces = Interfaces.of(workspace.packages, workspace.root)
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
         extraction = Extraction(workspace.root, diagnostics=noticed, programs=programs(workspace) | registered(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())

@@ -16,6 +16,7 @@ from typing import NamedTuple
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range, Tree, Type
 from rosarch.extractor.files import path_text, read_file
+from rosarch.extractor.messages.parameter_library import made_from
 
 TEXT_LIMIT = 2000
 
@@ -131,7 +132,8 @@ class UnitFacts:
                 data = read_file(path)
             except OSError:
                 data = b""
-            relative = path_text(path.relative_to(self.root)) if path.is_relative_to(self.root) else None
+            relative = path_text(path.relative_to(self.root)) if path.is_relative_to(self.root) else made_from(data)
+            path = self.root / relative if relative else path
             key = file_key(relative) if relative else None
             if key and relative:
                 self._sources.add((key, relative))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.workspace.model import ROS1, ROS2, Package
@@ -11,6 +12,7 @@ from rosarch.extractor.workspace.model import ROS1, ROS2, Package
 from .classes import MessageClass, message_classes
 from .headers import header_text
 from .model import Config, MessageStore
+from .parameter_library import ParameterHeaders
 from .ros2 import Ros2Headers, ros2_classes
 from .store import load_messages
 
@@ -22,15 +24,16 @@ class Interfaces:
     ros1: MessageStore | None
     ros2: MessageStore | None
     _headers: Ros2Headers | None
+    _parameters: ParameterHeaders
 
     @classmethod
-    def of(cls, packages: Iterable[Package]) -> Interfaces:
+    def of(cls, packages: Iterable[Package], root: Path) -> Interfaces:
         """Read what the packages define; a definition may be used by both middlewares."""
         packages = list(packages)
         used = {package.middleware for package in packages}
         ros1 = load_messages(packages) if ROS1 in used or not used else None
         ros2 = load_messages(packages, middleware=ROS2) if ROS2 in used else None
-        return cls(ros1, ros2, Ros2Headers(ros2) if ros2 else None)
+        return cls(ros1, ros2, Ros2Headers(ros2) if ros2 else None, ParameterHeaders.of(packages, root))
 
     @property
     def _stores(self) -> list[MessageStore]:
@@ -39,12 +42,15 @@ class Interfaces:
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """What was not understood, each once."""
-        return tuple(dict.fromkeys(problem for store in self._stores for problem in store.diagnostics))
+        problems = [problem for store in self._stores for problem in store.diagnostics]
+        return tuple(dict.fromkeys([*problems, *self._parameters.diagnostics]))
 
     def header_text(self, header: str) -> str | None:
         """The text of a generated header by the name that code includes it by."""
         text = header_text(self.ros1, header) if self.ros1 else None
-        return text if text is not None or self._headers is None else self._headers.text(header)
+        if text is None and self._headers is not None:
+            text = self._headers.text(header)
+        return self._parameters.texts.get(header) if text is None else text
 
     def classes(self) -> list[MessageClass]:
         """The C++ classes that stand for interfaces."""

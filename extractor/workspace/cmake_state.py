@@ -111,6 +111,7 @@ class PackageDraft:
     service_files: list[str] = field(default_factory=list)
     action_files: list[str] = field(default_factory=list)
     cfg_files: list[str] = field(default_factory=list)
+    parameter_files: list[tuple[str, str]] = field(default_factory=list)
     configured: list[tuple[str, str]] = field(default_factory=list)
     component_nodes: list[tuple[str, str, str, int]] = field(default_factory=list)
     plugin_exports: list[tuple[str, str]] = field(default_factory=list)

@@ -15,7 +15,7 @@ from .commands_find import exported, find_one
 from .commands_targets import add_target, find_target
 from .commands_values import parse_keywords
 from .evaluator import Evaluator, command
-from .model import EXECUTABLE, SHARED, TEST
+from .model import EXECUTABLE, INTERFACE, SHARED, TEST
 
 
 @command("catkin_package")
@@ -71,6 +71,19 @@ def _generate_dynamic_reconfigure_options(run: Evaluator, call: Call) -> None:
             run.draft.cfg_files.append(path)
         else:
             run.complain(call.command, "missing-interface", f"no file {name}")
+
+
+@command("generate_parameter_library")
+def _generate_parameter_library(run: Evaluator, call: Call) -> None:
+    """A library of a header alone, made of a YAML file."""
+    if len(call.args) < 2:
+        return
+    path = run.source_path(call.args[1])
+    if os.path.isfile(path):
+        run.draft.parameter_files.append((call.args[0], path))
+    else:
+        run.complain(call.command, "missing-interface", f"no file {call.args[1]}")
+    add_target(run, call, call.args[0], INTERFACE, [])
 
 
 @command("catkin_add_gtest", "catkin_add_gmock", "catkin_add_executable_with_gtest", "catkin_add_executable_with_gmock",

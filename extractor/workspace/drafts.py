@@ -52,6 +52,7 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         service_files=_files(draft.service_files),
         action_files=_files(draft.action_files),
         cfg_files=_files(draft.cfg_files),
+        parameter_files=tuple((name, Path(path)) for name, path in draft.parameter_files),
         plugin_exports=exports,
         plugins=(*plugins, *components),
         configured=tuple(Configured(Path(template), Path(output)) for template, output in draft.configured),

@@ -111,6 +111,7 @@ class Package:
     service_files: tuple[Path, ...] = ()
     action_files: tuple[Path, ...] = ()
     cfg_files: tuple[Path, ...] = ()
+    parameter_files: tuple[tuple[str, Path], ...] = ()
     plugin_exports: tuple[tuple[str, Path], ...] = ()
     plugins: tuple[PluginClass, ...] = ()
     configured: tuple[Configured, ...] = ()

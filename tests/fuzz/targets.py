@@ -339,6 +339,24 @@ def reconfigure_cfg(data: bytes, folder: Path) -> None:
         str(problem)
 
 
+@target('here: type: double default_value: [ ] { } __map_a: string_array_fixed_2 none read_only: !!python & * \\t - # ? | > "')
+def parameter_library(data: bytes, folder: Path) -> None:
+    """The YAML file of a library of parameters: the header that it makes has its lines."""
+    from rosarch.extractor.messages.parameter_library import ParameterHeaders, made_from
+    from rosarch.extractor.workspace import Package
+
+    path = folder / "here" / "parameters.yaml"
+    path.write_bytes(data)
+    package = Package("here", folder / "here", folder / "here" / "package.xml", parameter_files=(("parameters", path),))
+    found = ParameterHeaders.of([package], folder)
+    for problem in found.diagnostics:
+        str(problem)
+    for name, text in found.texts.items():
+        made = made_from(text.encode())
+        if name.startswith("rosarch_parameters/") and made != "here/parameters.yaml":
+            raise ValueError(f"made from {made}")
+
+
 @target(
     "<library <class path= name= type= base_class_type= <class_libraries> </library> <description> <?xml ?> <!DOCTYPE <!ENTITY &x; </several><several>"
 )
