@@ -1,17 +1,19 @@
 """The rules behind a compiled program, as syntax: what explanations, coverage and the reference work on.
 
-A compiled program keeps the text of its files; they are parsed again here, once per program and process.
+A compiled program keeps the text of its files; they are parsed again here, and kept on disk as the program is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
+from . import cache
 from .clause_text import TOKEN
+from .engine import collector_paused
 from .errors import Location, Report
 from .inference import ClauseTypes
 from .parser import parse_text
@@ -24,11 +26,13 @@ from .tree import Include, Item
 from .types import Types
 
 if TYPE_CHECKING:
+    from .match import Lifted
     from .program import Program
 
 _LIMIT = 8  # programs that are kept
 _LONGEST = 200  # lines of a clause
 _known: dict[tuple[str, ...], Rules] = {}
+_ENTRY = "rules"
 
 
 @dataclass(frozen=True)
@@ -51,6 +55,12 @@ class Rule:
         """`path:line` of the clause."""
         return f"{self.location.path}:{self.location.line}"
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "types": self.types.in_order(self.clause)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state, types=ClauseTypes.of_ordered(state["types"], state["clause"]))
+
 
 @dataclass(frozen=True, eq=False)
 class Rules:
@@ -61,11 +71,18 @@ class Rules:
     types: Types
     strata: tuple[tuple[str, ...], ...]
     by_head: Mapping[str, tuple[Rule, ...]]
+    lifted: dict[int, Lifted] = field(default_factory=dict)
+    """By number, what matching has made of rules."""
 
     @cached_property
     def all(self) -> tuple[Rule, ...]:
         """Every clause, in source order."""
         return tuple(sorted((r for rules in self.by_head.values() for r in rules), key=lambda r: r.number))
+
+    @cached_property
+    def inputs(self) -> frozenset[str]:
+        """The relations whose rows may be given."""
+        return frozenset(directive.relation for directive in self.unit.directives if directive.kind == "input")
 
     @cached_property
     def reads(self) -> Mapping[str, frozenset[str]]:
@@ -109,10 +126,22 @@ def rules_of(program: Program) -> Rules:
     key = (program.hash, *program.sources)  # the hash is one of contents only
     found = _known.get(key)
     if found is None:
-        found = _read(program)
+        found = _kept(program)
         while len(_known) >= _LIMIT:
             _known.pop(next(iter(_known)))
         _known[key] = found
+    return found
+
+
+def _kept(program: Program) -> Rules:
+    """The rules as they were when this program was read last."""
+    files = list(map(Path, program.sources))
+    with collector_paused():
+        known = cache.load(files, _ENTRY)
+    if known is not None and known[0] == program.hash:
+        return cast(Rules, known[1])
+    found = _read(program)
+    cache.store(files, _ENTRY, {}, (program.hash, found))
     return found
 
 

@@ -6,9 +6,9 @@ constraint narrows the sets of the terms it touches until nothing changes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from .functors import FUNCTORS, INFIX, Overload
 from .syntax import (
@@ -56,6 +56,31 @@ class ClauseTypes:
     def of(self, term: Argument) -> TypeSet:
         """The possible types of a term."""
         return self.sets.get(key_of(term))
+
+    def in_order(self, clause: Clause) -> Ordered:
+        """What is known, without identities of terms: they are other ones in another process."""
+        terms = [(self.sets.get(id(term)), self.overloads.get(id(term))) for term in _terms(clause)]
+        return {key: found for key, found in self.sets.items() if isinstance(key, str)}, terms
+
+    @classmethod
+    def of_ordered(cls, known: Ordered, clause: Clause) -> ClauseTypes:
+        """What `in_order` told, of the same clause."""
+        variables, terms = known
+        found = cls(dict(variables))
+        for term, (types, overloads) in zip(_terms(clause), terms, strict=True):
+            if types is not None:
+                found.sets[id(term)] = types
+            if overloads is not None:
+                found.overloads[id(term)] = overloads
+        return found
+
+
+Ordered: TypeAlias = tuple[dict[Key, TypeSet], list[tuple[TypeSet, list[Overload] | None]]]
+"""Types by variable, and types and overloads of all terms in source order."""
+
+
+def _terms(clause: Clause) -> Iterator[Any]:
+    return (term for literal in clause_literals(clause) for term in walk(literal))
 
 
 class Inference:

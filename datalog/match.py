@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .domain import EvaluationError, domain
 from .errors import DatalogError, Diagnostic
@@ -36,6 +36,9 @@ from .syntax import (
 )  # fmt: skip
 from .terms import Bound, Terms, opaque
 from .types import Types
+
+if TYPE_CHECKING:
+    from .clauses import Rule, Rules
 
 HEAD = -1
 
@@ -78,30 +81,43 @@ class Planned:
     swapped: bool = False  # an equation that binds its left side
 
 
-class Body:
-    """The literals of a clause, or of a query, ready to be matched.
+class Lifted:
+    """The literals of a clause, or of a query, as steps, and what computes its terms: the same for all rows."""
 
-    `needed`: variables whose values are wanted besides those in the literals.
-    """
-
-    def __init__(self, literals: Sequence[Literal], head: Atom | None, types: Types, clause_types: ClauseTypes, store: RowStore) -> None:
-        self.store = store
+    def __init__(self, literals: Sequence[Literal], head: Atom | None, types: Types, clause_types: ClauseTypes) -> None:
         self.types = types
-        self.literals = tuple(literals)
-        self.head = head
         self.terms = Terms(types, clause_types)
-        self.normaliser = Normaliser(clause_types)
-        self.given = grounded_variables(literals)
+        self.normaliser = Normaliser(clause_types)  # it keeps the terms alive that it makes
+        given = grounded_variables(literals)
         self.steps: list[tuple[int, Step]] = []
         for number, literal in enumerate(literals):
-            for step in self.normaliser.body([literal], set(), self.given, top=True):
+            for step in self.normaliser.body([literal], set(), given, top=True):
                 self.steps.append((number, step))
         self.head_args: tuple[Argument, ...] = ()
         if head is not None:
             lifted: list[Step] = []
-            self.head_args = self.normaliser.head(head, lifted, self.given).args
+            self.head_args = self.normaliser.head(head, lifted, given).args
             self.steps += [(HEAD, step) for step in lifted]
+
+
+class Body:
+    """The literals of a clause, ready to be matched with the rows of a store."""
+
+    def __init__(self, lifted: Lifted, store: RowStore) -> None:
+        self.store = store
+        self.types = lifted.types
+        self.terms = lifted.terms
+        self.steps = lifted.steps
+        self.head_args = lifted.head_args
         self._plans: dict[tuple[frozenset[str], frozenset[str], bool], list[Planned]] = {}
+
+    @classmethod
+    def of(cls, rule: Rule, rules: Rules, store: RowStore) -> Body:
+        """The body of a rule; what is the same for all stores is kept."""
+        lifted = rules.lifted.get(rule.number)
+        if lifted is None:
+            lifted = rules.lifted[rule.number] = Lifted(rule.clause.body, rule.clause.head, rules.types, rule.types)
+        return cls(lifted, store)
 
     # -- heads --------------------------------------------------------------------------------------
 

@@ -93,7 +93,7 @@ class _Finder:
         return show_row(relation, row, [a.type for a in self.rules.relations[relation].attributes], self.rules.types)
 
     def failure(self, rule: Rule, goal: Goal) -> RuleFailure:
-        body = Body(rule.clause.body, rule.clause.head, self.rules.types, rule.types, self.store)
+        body = Body.of(rule, self.rules, self.store)
         opened = body.open(goal.args)
         plain = Writer(self.rules.types, rule.types)
         if opened is None:

@@ -130,7 +130,7 @@ class Prover:
     def body(self, rule: Rule) -> Body:
         """The body of a rule, prepared once."""
         if rule.number not in self.bodies:
-            self.bodies[rule.number] = Body(rule.clause.body, rule.clause.head, self.rules.types, rule.types, self.store)
+            self.bodies[rule.number] = Body.of(rule, self.rules, self.store)
         return self.bodies[rule.number]
 
     def clauses(self, relation: str) -> list[Rule]:
@@ -151,7 +151,7 @@ class Prover:
 
     def _given(self, node: Node) -> Derivation | None:
         """The derivation of a row that is there from the start."""
-        is_input = any(d.kind == "input" and d.relation == node[0] for d in self.rules.unit.directives)
+        is_input = node[0] in self.rules.inputs
         if is_input and self.store.given(*node):
             return Derivation("input")
         facts = self._first(node, [r for r in self.clauses(node[0]) if not r.clause.body])
@@ -167,7 +167,7 @@ class Prover:
 
     def _unfounded(self, node: Node) -> Derivation:
         """What is left: facts that are not known, or a derivation through rows that are gone."""
-        is_input = any(d.kind == "input" and d.relation == node[0] for d in self.rules.unit.directives)
+        is_input = node[0] in self.rules.inputs
         return Derivation("input" if is_input and self.store.given(*node) is None else "unexplained")
 
     def _search(self, goal: Node) -> None:

@@ -62,7 +62,7 @@ class Collector:
     def _fires(self, rule: Rule, store: RowStore) -> bool:
         if any(isinstance(literal, Atom) and not store.count(literal.name) for literal in rule.clause.body):
             return False
-        body = Body(rule.clause.body, rule.clause.head, self.rules.types, rule.types, store)
+        body = Body.of(rule, self.rules, store)
         return next(body.solve({}), None) is not None
 
     def coverage(self) -> Coverage:

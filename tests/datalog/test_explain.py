@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from rosarch.datalog import DatalogError, Layout, Program, Proof, Result, explain, explain_all, load_program, proof_text, row_store
+from rosarch.datalog import DatalogError, Layout, Program, Proof, Result, clauses, explain, explain_all, load_program, proof_text, row_store
 from rosarch.datalog.proofs import Absent, AggregateValue, Condition
 
 GRAPH = """.decl edge(a: symbol, b: symbol)
@@ -53,6 +53,22 @@ def test_recursion_and_negation(show: Callable[..., str]) -> None:
         '├─ !blocked("d")  absent\n'
         '└─ "a" != "d"\n'
     )
+
+
+def test_rules_that_were_read_before_are_not_parsed_again(load: Callable[[str], Program], monkeypatch: pytest.MonkeyPatch) -> None:
+    source = (
+        GRAPH + '.decl long(a: symbol, n: float)\nlong(X, N / 2.0) :- X = cat("no", to_string(K)), K = 1 + 2 * 3, N = to_float("1.5").\n'
+    )
+    program, goals = load(source), ("path(a, d)", "hub(_, _)", "long(_, _)")
+    first = [proof_text(explain(program, FACTS, goal)) for goal in goals]
+    assert 'long("no7", 0.75)' in first[-1]
+
+    def refuse(*_: Any) -> None:
+        raise AssertionError("parsed again")
+
+    monkeypatch.setattr(clauses, "_known", {})
+    monkeypatch.setattr(clauses, "parse_text", refuse)
+    assert [proof_text(explain(program, FACTS, goal)) for goal in goals] == first
 
 
 def test_aggregates_with_their_rows(show: Callable[..., str]) -> None:
