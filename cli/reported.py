@@ -6,11 +6,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rosarch.cli.check_options import load_configuration, make_policy
-from rosarch.cli.derivations import datalog_errors
+from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.inputs import check_sources
-from rosarch.cli.proven import prove
+from rosarch.cli.proven import prove_components
 from rosarch.cli.questions import SystemQuestion
-from rosarch.cli.systems import load_systems, tell_systems
+from rosarch.cli.systems import tell_systems
 
 if TYPE_CHECKING:
     from rosarch.models.configuration import Configuration
@@ -31,7 +31,8 @@ def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, pr
         checks = system_rules(rules).checks
     configuration = load_configuration(folder, None, checks)
     analysis = question.analysis(rules, folder, None)
-    composed = load_systems(question.inputs(rules), configuration)
+    followed = replace(rules, flows=chains)
+    composed, told = tell_systems(question.inputs(followed), configuration, shorten if proofs else None)
     reported = _judged(question, rules, configuration, composed)
     return Subject(
         title=folder.resolve().name,
@@ -40,8 +41,8 @@ def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, pr
         systems=composed.systems,
         reported=reported,
         diagnostics=tuple(dict.fromkeys((*analysis.diagnostics, *composed.diagnostics))),
-        told=tell_systems(question.inputs(replace(rules, flows=True) if chains else rules), configuration),
-        derivations=prove(question, rules, configuration, reported) if proofs else {},
+        told=told,
+        derivations=prove_components(question, followed) if proofs else {},
         link=link,
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -123,13 +123,18 @@ def load_surrounding(inputs: SystemInputs, configuration: Configuration | None =
             return surrounding(inputs.folder, launches, _reading(inputs, configuration, report), _memo(inputs, where)), launches
 
 
-def tell_systems(inputs: SystemInputs, configuration: Configuration | None = None) -> Mapping[str, Told]:
-    """How often topics of these systems are sent on, and by rules of data flow what influences what."""
+def tell_systems(
+    inputs: SystemInputs, configuration: Configuration, shorten: Callable[[str], str] | None
+) -> tuple[SystemAnalysis, Mapping[str, Told]]:
+    """The systems, how often their topics are sent on, by rules of data flow what influences what, and (see `tell`) why all that is so."""
     from rosarch.models.system.told import tell
 
     shared, launches = load_surrounding(inputs, configuration)
     with progress() as report:
-        return tell(shared, launches, _reading(inputs, configuration, report))
+        analysis, told = tell(shared, launches, _reading(inputs, configuration, report), shorten)
+    if not analysis.systems:
+        check_diagnostics(inputs.folder, 0, analysis.diagnostics)
+    return analysis, told
 
 
 def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:

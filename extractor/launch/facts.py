@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.files import path_text
 
-from .arguments import node_arguments
+from .arguments import NodeArguments, node_arguments
 from .model import (
     ArgumentDeclared,
     ArgumentUsed,
@@ -52,9 +52,8 @@ class _Writer:
         self.rows: Rows = {}
 
     def write(self, composition: Composition) -> Rows:
-        names: Counter[str] = Counter()
-        for node in composition.nodes:
-            self.node(node, names)
+        for start, node in starts(composition):
+            self.node(start, node)
         for setting in composition.params:
             self.param(setting)
         for setting in composition.unread:
@@ -87,7 +86,7 @@ class _Writer:
 
     def path(self, path: str) -> str:
         """`path` relative to the root when it is below it."""
-        return _path_below(self.root, os.path.abspath(path))
+        return path_below(self.root, path)
 
     def place(self, place: Place) -> str:
         """The key of a place."""
@@ -96,13 +95,10 @@ class _Writer:
         self.add("place", key, path, place.line, place.column)
         return key
 
-    def node(self, node: NodeStart, names: Counter[str]) -> None:
+    def node(self, start: str, node: NodeStart) -> None:
         """A node, with what its command line says."""
         arguments = node_arguments(node)
-        namespace = canonical(global_namespace(arguments.namespace)) if arguments.namespace else canonical(node.namespace) or "/"
-        name = ns_join(namespace, node.name or node.called or "")
-        names[name] += 1
-        start = name if names[name] == 1 else f"{name}#{names[name]}"
+        namespace, name = _names(node, arguments)
         self.add("started", start, node.package, node.type)
         self.add("started_name", start, name, namespace)
         self.add("started_version", start, node.ros)
@@ -172,8 +168,25 @@ class _Writer:
                 self.add("home_path", place, named.element, named.path)
 
 
+def starts(composition: Composition) -> Iterator[tuple[str, NodeStart]]:
+    """The nodes, each with what rows call it, its name or what tells it from others of that name."""
+    names: Counter[str] = Counter()
+    for node in composition.nodes:
+        name = _names(node, node_arguments(node))[1]
+        names[name] += 1
+        yield name if names[name] == 1 else f"{name}#{names[name]}", node
+
+
+def _names(node: NodeStart, arguments: NodeArguments) -> tuple[str, str]:
+    """Namespace and full name."""
+    namespace = canonical(global_namespace(arguments.namespace)) if arguments.namespace else canonical(node.namespace) or "/"
+    return namespace, ns_join(namespace, node.name or node.called or "")
+
+
 @lru_cache(maxsize=4096)
-def _path_below(root: str, full: str) -> str:
+def path_below(root: str, path: str) -> str:
+    """`path` relative to the folder when it is below it."""
+    full = os.path.abspath(path)
     return path_text(Path(os.path.relpath(full, root))) if full.startswith(root + os.sep) else path_text(Path(full))
 
 

@@ -26,7 +26,7 @@ class Place:
 
 @dataclass(frozen=True)
 class Condition:
-    """An `if` (`holds`) or `unless` whose value cannot be known: what carries it is there in one of two alternatives.
+    """An `if` (`holds`) or `unless`. One whose value cannot be known: what carries it is there in one of two alternatives.
 
     `key` is equal for conditions that have the same value, `text` is what is shown.
     """
@@ -69,6 +69,7 @@ class NodeStart:
 
     `namespace` begins and ends with a slash; `respawn_delay` is in seconds. `ros` is the version of ROS. Where a launch file of ROS 2 does
     not name a node, `called` is what it may be called; with a `container` (its absolute name), `type` is a class that is loaded there.
+    `conditions` are those that cannot be known, `held` those that are known to hold.
     """
 
     package: str
@@ -91,6 +92,7 @@ class NodeStart:
     ros: int = 1
     called: str | None = None
     container: str | None = None
+    held: tuple[Condition, ...] = ()
 
     @property
     def full_name(self) -> str:

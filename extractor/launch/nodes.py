@@ -72,6 +72,8 @@ def namespace_of(state: State, element: Element, scope: Scope, conditions: tuple
     if namespace == "":
         raise LaunchError("namespace", "", f"<{element.tag}> has an empty `ns`")
     child = scope.child(namespace, conditions)
+    if not conditions:
+        child.held += state.condition_written(element)
     if state.flag(state.text(element, "clear_params", scope) or None, "clear_params"):
         if node_name is None and namespace is None:
             raise LaunchError("clear-params", element.tag, f"<{element.tag}> needs an attribute `ns` for `clear_params`")
@@ -130,6 +132,7 @@ def _start(state: State, element: Element, scope: Scope, name: str, conditions: 
         launch_prefix=found.optional["launch-prefix"] or None,
         environment=tuple(below.environment),
         conditions=outer.conditions,
+        held=outer.held,
     )
     _check(state, started)
     return started

@@ -29,6 +29,7 @@ class Scope:
     anonymous: dict[str, str] = field(default_factory=dict)
     passes_all: bool = False
     conditions: tuple[Condition, ...] = ()
+    held: tuple[Condition, ...] = ()
     lines: tuple[Place, ...] = ()
 
     def child(self, namespace: str | None, conditions: tuple[Condition, ...] = ()) -> Scope:
@@ -53,6 +54,7 @@ class Scope:
             maybe_declared=dict(self.maybe_declared),
             anonymous=dict(self.anonymous),
             conditions=self.conditions + conditions,
+            held=self.held,
             lines=self.lines,
         )
 

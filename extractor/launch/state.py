@@ -169,6 +169,11 @@ class State:
         except ValueError as error:
             raise LaunchError("condition", text, f"{'if' if holds else 'unless'}: {error}") from None
 
+    def condition_written(self, element: Element) -> tuple[Condition, ...]:
+        """The `if` or `unless` of an element, as written."""
+        found = [(name, element.attributes[name]) for name in ("if", "unless") if name in element.attributes]
+        return tuple(Condition(text, name == "if", self.here, text) for name, text in found)
+
     def _unknown_condition(self, text: str, holds: bool, scope: Scope) -> tuple[Condition, ...] | None:
         """A condition is new unless the element is already within the same one, or within its contrary."""
         condition = Condition(self.unknowns.render(text), holds, self.here, text)

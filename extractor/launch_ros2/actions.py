@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import ArgumentDeclared, LaunchError, Remap
 from rosarch.extractor.launch.names import canonical
 from rosarch.extractor.launch.scope import Scope
 
-from .conditions import holds
+from .conditions import condition_held, holds
 from .context import Context, Given
 from .expressions import Raised
 from .registry import NATIVES
@@ -99,7 +99,8 @@ def conditional(world: World, condition: Any, context: Context) -> Iterator[bool
     """Whether the condition of an action lets it start; what follows is under it when that cannot be known."""
     found = holds(world, condition, context)
     if isinstance(found, bool):
-        yield found
+        with context.since(condition_held(world, condition)) if found and condition is not None else nullcontext():
+            yield found
     elif not context.allows(found):
         yield False
     else:

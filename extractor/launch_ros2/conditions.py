@@ -61,3 +61,21 @@ def _compared(world: World, condition: Made, context: Context) -> bool | Conditi
 
 def _open(world: World, text: str, wanted: bool) -> Condition:
     return Condition(world.state.unknowns.render(text), wanted, world.state.here, text)
+
+
+def condition_held(world: World, condition: Any) -> Condition:
+    """A condition that holds, as it is written."""
+    wanted = not isinstance(condition, Made) or condition.kind != "UnlessCondition"
+    text = _written(world, condition)
+    return Condition(text, wanted, condition.place if isinstance(condition, Made) else world.state.here, text)
+
+
+def _written(world: World, value: Any) -> str:
+    if isinstance(value, (list, tuple)):
+        return "".join(_written(world, part) for part in value)
+    if not isinstance(value, Made):
+        return world.state.unknowns.render(world.as_text(value))
+    parts = [_written(world, part) for part in value.arguments.values()]
+    if value.kind in ("IfCondition", "UnlessCondition"):
+        return "".join(parts)
+    return f"{value.kind}({', '.join(parts)})"

@@ -36,6 +36,7 @@ class Context:
     remaps: tuple[Remap, ...] = ()
     params: tuple[Given, ...] = ()
     conditions: tuple[Condition, ...] = ()
+    held: tuple[Condition, ...] = ()
     lines: tuple[Place, ...] = ()
     loop: dict[str, Any] = field(default_factory=dict)
 
@@ -66,6 +67,16 @@ class Context:
             yield
         finally:
             self.conditions = kept
+
+    @contextmanager
+    def since(self, condition: Condition) -> Iterator[None]:
+        """What happens meanwhile happens since this condition holds."""
+        kept = self.held
+        self.held = (*kept, condition)
+        try:
+            yield
+        finally:
+            self.held = kept
 
     @contextmanager
     def included(self, file: str, place: Place) -> Iterator[None]:

@@ -137,6 +137,7 @@ def _start(
         respawn=made.arguments.get("respawn") is True,
         output=made.arguments["output"] if isinstance(made.arguments.get("output"), str) else None,
         conditions=context.conditions,
+        held=context.held,
         ros=2,
         called=called,
         container=container,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -20,6 +20,7 @@ from rosarch.models.system.rows import Rows
 from rosarch.models.system.surrounding import Launch, Surrounding, SystemFacts, surrounding
 
 if TYPE_CHECKING:
+    from rosarch.datalog import Result
     from rosarch.models.rule_sets import SystemRules
 
 
@@ -46,18 +47,24 @@ def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | N
     """
     reading = reading or Reading()
     shared = surrounding(root, launches, reading, memo)
-    composed: dict[int, Composed] = {}
-    diagnostics = list(shared.diagnostics)
+    found: dict[int, Composed | Failure] = {}
     for index, outcome in each_system("system", shared, launches, reading, _system):
+        found[index] = outcome
+        if reading.progress:
+            reading.progress("systems", len(found), len(launches))
+    return gathered(shared, launches, found)
+
+
+def gathered(shared: Surrounding, launches: Sequence[Launch], found: Mapping[int, Composed | Failure]) -> SystemAnalysis:
+    """What was found of launches, by their indices, as one."""
+    made = {index: outcome for index, outcome in found.items() if not isinstance(outcome, Failure)}
+    diagnostics = list(shared.diagnostics)
+    for index, outcome in found.items():
         if isinstance(outcome, Failure):
             detail = f"{launches[index].name} not composed: {outcome.reason} ({outcome.detail})"
-            diagnostics.append(Diagnostic("launch", root, 1, 1, detail))
-        else:
-            composed[index] = outcome
-        if reading.progress:
-            reading.progress("systems", len(composed), len(launches))
-    systems = sorted((system for system, _ in composed.values()), key=lambda system: system.name)
-    raised = [finding for index in sorted(composed) for finding in composed[index][1]]
+            diagnostics.append(Diagnostic("launch", shared.root, 1, 1, detail))
+    systems = sorted((system for system, _ in made.values()), key=lambda system: system.name)
+    raised = [finding for index in sorted(made) for finding in made[index][1]]
     return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
 
 
@@ -118,10 +125,16 @@ class SystemCache:
 
 
 def _system(rules: SystemRules, launch: Launch, rows: Rows, reading: Reading) -> Composed:
-    from rosarch.models.system.build import evaluate, system_model
+    from rosarch.models.system.build import evaluate
+
+    return composed(rules, launch, rows, evaluate(rules, rows, reading.engine))
+
+
+def composed(rules: SystemRules, launch: Launch, rows: Rows, result: Result) -> Composed:
+    """The model of a system and its findings, from what rules derived."""
+    from rosarch.models.system.build import system_model
     from rosarch.models.system.findings import findings
 
-    result = evaluate(rules, rows, reading.engine)
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
     return system_model(launch.name, launch.words, rows, result, places), findings(rules.checks, result, places, launch.name)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 from rosarch.datalog import Result
 from rosarch.models.places import Place
@@ -14,8 +14,10 @@ from rosarch.models.system.model import Connector, Inclusion, SystemModel, Syste
 from rosarch.models.system.rows import Rows
 
 
-def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] = ()) -> Result:
+def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] | Literal["all"] = ()) -> Result:
     """What the rules derive of a system: its model, the findings and, if asked for, the relations in `keep`."""
+    if keep == "all":
+        return rules.program.evaluate(rows, engine=engine, keep=keep)
     types = {type_ for check in rules.checks for _, type_ in check.columns}
     helpers = {relation for type_ in types for relation in (evidence_of(type_), shown_as(type_)) if relation in rules.program.relations}
     wanted = [*rules.program.outputs, *(check.relation for check in rules.checks), *sorted(helpers), *keep]

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
+from rosarch.datalog import Result
 from rosarch.extractor.pool import Failure
+from rosarch.models.derivations import Derivations
 from rosarch.models.rule_sets import SystemRules
-from rosarch.models.system.analysis import each_system
+from rosarch.models.system.analysis import Composed, SystemAnalysis, composed, each_system, gathered
+from rosarch.models.system.build import evaluate
 from rosarch.models.system.rates import RATE_RELATIONS, TopicRate, all_rates
 from rosarch.models.system.reading import Reading
+from rosarch.models.system.reasons import Started, system_reasons
 from rosarch.models.system.rows import Rows
 from rosarch.models.system.surrounding import Launch, Surrounding
 
@@ -31,26 +35,45 @@ class InfluenceStep:
 
 @dataclass(frozen=True)
 class Told:
-    """Of one system; without rules of data flow there are no `steps`, but None."""
+    """Of one system; without rules of data flow there are no `steps`, but None, and without proofs no `reasons`."""
 
     rates: tuple[TopicRate, ...]
     steps: tuple[InfluenceStep, ...] | None = None
+    reasons: Derivations | None = None
 
 
-def tell(shared: Surrounding, launches: Sequence[Launch], reading: Reading) -> Mapping[str, Told]:
-    """By the systems' names; a system that takes too long is left out."""
-    found: dict[str, Told] = {}
-    for done, (index, outcome) in enumerate(each_system("told", shared, launches, reading, _told), 1):
-        if not isinstance(outcome, Failure):
-            found[launches[index].name] = outcome
+def tell(
+    shared: Surrounding, launches: Sequence[Launch], reading: Reading, shorten: Callable[[str], str] | None
+) -> tuple[SystemAnalysis, Mapping[str, Told]]:
+    """The systems, and what is told of each by its name; with proofs, when it is told how paths of rule files are shown.
+
+    Rules are evaluated once for all of that.
+    """
+
+    def make(rules: SystemRules, launch: Launch, rows: Rows, reading: Reading) -> tuple[Composed, Told]:
+        result = evaluate(rules, rows, reading.engine, "all" if shorten else (*RATE_RELATIONS, *(_STEPS if reading.rules.flows else ())))
+        told = _told(result, reading)
+        if shorten:
+            composition = shared.components.with_nodes(launch).composition
+            told = replace(
+                told,
+                reasons=system_reasons(
+                    rules, rows, result, launch.name, Started(composition, shared.root), shorten, chains=reading.rules.flows
+                ),
+            )
+        return composed(rules, launch, rows, result), told
+
+    found: dict[int, tuple[Composed, Told] | Failure] = {}
+    for index, outcome in each_system("proven" if shorten else "told", shared, launches, reading, make):
+        found[index] = outcome
         if reading.progress:
-            reading.progress("rates", done, len(launches))
-    return found
+            reading.progress("systems", len(found), len(launches))
+    systems = {index: outcome if isinstance(outcome, Failure) else outcome[0] for index, outcome in found.items()}
+    told = {launches[index].name: outcome[1] for index, outcome in found.items() if not isinstance(outcome, Failure)}
+    return gathered(shared, launches, systems), told
 
 
-def _told(rules: SystemRules, _launch: Launch, rows: Rows, reading: Reading) -> Told:
-    wanted = (*RATE_RELATIONS, *(_STEPS if reading.rules.flows else ()))
-    result = rules.program.evaluate(rows, engine=reading.engine, keep=wanted)
+def _told(result: Result, reading: Reading) -> Told:
     rates = tuple(all_rates(result))
     if not reading.rules.flows:
         return Told(rates)

@@ -25,7 +25,7 @@ from rosarch.reports.printable import all_printable
 class Subject:
     """What a report is about.
 
-    `told` is by the names of systems, `derivations` by those of components and systems, `link` is the pattern of links to a forge.
+    `told` is by the names of systems, `derivations` by those of components, `link` is the pattern of links to a forge.
     """
 
     title: str
@@ -50,15 +50,30 @@ def report_document(subject: Subject, read: Callable[[str], str | None]) -> dict
         "findings": findings_data(subject.reported, read),
         "diagnostics": [_diagnostic(diagnostic, subject.folder.absolute()) for diagnostic in subject.diagnostics],
     }
+    data["proofs"] = {name: _proofs(found) for name, found in sorted(_derivations(subject).items())}
     data["sources"] = excerpts(places_in(data), read)
-    data["proofs"] = {name: _proofs(found) for name, found in sorted(subject.derivations.items())}
     return all_printable(data)
 
 
+def _derivations(subject: Subject) -> dict[str, Derivations]:
+    """The proofs of components and systems; each finding is proven in the first system that has it."""
+    found = dict(subject.derivations)
+    told = {(finding.systems[0], f"finding {finding.fingerprint}") for finding in subject.reported.shown if finding.systems}
+    told |= {(finding.systems[0], f"finding {finding.fingerprint}") for finding in subject.reported.known if finding.systems}
+    for name, system in subject.told.items():
+        if system.reasons:
+            found[name] = system.reasons.of(lambda key, name=name: not key.startswith("finding ") or (name, key) in told)  # type: ignore[misc]
+    return found
+
+
 def _proofs(found: Derivations) -> dict[str, Any]:
-    """Steps as text, rule, numbers of the steps they rest on, and 1 where more is left out."""
-    steps = [[step.text, step.rule, list(step.premises), int(step.cut)] for step in found.steps]
-    return {"steps": steps, "roots": dict(found.roots)}
+    """Steps as text, rule, numbers of the steps they rest on, 1 where more is left out, and a number of `places` where one is known."""
+    places: dict[str, int] = {}
+    steps: list[list[Any]] = []
+    for step in found.steps:
+        at = [places.setdefault(str(step.at), len(places))] if step.at else []
+        steps.append([step.text, step.rule, list(step.premises), int(step.cut), *at])
+    return {"steps": steps, "roots": dict(found.roots), "places": list(places)}
 
 
 def _diagnostic(diagnostic: Diagnostic, folder: Path) -> dict[str, Any]:

@@ -15,7 +15,7 @@ AROUND = 3
 WIDEST = 240
 """Characters of a line."""
 _PLACE = re.compile(r"(.+):([1-9][0-9]*)", re.DOTALL)
-_PLACES = frozenset({"at", "sent_at", "timed_by", "lines"})
+_PLACES = frozenset({"at", "sent_at", "timed_by", "lines", "places"})
 """The fields of the document that hold places."""
 
 

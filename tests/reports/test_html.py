@@ -101,14 +101,22 @@ def test_components_connectors_and_findings_are_proven(delivery: str, document: 
     for number in roots.values():
         text, rule, premises, _cut = steps[number]
         assert premises and rule.startswith("rules/core/"), text
-    assert any(rule == "input" for _text, rule, _premises, _cut in steps)
-    proven = {root for system in document["systems"] for root in proofs[system["name"]]["roots"] if not root.startswith("end ")}
-    assert proven == {finding["id"] for finding in document["findings"]["shown"] if finding["systems"]}
+    at = [
+        proofs[courier["name"]]["places"][place] for _text, rule, _premises, _cut, *places in steps for place in places if rule == "input"
+    ]
+    assert any("courier.cpp:" in place for place in at)
+    proven = [root for system in document["systems"] for root in proofs[system["name"]]["roots"] if root.startswith("finding ")]
+    assert sorted(proven) == sorted(f"finding {finding['id']}" for finding in document["findings"]["shown"] if finding["systems"])
     for system in document["systems"]:
         ends = {(node, port) for connector in system["connectors"] for node, port in connector["sources"] + connector["sinks"]}
         asked = [(system["nodes"][node], system["nodes"][node]["ports"][port]) for node, port in ends]
         keys = {f"end {port['name']} {node['id']} {node['component']}#{port['id']}" for node, port in asked if "implicit" not in port}
-        assert keys <= set(proofs[system["name"]]["roots"])
+        assert keys | {f"node {node['id']}" for node in system["nodes"]} <= set(proofs[system["name"]]["roots"])
+        for rate in system["rates"]:
+            told = (
+                {"topic_high"} if rate["high"] is not None else {f"topic_unbounded {rate['topic']} {reason}" for reason in rate["reasons"]}
+            )
+            assert any(root.startswith(tuple(told)) for root in proofs[system["name"]]["roots"] if f" {rate['topic']}" in root)
 
 
 def test_only_what_the_page_brings_may_run(delivery: str) -> None:

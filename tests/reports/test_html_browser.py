@@ -207,12 +207,9 @@ def near(transform: str) -> re.Pattern[str]:
 
 def settled(page: Any) -> str:
     """Where the graph lies once it is laid out and fitted."""
-    seen, latest = "", page.locator("svg.graph > g").get_attribute("transform")
-    while latest != seen:
-        page.wait_for_timeout(500)
-        page.get_by_role("button", name="Fit").click()
-        seen, latest = latest, page.locator("svg.graph > g").get_attribute("transform")
-    return latest
+    expect(page.locator(".stage[aria-busy=false] svg.graph")).to_be_visible(timeout=60_000)
+    page.get_by_role("button", name="Fit").click()
+    return str(page.locator("svg.graph > g").get_attribute("transform"))
 
 
 def test_graph_controls(reader: Reader) -> None:
@@ -362,6 +359,8 @@ def test_whatever_is_shown_leads_to_its_derivation(reader: Reader) -> None:
         "component/elevator/cabin_node": 10,
         f"graph?system={DELIVERY}&at=connector:topic:/battery": 2,
         f"graph?system={DELIVERY}&at=node:0": 3,
+        f"launch?system={DELIVERY}": 3,
+        f"timing?system={DELIVERY}": 3,
     }
     for where, most in least.items():
         page = reader.open(where)
@@ -375,7 +374,7 @@ def test_nodes_of_ros_2_have_their_qualities(reader: Reader) -> None:
     expect(page.locator(".lead")).to_contain_text("component of ROS 2")
     expect(page.locator("main")).to_contain_text("elevator::Cabin")
     cells = page.get_by_role("region", name="Ports", exact=True).locator("tr", has_text="floor").locator("td")
-    expect(cells.nth(3)).to_have_text("keep last 1, reliable, transient local")
+    expect(cells.nth(3)).to_have_text("last 1, transient local")
     page = reader.open("component/elevator/door")
     expect(page.locator(".lead")).to_contain_text("lifecycle node of ROS 2")
     page = reader.open("component/elevator/panel")
@@ -386,7 +385,7 @@ def test_nodes_of_ros_2_have_their_qualities(reader: Reader) -> None:
     page = reader.open("components?filter=lifecycle")
     expect(page.locator("tbody tr")).to_have_count(1)
     page = reader.open(f"graph?system={ELEVATOR}&at=connector:topic:/floor")
-    expect(page.get_by_role("complementary")).to_contain_text("keep last 1, reliable, volatile")
+    expect(page.get_by_role("complementary")).to_contain_text("last 1")
 
 
 def test_timers_that_run_once(reader: Reader) -> None:
@@ -404,6 +403,12 @@ def test_chains_are_found_and_lit(reader: Reader, report: str, tmp_path: Path) -
     page.get_by_label("What passes through").select_option(label="/drive /battery")
     page.get_by_label("has an influence on").select_option(label="/courier /battery")
     expect(page.locator(".chain > li")).to_have_count(1)
+    page.locator(".chain .why").click()
+    expect(page.get_by_role("dialog").locator(".proof-tree").first).to_contain_text("connected(")
+    page.get_by_role("dialog").get_by_role("link", name="drive.cpp:1").click()
+    expect(page.get_by_role("dialog").last).to_contain_text("drive.cpp")
+    page.keyboard.press("Escape")
+    page.keyboard.press("Escape")
     page.get_by_label("Filter by topic").fill("battery")
     expect(page.get_by_role("region", name="Rates of topics").locator("tbody tr")).to_have_count(1)
     page.get_by_role("link", name="Show it in the graph").click()
@@ -413,10 +418,15 @@ def test_chains_are_found_and_lit(reader: Reader, report: str, tmp_path: Path) -
 
 
 def add_step(document: Any) -> None:
-    """A chain: the battery's messages arrive."""
+    """A chain: the battery's messages arrive, with a proof of that."""
     system = next(system for system in document["systems"] if system["name"] == DELIVERY)
     battery = next(connector for connector in system["connectors"] if connector["name"] == "/battery")
-    system["steps"] = [[battery["sources"][0], battery["sinks"][0], "data", "connection", True]]
+    ends = (battery["sources"][0], battery["sinks"][0])
+    system["steps"] = [[*ends, "data", "connection", True]]
+    nodes = [(system["nodes"][node], system["nodes"][node]["ports"][port]) for node, port in ends]
+    key = " > ".join(f"{node['id']} {node['component']}#{port['id']}" for node, port in nodes)
+    steps = [["chain_step(...)", "rules/system/chains.dl:1", [1], 0], ["connected(...)", "input", [], 0, 0]]
+    document["proofs"] = {DELIVERY: {"steps": steps, "roots": {f"chain_step {key}": 0}, "places": ["drive.cpp:1"]}}
 
 
 def test_groups_have_the_flag_of_their_worst_finding(reader: Reader, report: str, tmp_path: Path) -> None:

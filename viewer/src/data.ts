@@ -238,13 +238,14 @@ export interface Diagnostic {
 /** A run of lines: the number of the first, and the texts. */
 export type Run = [number, string[]];
 
-/** A step of a proof: text, rule (or what else it is), numbers of the steps it rests on, 1 where more is left out. */
-export type ProofStep = [text: string, rule: string, premises: number[], cut: 0 | 1];
+/** A step of a proof: text, rule (or what else it is), numbers of the steps it rests on, 1 where more is left out, the number of its place if it has one. */
+export type ProofStep = [text: string, rule: string, premises: number[], cut: 0 | 1, place?: number];
 
 /** Proofs of the things of a component or system, by keys; see models/derivations.py. */
 export interface Proofs {
   steps: ProofStep[];
   roots: Record<string, number>;
+  places: Place[];
 }
 
 export interface ReportDocument {

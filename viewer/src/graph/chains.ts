@@ -17,6 +17,12 @@ export function endKey(system: System, [at, number]: End): string {
   return `${node?.name ?? ""} ${node?.ports[number]?.id ?? ""}`;
 }
 
+/** Ends as the keys of proofs have them; see models/system/reasons.py. */
+export function reasonKey(system: System, [at, number]: End): string {
+  const node = system.nodes[at];
+  return `${node?.id} ${node?.component}#${node?.ports[number]?.id}`;
+}
+
 /** The ends at which steps begin, or end. */
 export function endsOf(system: System, side: "from" | "to"): End[] {
   const found = new Map<string, End>();

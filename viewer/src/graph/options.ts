@@ -30,7 +30,7 @@ export interface GraphOptions {
 }
 
 /** Systems with more nodes than this are shown with groups closed at first. */
-const MANY_NODES = 48;
+const MANY_NODES = 24;
 const MANY_CONNECTORS = 40;
 const SHOWN_AT_FIRST: readonly ConnectorKind[] = ["topic", "service", "action"];
 

@@ -5,12 +5,13 @@ import type { End, Port, System, SystemNode } from "../data";
 import { amount, counted, portKey, rateText } from "../model";
 import { SeverityBadge } from "../parts/controls";
 import { componentKind, PortKind, portLabel } from "../parts/kinds";
-import { Why } from "../parts/proof";
+import { Why, WhyRate, WhyStarted } from "../parts/proof";
 import { qualityWords } from "../parts/quality";
 import { Source } from "../parts/source";
 import { Condition, Name, shortened } from "../parts/text";
 import { componentHref, href, setParams } from "../route";
 import type { Box, ShownConnector, ShownGraph } from "./build";
+import { reasonKey } from "./chains";
 
 interface Props {
   id: string;
@@ -104,7 +105,8 @@ function NodeDetails({ box, system }: { box: Box; system: System }) {
             {at > 0 && " › "}
             <Source at={line} />
           </span>
-        ))}
+        ))}{" "}
+        <WhyStarted system={system} node={node} />
       </p>
       {findings[0] && (
         <p>
@@ -187,7 +189,8 @@ function ConnectorDetails({ shown, system }: { shown: ShownConnector; system: Sy
             <p class="muted">
               {connector.kind},{" "}
               {connector.types.length ? <Name text={connector.types.join(" or ")} /> : "type not known"}
-              {rate && `, ${rateText(rate)}${rate.high === null && !rate.low ? " rate" : " messages a second"}`}
+              {rate && `, ${rateText(rate)}${rate.high === null && !rate.low ? " rate" : " messages a second"} `}
+              {rate && <WhyRate system={system} rate={rate} />}
             </p>
             <Ends title={asked ? "Called by" : "Sent by"} ends={connector.sources} system={system} />
             <Ends title={asked ? "Served by" : "Received by"} ends={connector.sinks} system={system} />
@@ -218,7 +221,7 @@ function Ends({ title, ends, system }: { title: string; ends: End[]; system: Sys
                 {port && !port.implicit && (
                   <Why
                     owner={system.name}
-                    of={`end ${port.name} ${node?.id} ${node?.component}#${port.id}`}
+                    of={`end ${port.name} ${reasonKey(system, [at, number])}`}
                     title={`${node?.name} at ${port.name}`}
                   />
                 )}

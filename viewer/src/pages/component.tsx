@@ -3,7 +3,7 @@
 import { useReport } from "../context";
 import type { Component, Port, ReportDocument } from "../data";
 import { Machines } from "../machine/machines";
-import { amount, counted, frequency, type Instance, portKey, portsById, sentIn } from "../model";
+import { amount, counted, frequency, grouped, type Instance, portKey, portsById, sentIn } from "../model";
 import { Section, Table } from "../parts/controls";
 import { componentKind, PortKind, portLabel, portOrder } from "../parts/kinds";
 import { Why } from "../parts/proof";
@@ -167,6 +167,42 @@ function Ports({ component }: { component: Component }) {
 
 function PortTable({ owner, ports, label }: { owner: string; ports: readonly Port[]; label: string }) {
   const hasQuality = ports.some(({ qos }) => qos);
+  const common = commonCondition(ports);
+  return (
+    <>
+      {common && (
+        <p>
+          All of them only if <code class="condition">{shortened(common, 400)}</code>
+        </p>
+      )}
+      <PortRows owner={owner} ports={ports} label={label} hasQuality={hasQuality} common={common} />
+    </>
+  );
+}
+
+/** The condition that those of all ports begin with, where there are several. */
+function commonCondition(ports: readonly Port[]): string {
+  const parts = ports.map(({ conditional }) => conditional?.split(AND) ?? []);
+  const [first = []] = parts;
+  const same = first.findIndex((part, at) => parts.some((each) => each[at] !== part));
+  return ports.length > 1 ? first.slice(0, same < 0 ? first.length : same).join(AND) : "";
+}
+
+const AND = " && ";
+
+function PortRows({
+  owner,
+  ports,
+  label,
+  hasQuality,
+  common,
+}: {
+  owner: string;
+  ports: readonly Port[];
+  label: string;
+  hasQuality: boolean;
+  common: string;
+}) {
   return (
     <Table
       label={label}
@@ -181,7 +217,7 @@ function PortTable({ owner, ports, label }: { owner: string; ports: readonly Por
             <PortName port={port} />
           </td>
           <td>{port.type ? <Name text={port.type} /> : <span class="none">not known</span>}</td>
-          <td class="number">
+          <td>
             <Quality port={port} />
           </td>
           <td>
@@ -189,7 +225,7 @@ function PortTable({ owner, ports, label }: { owner: string; ports: readonly Por
             {!["plain", "lambda", ""].includes(port.via) && <span class="muted"> via {port.via}</span>}
           </td>
           <td>
-            <Condition text={port.conditional} />
+            <Condition text={port.conditional?.slice(common ? common.length + AND.length : 0)} />
           </td>
           <td>
             <Source at={port.at} />
@@ -222,34 +258,46 @@ function Parameters({ component }: { component: Component }) {
   if (!all.length) return null;
   return (
     <Section id="parameters" title="Parameters" count={new Set(all.map((each) => each.name)).size}>
-      <Table label="Parameters" head={["Name", "Access", "Type", "Default", "Source"]}>
-        {all.map((parameter, at) => (
-          <tr key={`${at}`}>
+      <Table label="Parameters" head={["Name", "Type", "Default", "Where"]}>
+        {[...grouped(all, ({ name }) => name)].map(([name, accesses]) => (
+          <tr key={name}>
             <td>
-              <Name text={parameter.name} strong />
-            </td>
-            <td>{parameter.op ?? "reconfigured"}</td>
-            <td>
-              <Maybe text={parameter.type} />
+              <Name text={name} strong />
             </td>
             <td>
-              {parameter.default === null ? <span class="none">none</span> : <code>{String(parameter.default)}</code>}
+              <Maybe text={distinct(accesses.map(({ type }) => type?.replace(/^\?/, "")))} />
             </td>
             <td>
-              <Source at={parameter.at} />
-              {parameter.op && (
-                <Why
-                  owner={component.name}
-                  of={`parameter ${parameter.op} ${parameter.name} ${parameter.at}`}
-                  title={`parameter ${parameter.name}`}
-                />
+              {accesses.some((each) => each.default !== null) ? (
+                <code>{distinct(accesses.map((each) => each.default))}</code>
+              ) : (
+                <span class="none">none</span>
               )}
+            </td>
+            <td>
+              {accesses.map((access, at) => (
+                <div key={`${at}`}>
+                  <span class="muted">{access.op ?? "reconfigured"}</span> <Source at={access.at} />
+                  {access.op && (
+                    <Why
+                      owner={component.name}
+                      of={`parameter ${access.op} ${name} ${access.at}`}
+                      title={`parameter ${name}`}
+                    />
+                  )}
+                </div>
+              ))}
             </td>
           </tr>
         ))}
       </Table>
     </Section>
   );
+}
+
+/** Values as a text, each once. */
+function distinct(values: readonly (string | number | boolean | null | undefined)[]): string {
+  return [...new Set(values.filter((value) => value !== null && value !== undefined).map(String))].join(" or ");
 }
 
 function Behaviour({ component }: { component: Component }) {

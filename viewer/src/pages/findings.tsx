@@ -4,7 +4,7 @@ import { useReport } from "../context";
 import type { Evidence, Finding, Severity } from "../data";
 import { bySeverity, counted, countedOf, SEVERITIES } from "../model";
 import { Filter, matches, SeverityBadge, Toggle } from "../parts/controls";
-import { ProofTree } from "../parts/proof";
+import { ProofTrees } from "../parts/proof";
 import { Excerpt, Source } from "../parts/source";
 import { ending, Name, shortened } from "../parts/text";
 import { type Route, setParams } from "../route";
@@ -152,7 +152,7 @@ function Derivation({ finding, system }: { finding: Finding; system: string }) {
   return (
     <details class="about proof" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>The rules and facts that tell this</summary>
-      {open && <ProofTree owner={system} of={finding.id} />}
+      {open && <ProofTrees of={[{ owner: system, key: `finding ${finding.id}` }]} />}
     </details>
   );
 }

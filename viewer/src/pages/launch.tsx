@@ -2,6 +2,7 @@
 import { Fragment } from "preact";
 import type { LaunchFile, Place, System } from "../data";
 import { counted } from "../model";
+import { WhyStarted } from "../parts/proof";
 import { Source, splitPlace } from "../parts/source";
 import { NoSystem, SystemChoice, useSystem } from "../parts/system";
 import { Name } from "../parts/text";
@@ -86,7 +87,7 @@ function Node({ node, system }: { node: LaunchFile["nodes"][number]; system: Sys
         {started?.origin === "library" && <span class="tag">library</span>}
         {node.conditions.length > 0 && <code class="condition"> if {node.conditions.join(" and ")}</code>}
       </span>{" "}
-      <Source at={node.at} />
+      <Source at={node.at} /> {started && <WhyStarted system={system} node={started} />}
     </li>
   );
 }

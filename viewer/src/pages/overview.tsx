@@ -7,7 +7,7 @@ import { counted, grouped, SEVERITIES } from "../model";
 import { Section, SeverityBadge, Table } from "../parts/controls";
 import { portLabel } from "../parts/kinds";
 import { Source } from "../parts/source";
-import { Name } from "../parts/text";
+import { Name, shortened } from "../parts/text";
 import { componentHref, href } from "../route";
 
 const MOST = 12;
@@ -60,11 +60,19 @@ function Found({ document }: { document: ReportDocument }) {
         <Table label="Findings by check" head={["Check", "What it finds", "Findings"]}>
           {frequent.map(([check, found]) => (
             <tr key={check}>
-              <td>
+              <td class="whole">
                 <a href={href(["findings"], { check })}>{check}</a>
               </td>
               <td>{checks[check]?.title}</td>
-              <td class="number">{found.length}</td>
+              <td class="number">
+                {SEVERITIES.filter((severity) => found.some((each) => each.severity === severity)).map((severity) => (
+                  <SeverityBadge
+                    key={severity}
+                    severity={severity}
+                    count={found.filter((each) => each.severity === severity).length}
+                  />
+                ))}
+              </td>
             </tr>
           ))}
         </Table>
@@ -199,6 +207,7 @@ function Diagnostics({ kind, diagnostics }: { kind: string; diagnostics: Diagnos
     <details>
       <summary>
         {counted(diagnostics.length, "diagnostic")}: {kind.replaceAll("-", " ")}
+        <span class="muted">, such as “{shortened(diagnostics[0]?.message ?? "", 80)}”</span>
       </summary>
       <Table label={`Diagnostics: ${kind}`} head={["Message", "Place"]}>
         {diagnostics.map((diagnostic) => (

@@ -1,10 +1,12 @@
 /** How often topics of a system are sent on, and what influences what. */
 import { useMemo } from "preact/hooks";
-import type { End, System } from "../data";
-import { endKey, endName, endsOf, findChain } from "../graph/chains";
-import { rateText } from "../model";
+import { useReport } from "../context";
+import type { End, Rate, System } from "../data";
+import { endKey, endName, endsOf, findChain, reasonKey } from "../graph/chains";
+import { counted, portKey, rateText } from "../model";
 import { Filter, matches, Table } from "../parts/controls";
 import { CONNECTOR_KINDS, portLabel } from "../parts/kinds";
+import { Why, WhyRate } from "../parts/proof";
 import { Source } from "../parts/source";
 import { NoSystem, SystemChoice, useSystem } from "../parts/system";
 import { Name, shortened } from "../parts/text";
@@ -14,7 +16,9 @@ export function TimingPage({ route }: { route: Route }) {
   const system = useSystem(route);
   if (!system) return <NoSystem title="Rates and chains" />;
   const filter = route.params.get("filter") ?? "";
-  const shown = system.rates.filter((rate) => matches(filter, rate.topic, ...rate.senders));
+  const inside = new Set(system.connectors.filter(({ implicit }) => implicit).map(({ name }) => name));
+  const own = system.rates.filter(({ topic }) => !inside.has(topic));
+  const shown = own.filter((rate) => matches(filter, rate.topic, ...rate.senders)).sort(byKnowledge);
   return (
     <>
       <h1>Rates and chains</h1>
@@ -26,23 +30,38 @@ export function TimingPage({ route }: { route: Route }) {
       <div class="controls">
         <Filter label="Filter by topic or sender" param="filter" value={filter} />
       </div>
-      <Table label="Rates of topics" head={["Topic", "Messages a second", "Sent by", "Why it is not known"]}>
+      <Table label="Rates of topics" head={["Topic", "Messages a second", "Sent by", "Remarks"]}>
         {shown.map((rate) => (
           <tr key={rate.topic}>
             <td>
               <Name text={rate.topic} strong />
             </td>
-            <td class="number">{rateText(rate)}</td>
-            <td>
-              <Name text={rate.senders.join(", ")} />
+            <td class="number">
+              {rateText(rate)} <WhyRate system={system} rate={rate} />
             </td>
-            <td class="muted">{rate.reasons.join("; ")}</td>
+            <td class="names-list">
+              {rate.senders.map((sender) => (
+                <Name key={sender} text={sender} />
+              ))}
+            </td>
+            <td class="muted">{rate.high === 0 && rate.senders.length ? SELDOM : rate.reasons.join("; ")}</td>
           </tr>
         ))}
       </Table>
+      {own.length < system.rates.length && (
+        <p class="muted more">
+          Not shown: {counted(system.rates.length - own.length, "topic")} that only libraries send on or read.
+        </p>
+      )}
     </>
   );
 }
+
+const SELDOM = "only once, or when a service or action is called, which is not counted";
+
+/** What is known first. */
+const byKnowledge = (a: Rate, b: Rate) => knowledge(a) - knowledge(b);
+const knowledge = ({ low, high }: Rate) => (high === 0 ? 2 : high !== null ? 0 : low ? 1 : 3);
 
 const DOES: Record<string, string> = {
   connection: "arrives at",
@@ -85,7 +104,7 @@ function Chains({ system, route }: { system: System; route: Route }) {
                 <div class="muted">
                   ↓ {DOES[kind] ?? kind}
                   {kind !== "connection" && `, through ${how}`}
-                  {certain ? ", always" : ""}
+                  {certain ? ", always" : ""} <WhyStep system={system} source={source} sink={sink} />
                 </div>
                 {at === chain.steps.length - 1 && <ChainEnd system={system} end={sink} />}
               </li>
@@ -94,6 +113,23 @@ function Chains({ system, route }: { system: System; route: Route }) {
         </>
       )}
     </>
+  );
+}
+
+function WhyStep({ system, source, sink }: { system: System; source: End; sink: End }) {
+  const report = useReport();
+  const [node, other] = [system.nodes[source[0]], system.nodes[sink[0]]];
+  const step = `${reasonKey(system, source)} > ${reasonKey(system, sink)}`;
+  const own = node === other && node?.component ? report.component.get(node.component) : undefined;
+  const ports = [source, sink].map(([, number]) => own?.ports.find(({ id }) => id === node?.ports[number]?.id));
+  const inside = own ? [{ owner: own.name, key: `flow ${ports.map(portKey).join(" > ")}` }] : [];
+  return (
+    <Why
+      owner={system.name}
+      of={[`chain_step ${step}`, `certain_step ${step}`]}
+      more={inside}
+      title={`${endName(system, source)} → ${endName(system, sink)}`}
+    />
   );
 }
 

@@ -1,15 +1,20 @@
 /** Proofs: the rules and facts that something rests on, as trees. */
 import { useEffect, useState } from "preact/hooks";
 import { useShared } from "../context";
-import { type Proofs, type ReportDocument, unpack } from "../data";
+import { type Proofs, type Rate, type ReportDocument, type System, type SystemNode, unpack } from "../data";
 import { Modal } from "./modal";
+import { Source } from "./source";
 import { shortened } from "./text";
 
-/** What a proof is of: the component or system, and the key of the thing there. */
-export interface Subject {
+/** What is proven: the component or system that has it, and the key of the thing there. */
+export interface Proven {
   owner: string;
   key: string;
+}
+
+export interface Subject {
   title: string;
+  proofs: Proven[];
 }
 
 let unpacked: Promise<Record<string, Proofs>> | null = null;
@@ -20,20 +25,41 @@ function proofsOf(document: ReportDocument): Promise<Record<string, Proofs>> {
   return unpacked;
 }
 
+interface Props {
+  owner: string;
+  of: string | string[];
+  title: string;
+  /** Proofs of others that tell more. */
+  more?: Proven[];
+}
+
 /** A button that shows why something is as it is. */
-export function Why({ owner, of, title }: { owner: string; of: string; title: string }) {
+export function Why({ owner, of, title, more = [] }: Props) {
   const { showProof } = useShared();
+  const proofs = [of].flat().map((key) => ({ owner, key }));
   return (
     <button
       type="button"
       class="why"
       aria-label={`Why: ${shortened(title, 80)}`}
       title="The rules and facts that tell this"
-      onClick={() => showProof({ owner, key: of, title })}
+      onClick={() => showProof({ title, proofs: [...proofs, ...more] })}
     >
       why
     </button>
   );
+}
+
+/** Why something is sent so often on a topic, or why that is not known. */
+export function WhyRate({ system, rate: { topic, reasons } }: { system: System; rate: Rate }) {
+  const unknown = reasons.map((reason) => `topic_unbounded ${topic} ${reason}`);
+  const of = [`topic_high ${topic}`, `topic_low ${topic}`, ...unknown];
+  return <Why owner={system.name} of={of} title={`messages a second on ${topic}`} />;
+}
+
+/** What in the launch files starts a node, and what they give to it. */
+export function WhyStarted({ system, node }: { system: System; node: SystemNode }) {
+  return <Why owner={system.name} of={`node ${node.id}`} title={`${node.name} is started`} />;
 }
 
 export function ProofDialog({ subject, onClose }: { subject: Subject | null; onClose: () => void }) {
@@ -41,30 +67,35 @@ export function ProofDialog({ subject, onClose }: { subject: Subject | null; onC
     <Modal open={subject !== null} label="Why" title={subject ? shortened(subject.title, 120) : ""} onClose={onClose}>
       {subject && (
         <div class="proof-body">
-          <ProofTree owner={subject.owner} of={subject.key} />
+          <ProofTrees of={subject.proofs} />
         </div>
       )}
     </Modal>
   );
 }
 
-export function ProofTree({ owner, of }: { owner: string; of: string }) {
+export function ProofTrees({ of }: { of: Proven[] }) {
   const { report } = useShared();
-  const [proofs, setProofs] = useState<Proofs | null | undefined>();
+  const [proofs, setProofs] = useState<Record<string, Proofs> | undefined>();
   useEffect(() => {
     let wanted = true;
-    proofsOf(report.document).then((all) => wanted && setProofs(all[owner] ?? null));
+    proofsOf(report.document).then((all) => wanted && setProofs(all));
     return () => {
       wanted = false;
     };
-  }, [report, owner]);
+  }, [report]);
   if (proofs === undefined) return <p class="muted">Reading the proofs …</p>;
-  const root = proofs?.roots[of];
-  if (!proofs || root === undefined)
-    return <p class="muted">The report has no proof of this; it may be made without proofs.</p>;
+  const found = of.flatMap(({ owner, key }) => {
+    const own = proofs[owner];
+    const root = own?.roots[key];
+    return own && root !== undefined ? [{ key, own, root }] : [];
+  });
+  if (!found.length) return <p class="muted">The report has no proof of this; it may be made without proofs.</p>;
   return (
     <ul class="proof-tree">
-      <Step proofs={proofs} number={root} depth={0} />
+      {found.map(({ key, own, root }) => (
+        <Step key={key} proofs={own} number={root} depth={0} />
+      ))}
     </ul>
   );
 }
@@ -75,10 +106,11 @@ function Step({ proofs, number, depth }: { proofs: Proofs; number: number; depth
   const [open, setOpen] = useState(depth < OPEN);
   const step = proofs.steps[number];
   if (!step) return null;
-  const [text, rule, premises, cut] = step;
+  const [text, rule, premises, cut, place] = step;
   const line = (
     <>
-      <code>{shortened(text, 400)}</code> <span class="muted">{rule === "condition" ? "" : rule}</span>
+      <code>{shortened(text, 400)}</code> <span class="muted">{rule === "condition" ? "" : rule}</span>{" "}
+      {place !== undefined && <Source at={proofs.places[place]} />}
     </>
   );
   if (!premises.length) {

@@ -24,7 +24,7 @@ export const ending = (text: string, most: number): string =>
 
 /** The parts of a name, with places between them where a line may be broken. */
 function breakable(text: string) {
-  const parts = text.split(/(?<=[/_:.])/);
+  const parts = text.split(/(?<=[_:.])|(?=\/)/);
   return parts.length > 40 ? text : parts.flatMap((part, at) => (at ? [<wbr key={`b${at}`} />, part] : [part]));
 }
 
