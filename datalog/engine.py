@@ -126,6 +126,12 @@ class Evaluation:
                     self.slots[slot] = None
         return {name: self._kept(name) for name in keep}
 
+    def close(self) -> None:
+        """Let go of all relations: tables and what derives them refer to each other, so that only the collector would find them."""
+        for table in self.tables:
+            table.close()
+        self.slots.clear()
+
     def _packed(self, name: str, rows: Collection[Any]) -> Collection[Any]:
         """Rows from outside with their records as those of this evaluation."""
         columns = self.code.nested.get(name)

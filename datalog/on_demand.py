@@ -55,6 +55,10 @@ class Table(dict[Any, Rows]):
         self[key] = found = tuple(self._found(key))
         return found
 
+    def close(self) -> None:
+        """Let go of the rules, with the relations that they read."""
+        self._rules, self._loop = None, []
+
     def _fill(self) -> None:
         """Find the rows of all keys."""
         plan = self.plan

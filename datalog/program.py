@@ -6,6 +6,7 @@ import hashlib
 import marshal
 import sys
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -171,13 +172,13 @@ class Program:
         try:
             with engine.collector_paused():
                 # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
-                evaluation = kind(self.code, self._functions, self._given(facts), control)
-                if not control.active:
-                    return evaluation.run(kept)
-                from .watch import watching
+                with closing(kind(self.code, self._functions, self._given(facts), control)) as evaluation:
+                    if not control.active:
+                        return evaluation.run(kept)
+                    from .watch import watching
 
-                with watching(evaluation):
-                    return evaluation.run(kept)
+                    with watching(evaluation):
+                        return evaluation.run(kept)
         except DatalogError as error:
             raise with_lines(error, self.sources) from None
 

@@ -176,6 +176,7 @@ def _work(function: Callable[[Any], Any], connection: Connection, inherited: Seq
     _heed_signals()
     _limit(parent, memory)
     gc.disable()  # in the middle of a task nearly everything is in use
+    gc.freeze()
     while True:
         try:
             task = connection.recv()
@@ -193,6 +194,7 @@ def _work(function: Callable[[Any], Any], connection: Connection, inherited: Seq
         connection.send(result)
         if gc.get_count()[0] > _GARBAGE:
             gc.collect()
+            gc.freeze()  # what outlives a task is kept for the next ones: it is not looked through again
 
 
 def _failure(error: Exception) -> Failure:
