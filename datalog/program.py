@@ -170,15 +170,14 @@ class Program:
             self._functions = self.load_functions()
         control = engine.Control(limit_rows, time_limit)
         try:
-            with engine.collector_paused():
-                # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
-                with closing(kind(self.code, self._functions, self._given(facts), control)) as evaluation:
-                    if not control.active:
-                        return evaluation.run(kept)
-                    from .watch import watching
+            # nothing else holds the rows of a folder, so that relations are freed when no rule reads them any more
+            with engine.collector_paused(), closing(kind(self.code, self._functions, self._given(facts), control)) as evaluation:
+                if not control.active:
+                    return evaluation.run(kept)
+                from .watch import watching
 
-                    with watching(evaluation):
-                        return evaluation.run(kept)
+                with watching(evaluation):
+                    return evaluation.run(kept)
         except DatalogError as error:
             raise with_lines(error, self.sources) from None
 

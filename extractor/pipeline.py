@@ -165,9 +165,10 @@ def extract(
     if units or scripts:
         extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str)
     defined = _defined(interfaces)
+    built = programs(workspace)
     outcomes = {one: read.of([one.python]) if one.python else reading.of(units_of[one]) for one in found}
     extraction.components = tuple(
-        _component_facts(component, workspace.root, outcomes[component], defined, programs(workspace))
+        _component_facts(component, workspace.root, outcomes[component], defined, built)
         for component in sorted(found, key=lambda c: (c.package, c.name))
     )
     return extraction

@@ -45,7 +45,7 @@ class CompileCommands:
 
     def find(self, source: Path, target: str) -> CompileCommand | None:
         """How `source` is compiled for `target`; for another target when only that was built."""
-        commands = self.by_source.get(Path(os.path.realpath(source)), ())
+        commands = self.by_source.get(Path(os.path.realpath(source)), ()) if self.by_source else ()
         return next((command for command in commands if f"/{target}.dir/" in f"/{command.output}"), commands[0] if commands else None)
 
 
