@@ -15,6 +15,8 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 
+from rosarch.cli.questions import Reading
+from rosarch.cli.rules_test import systems_of
 from rosarch.datalog import Program, Result
 from rosarch.datalog.mutation import Case, MutationTest, summary, survivors_text
 from rosarch.datalog.rows import Row
@@ -24,12 +26,14 @@ from rosarch.expectations.cases import Case as Sources
 from rosarch.expectations.cases import find_cases
 from rosarch.expectations.mutation import model_cases, mutation_cases
 from rosarch.expectations.run import Running
+from rosarch.expectations.system_mutation import System, finding_cases
 from rosarch.models.checks import read_check
 from rosarch.models.component import ComponentModel, to_json
 from rosarch.models.findings import Check
 from rosarch.models.places import Place
 from rosarch.models.rule_mutation import drop_in_cases, judge_all, mutants_of, workspace_cases
-from rosarch.models.rule_sets import SHIPPED, component_program, rule_set
+from rosarch.models.rule_sets import SHIPPED, component_program, rule_set, system_rules
+from rosarch.models.system.build import system_model, told_by
 from rosarch.models.system.findings import evidence_of, findings, shown_as
 
 TOP = Path(__file__).resolve().parents[1]
@@ -50,7 +54,8 @@ def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
     """All that the tests look at of components."""
     yield from drop_in_cases(program, RULES)
     how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=jobs)
-    yield from mutation_cases(program, find_cases([RULES / "sources", RULES / "packages", TESTS / "project"]).cases, how)
+    yield from mutation_cases(program, find_cases([RULES / "sources", TESTS / "project"]).cases, how)
+    yield from mutation_cases(program, find_cases([RULES / "packages"]).cases, of_workspaces(jobs))
     hinted = rule_set([RULES / "hints" / "hints.dl"])
     with_hints = Running(hinted, partial(Alone, rules=hinted, engine="embedded"), jobs=jobs)
     yield from mutation_cases(component_program(hinted), find_cases([RULES / "hints"]).cases, with_hints)
@@ -60,13 +65,21 @@ def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
         yield from workspace_cases(program, workspace)
 
 
+def of_workspaces(jobs: int | None) -> Running:
+    """How the workspaces are run whose systems are checked."""
+    return Running(SHIPPED, systems_of(SHIPPED, Reading(jobs=jobs)), jobs=jobs)
+
+
 def behavior(model: ComponentModel) -> object:
     """What `tests/models/test_behavior.py` compares of a model."""
     return test_behavior.lines(to_json(model)), test_behavior.normal_lines(to_json(model))
 
 
-def cases_of_systems(program: Program) -> Iterator[Case]:
+def cases_of_systems(program: Program, jobs: int | None) -> Iterator[Case]:
     """All that the tests look at of systems: rows, and the findings of a check. Cases that add to what rules derive are left out."""
+    yield from finding_cases(find_cases([RULES / "packages"]).cases, of_workspaces(jobs))
+    for workspace in sorted({path.parents[1] for path in (TOP / "examples").glob("*/expected/*.txt")}):
+        yield from example_cases(workspace, jobs)
     for path in (*test_systems.CASES, *test_checks.CASES):
         facts, own = system_cases.facts_and_program(path)
         if own is not program:
@@ -79,6 +92,42 @@ def cases_of_systems(program: Program) -> Iterator[Case]:
         check = read_check(TOP / "rules" / "checks" / f"{path.parent.name}.dl")
         told = {relation for _, type_ in check.columns for relation in (evidence_of(type_), shown_as(type_))} & program.relations.keys()
         yield Case(name, rows, frozenset({check.relation, *told}), partial(finds_other, check, program, rows))
+
+
+def example_cases(workspace: Path, jobs: int | None) -> Iterator[Case]:
+    """The systems of an example: `tests/examples/test_example_systems.py` compares findings that are no notes, and connectors in some."""
+    shared, launches = systems_of(SHIPPED, Reading(jobs=jobs))(workspace).around
+    shown = {path.read_text(encoding="utf-8").partition("\n")[0] for path in (workspace / "expected").glob("*.txt")}
+    rules = system_rules(SHIPPED)
+    systems = [System.of(rules, {name: list(rows) for name, rows in shared.rows(launch).items()}) for launch in launches]
+    for launch, system in zip(launches, systems, strict=True):
+        others = {line for other in systems if other is not system for line in warnings(other)}
+        usual = shown_of(system, others, connected=launch.name in shown)
+        fails = partial(shows_other, system, others, usual)
+        yield Case(f"{workspace.name}: {launch.name}", system.rows, frozenset({*rules.program.outputs, *told_by(rules)}), fails)
+
+
+Shown = tuple[set[tuple[str, ...]], list[tuple[object, ...]]]
+
+
+def shows_other(system: System, others: set[tuple[str, ...]], usual: Shown, changed: Rows) -> bool:
+    """Whether the test of an example fails when some relations have changed."""
+    try:
+        return shown_of(system.with_rows(changed), others, connected=bool(usual[1])) != usual
+    except (LookupError, ValueError):
+        return True  # no model can be made of such rows
+
+
+def shown_of(system: System, others: set[tuple[str, ...]], *, connected: bool) -> Shown:
+    """What the test of an example compares: findings, those of the other systems too, and connectors with two sides."""
+    model = system_model("", (), system.facts, system.result, system.places) if connected else None
+    sides = [(each, *({node for node, _ in side} for side in (each.sources, each.sinks))) for each in model.connectors] if model else []
+    return warnings(system) | others, [(each.kind, each.name, into, out) for each, into, out in sides if into and out and each.kind != "tf"]
+
+
+def warnings(system: System) -> set[tuple[str, ...]]:
+    """The findings of a system that are no notes."""
+    return {(found.severity, found.message, str(found.place)) for found in system.findings if found.severity != "note"}
 
 
 def finds_other(check: Check, program: Program, usual: Rows, changed: Rows) -> bool:
@@ -103,7 +152,7 @@ def main() -> int:
     parser.add_argument("--list", action="store_true", help="clauses that never fire and mutants that survive")
     given = parser.parse_args()
     program = system_cases.whole() if given.systems else component_program()
-    cases = list(cases_of_systems(program) if given.systems else cases_of(program, given.jobs))
+    cases = list(cases_of_systems(program, given.jobs) if given.systems else cases_of(program, given.jobs))
     fired = coverage(program, (Result.of(case.rows, program) for case in cases))
     test = MutationTest(program, cases)
     verdicts = judge_all(test, mutants_of(test, given.files, given.sample, given.seed), jobs=given.jobs)

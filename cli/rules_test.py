@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -19,11 +20,12 @@ from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
-    from rosarch.expectations.found import Systems
     from rosarch.expectations.run import CaseOutcome
     from rosarch.models.component import ComponentModel
+    from rosarch.models.configuration import Configuration
     from rosarch.models.findings import Finding
     from rosarch.models.rule_sets import RuleSet
+    from rosarch.models.system.surrounding import Launch, Surrounding
 
 
 @asks("defines")
@@ -75,7 +77,7 @@ def checked_path(path: Path) -> Path:
 
 
 @dataclass(frozen=True)
-class _Systems:
+class WorkspaceSystems:
     """The systems of a workspace, as `rosarch check` has them with its configuration."""
 
     inputs: SystemInputs
@@ -87,21 +89,36 @@ class _Systems:
 
         return system_rules(self.rules).program
 
-    def findings(self, _models: Sequence[ComponentModel]) -> Sequence[Finding]:
+    @cached_property
+    def _configuration(self) -> Configuration:
         from rosarch.cli.check_options import load_configuration
         from rosarch.models.rule_sets import system_rules
 
-        configuration = load_configuration(self.inputs.folder, None, system_rules(self.rules).checks)
-        return load_systems(self.inputs, configuration).findings
+        return load_configuration(self.inputs.folder, None, system_rules(self.rules).checks)
+
+    @cached_property
+    def around(self) -> tuple[Surrounding, list[Launch]]:
+        """The launches, and what is known around them."""
+        return load_surrounding(self.inputs, self._configuration)
+
+    def findings(self, _models: Sequence[ComponentModel]) -> Sequence[Finding]:
+        return load_systems(self.inputs, self._configuration).findings
+
+    def findings_with(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
+        from rosarch.models.system.analysis import findings_in
+        from rosarch.models.system.reading import Reading
+
+        shared, launches = self.around
+        return findings_in(shared.with_models(launches, models), launches, Reading(self.rules, engine=self.inputs.engine.value))
 
     def rows(self) -> Sequence[dict[str, list[tuple[Any, ...]]]]:
-        shared, launches = load_surrounding(self.inputs)
+        shared, launches = self.around
         return [{name: list(rows) for name, rows in shared.rows(launch).items()} for launch in launches]
 
 
-def systems_of(rules: RuleSet, reading: Reading) -> Callable[[Path], Systems]:
+def systems_of(rules: RuleSet, reading: Reading) -> Callable[[Path], WorkspaceSystems]:
     """Gives the systems of a workspace."""
-    return lambda folder: _Systems(reading.systems_in(folder, None, rules), rules)
+    return lambda folder: WorkspaceSystems(reading.systems_in(folder, None, rules), rules)
 
 
 def _tell(outcomes: Sequence[CaseOutcome], verbose: bool) -> bool:

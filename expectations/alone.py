@@ -36,6 +36,9 @@ class Alone:
     def rows(self) -> Sequence[dict[str, list[tuple[Any, ...]]]]:
         return ()  # questions about systems stand in launch files
 
+    def findings_with(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
+        return self.findings(models)
+
     def findings(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
         rules = system_rules(self.rules)
         found: list[Finding] = []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Protocol
@@ -70,6 +70,9 @@ class Systems(Protocol):
     def findings(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
         """What checks find; `models` are those of the components of the case."""
 
+    def findings_with(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
+        """What checks would find if the components of the case that are among `models` were so; found in this process."""
+
     def rows(self) -> Sequence[dict[str, list[tuple[Any, ...]]]]:
         """The facts about each system."""
 
@@ -80,18 +83,25 @@ class Systems(Protocol):
 
 @dataclass
 class Found:
-    """What is found below `root`; the systems there are looked at when they are asked for."""
+    """What is found below `root`, or is `supposed` to be; the systems there are looked at when they are asked for."""
 
     root: Path
     extraction: Extraction
     program: Program
     engine: str
     systems: Systems
+    supposed: bool = False
     components: list[ObservedComponent] = field(init=False)
 
     def __post_init__(self) -> None:
         name = self.root.resolve().name
         self.components = [ObservedComponent(facts, self.program, self.engine, name) for facts in self.extraction.components]
+
+    def with_component(self, component: ObservedComponent, other: ObservedComponent) -> Found:
+        """What would be found if there were another in the place of a component."""
+        seen = replace(self, supposed=True)
+        seen.components = [other if each is component else each for each in self.components]
+        return seen
 
     def of(self, path: str) -> list[ObservedComponent]:
         """The components that a file is a source of; all where it is a source of none."""
@@ -103,7 +113,8 @@ class Found:
 
     @cached_property
     def _findings(self) -> tuple[Element, ...]:
-        return tuple(map(finding_element, self.systems.findings([component.model for component in self.components])))
+        find = self.systems.findings_with if self.supposed else self.systems.findings
+        return tuple(map(finding_element, find([component.model for component in self.components])))
 
     def findings(self) -> tuple[Element, ...]:
         """All that checks found."""

@@ -20,14 +20,13 @@ from rosarch.models.component import ComponentModel
 
 
 def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Iterator[MutationCase]:
-    """A case for each component that has expectations in its sources; what is expected of systems, and of no source, is left out."""
+    """A case for each component that its sources expect something of, or that findings are expected about."""
     for case in cases:
-        about = [e for e in case.expectations if is_source(e.marked.path) and (e.kind is None or e.kind.name != FINDING)]
         with observed(case, program, how) as found:
             for component in found.components:
-                own = [e for e in about if component in found.of(e.marked.path)]
+                own = [e for e in case.expectations if _is_about(e, component, found)]
                 if own and component.rows:
-                    looked_at = [_observed(program, expectation) for expectation in own]
+                    looked_at = [relations_of(program, expectation) for expectation in own]
                     fails = partial(_fails, found, component, own, looked_at)
                     name = f"{case.root}: {component.facts.name}"
                     yield MutationCase(name, component.result.all_rows(), frozenset().union(*looked_at), fails)
@@ -44,7 +43,19 @@ def model_cases(
             yield MutationCase(f"{case.root}: {component.facts.name}", rows, frozenset(program.outputs), fails)
 
 
-def _observed(program: Program, expectation: Expectation) -> frozenset[str]:
+def _is_about(expectation: Expectation, component: ObservedComponent, found: Found) -> bool:
+    """Whether an expectation is about a component; what checks find in systems may be about each in them."""
+    if is_finding(expectation):
+        return True
+    return is_source(expectation.marked.path) and component in found.of(expectation.marked.path)
+
+
+def is_finding(expectation: Expectation) -> bool:
+    """Whether a check is expected to find something, or not to."""
+    return expectation.kind is not None and expectation.kind.name == FINDING
+
+
+def relations_of(program: Program, expectation: Expectation) -> frozenset[str]:
     """The relations that an expectation looks at: those in its query, or what models are made from where an element is expected."""
     if expectation.kind is not None:
         return frozenset(program.outputs)
@@ -60,10 +71,11 @@ def _fails(
 ) -> bool:
     """Whether an expectation that is met is not when some relations of the component have these rows."""
     changed = _with_rows(component, rows)
-    seen = replace(found)
-    seen.components = [changed if each is component else each for each in found.components]
+    seen = found.with_component(component, changed)
     asked = [e for e, relations in zip(expected, looked_at, strict=True) if not relations.isdisjoint(rows)]
     try:
+        if any(map(is_finding, asked)) and changed.model == component.model:
+            asked = [e for e in asked if not is_finding(e)]
         return any(unmet(e, seen, expected) is not None for e in asked)
     except (LookupError, ValueError):
         return True  # no model can be made of such rows

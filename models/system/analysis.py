@@ -68,6 +68,14 @@ def gathered(shared: Surrounding, launches: Sequence[Launch], found: Mapping[int
     return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
 
 
+def findings_in(shared: Surrounding, launches: Sequence[Launch], reading: Reading) -> tuple[Finding, ...]:
+    """What checks find in the systems of `launches`; all in this process, and nothing is kept."""
+    from rosarch.models.rule_sets import system_rules
+
+    rules = system_rules(reading.rules)
+    return _together([found for launch in launches for found in _system(rules, launch, shared.rows(launch), reading)[1]])
+
+
 def each_system(
     stage: str, shared: Surrounding, launches: Sequence[Launch], reading: Reading, make: Maker[Made]
 ) -> Iterator[tuple[int, Made | Failure]]:

@@ -16,12 +16,15 @@ from rosarch.models.system.rows import Rows
 
 def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] | Literal["all"] = ()) -> Result:
     """What the rules derive of a system: its model, the findings and, if asked for, the relations in `keep`."""
-    if keep == "all":
-        return rules.program.evaluate(rows, engine=engine, keep=keep)
+    wanted = keep if keep == "all" else [*rules.program.outputs, *told_by(rules), *keep]
+    return rules.program.evaluate(rows, engine=engine, keep=wanted)
+
+
+def told_by(rules: SystemRules) -> list[str]:
+    """The relations that findings are made from."""
     types = {type_ for check in rules.checks for _, type_ in check.columns}
     helpers = {relation for type_ in types for relation in (evidence_of(type_), shown_as(type_)) if relation in rules.program.relations}
-    wanted = [*rules.program.outputs, *(check.relation for check in rules.checks), *sorted(helpers), *keep]
-    return rules.program.evaluate(rows, engine=engine, keep=wanted)
+    return [*(check.relation for check in rules.checks), *sorted(helpers)]
 
 
 def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, places: Mapping[str, Place]) -> SystemModel:

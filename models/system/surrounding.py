@@ -67,8 +67,8 @@ class Interface:
 class Components:
     """The components that launches start, of sources and of the library: their models, their interfaces, and what all systems see of them.
 
-    `programs` are package and name of all executables that the workspace builds and of the components that it registers, `expected` the
-    packages that the library knows.
+    `interfaces` begin with those of `models`, in their order. `programs` are package and name of all executables that the workspace builds
+    and of the components that it registers, `expected` the packages that the library knows.
     """
 
     models: tuple[ComponentModel, ...]
@@ -94,6 +94,18 @@ class Components:
             composition = _given_to_each(composition, start, made)
             nodes += made or [start]
         return replace(launch, composition=replace(composition, nodes=tuple(nodes)))
+
+    def with_models(self, models: Iterable[ComponentModel]) -> Components:
+        """The same components; those that are among `models` have the models there."""
+        from rosarch.models.system.interfaces import model_rows
+
+        told = {(model.package, model.component): model for model in models}
+        own = tuple(told.get((model.package, model.component), model) for model in self.models)
+        changed = [number for number, (model, before) in enumerate(zip(own, self.models, strict=True)) if model != before]
+        interfaces = list(self.interfaces)
+        for number in changed:
+            interfaces[number] = Interface.of(model_rows(own[number]))
+        return replace(self, models=own, interfaces=tuple(interfaces), shared=_shared(own, interfaces)) if changed else self
 
     def started(self, launch: Launch) -> list[Interface]:
         """The interfaces of those that a launch may start, with those that these load."""
@@ -159,6 +171,12 @@ class Surrounding:
     def rows(self, launch: Launch) -> Rows:
         """The facts about one system."""
         return self.facts(launch).rows()
+
+    def with_models(self, launches: Sequence[Launch], models: Iterable[ComponentModel]) -> Surrounding:
+        """What there is if the components that are among `models` have the models there."""
+        components = self.components.with_models(models)
+        named = {**self.named, **set_rows([launch.composition for launch in launches], components.models)}
+        return self if components is self.components else replace(self, components=components, named=named)
 
 
 @dataclass(frozen=True)
@@ -236,9 +254,12 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
     known = load(tuple(reading.library))
     diagnostics += known.problems
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
-    there = {row for interface in interfaces for row in interface.rows["interface"]}
-    shared = Interface.of({"interface": there, **shared_rows(models)})
-    return Components(models, programs, known.packages, tuple(interfaces), shared, tuple(diagnostics))
+    return Components(models, programs, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics))
+
+
+def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:
+    """What all systems see of these components."""
+    return Interface.of({"interface": {row for each in interfaces for row in each.rows["interface"]}, **shared_rows(models)})
 
 
 class _Needed:
