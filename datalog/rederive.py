@@ -1,6 +1,7 @@
 """Deriving again after an edit of the rules: only what the edit can reach, from the rows that were there before.
 
 Relations that no changed clause feeds keep their rows; the others become a program of their own, with the kept relations as its input.
+So do, at first, the relations alone whose clauses have changed: mostly they have the rows that they had, and then all others have, too.
 Nothing is approximated: the rows are those of the whole program. (Maintaining rows under changes of facts, as by Gupta, Mumick and
 Subrahmanian, 1993, is another matter: facts do not change here, rules do.)
 """
@@ -8,7 +9,7 @@ Subrahmanian, 1993, is another matter: facts do not change here, rules do.)
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, fields, is_dataclass, replace
 from pathlib import Path
@@ -21,24 +22,40 @@ from .program import Program, RelationDecl, compile_unit, declarations
 from .semantics import check
 from .slices import slice_unit
 from .sources import ParseMemory, Sources, read_program
-from .strata import dependencies, reachable, turned_around
+from .strata import components, dependencies, reachable, turned_around
 from .syntax import Directive, Relation, Unit
-
-HALF = 0.5  # of the clauses: from there on a slice saves nothing
 
 
 @dataclass(frozen=True, slots=True)
+class Part:
+    """A program of some relations; the others that they read, `needed`, are its input."""
+
+    program: Program
+    names: frozenset[str]
+    needed: frozenset[str]
+
+
+@dataclass(frozen=True)
 class Edit:
     """What separates a program from the one whose rows are known.
 
-    `slice` derives the `affected` relations from rows of the others, `needed`; None when nothing is affected. `relations` are all that
-    are declared now.
+    `relations` are all that are declared now, `affected` those that may have other rows. `first` derives, from rows that are known, those
+    that were edited themselves: where they have the rows that they had, all others have, too. None when nothing is affected.
     """
 
     relations: Mapping[str, RelationDecl]
     affected: frozenset[str]
-    needed: frozenset[str]
-    slice: Program | None
+    first: Part | None
+    _reads: Mapping[str, Collection[str]]
+    _part: Callable[[Collection[str]], Part]
+
+    def leading_to(self, names: Collection[str]) -> frozenset[str]:
+        """The affected relations that some relations are derived from, themselves included."""
+        return self.affected & reachable(self.affected.intersection(names), self._reads)
+
+    def part(self, names: Collection[str]) -> Part:
+        """What derives affected relations, all that lead to some of them, from rows that are known."""
+        return self._part(names)
 
 
 class RuleHistory:
@@ -62,34 +79,42 @@ class RuleHistory:
         return program
 
     def edit(self) -> Edit | None:
-        """What has changed since `whole`; None when so much is affected that the whole program is as good."""
+        """What has changed since `whole`; None when what all clauses rest on has."""
         unit, sources, report = self._read()
-        changed = None if self._base is None else _changed(self._base, unit)
-        if changed is None:
+        changed = _changed(self._base, unit) if self._base else None
+        if self._base is None or changed is None:
             return None
         declared = {r.name for r in unit.relations}
         reads = dependencies(declared, (c for c in unit.clauses if c.head.name in declared)).reads
-        affected = frozenset(reachable(changed, turned_around(reads)) & declared)
-        clauses = [c for c in unit.clauses if c.head.name in affected or c.head.name not in declared]
-        if len(clauses) > HALF * len(unit.clauses):
-            return None
-        checked = check(replace(unit, clauses=clauses), report, self.bits)  # all that an edit can have broken
-        declared_now = declarations(unit, checked.types)
-        if not affected:
-            return Edit(declared_now, affected, frozenset(), None)
-        own = _with_inlined(affected, unit, reads)
-        part, needed = slice_unit(unit, own, [c for c in unit.clauses if c.head.name in own])
-        return Edit(declared_now, affected, needed, compile_unit(part, sources, report, self.bits))
+        readers = turned_around(reads)
+        affected = frozenset(reachable(changed, readers) & declared)
+        within = {*_differing(self._base.relations, unit.relations), *_inline(unit)}  # whose change is one of their readers' clauses
+        first = reachable(changed, {name: readers.get(name, ()) for name in within}) & declared
+        recursive = components({name: reads[name] & affected for name in affected})
+        first |= {name for names in recursive if not first.isdisjoint(names) for name in names}
+        clauses = [c for c in unit.clauses if c.head.name in first or c.head.name not in declared]
+        types = check(replace(unit, clauses=clauses), report, self.bits).types  # all that an edit can have broken
+
+        def part(names: Collection[str]) -> Part:
+            own = _with_inlined(names, unit, reads)
+            sliced, needed = slice_unit(unit, own, [c for c in unit.clauses if c.head.name in own])
+            return Part(compile_unit(sliced, sources, report, self.bits), frozenset(names), needed)
+
+        return Edit(declarations(unit, types), affected, part(first) if first else None, reads, part)
 
     def _read(self) -> tuple[Unit, Sources, Report]:
         unit, sources, report = read_program(self.roots, self.extra_source, self.reading, parse=self._parse)
         return instantiate(unit, report), sources, report
 
 
-def _with_inlined(names: frozenset[str], unit: Unit, reads: Mapping[str, Collection[str]]) -> set[str]:
+def _with_inlined(names: Collection[str], unit: Unit, reads: Mapping[str, Collection[str]]) -> set[str]:
     """The relations, and the inline ones that they read: these have no rows, so that their clauses are needed."""
-    inline = {r.name for r in unit.relations if "inline" in r.qualifiers}
+    inline = _inline(unit)
     return set(names) | reachable(names, {name: (other for other in read if other in inline) for name, read in reads.items()})
+
+
+def _inline(unit: Unit) -> set[str]:
+    return {r.name for r in unit.relations if "inline" in r.qualifiers}
 
 
 def _changed(before: Unit, now: Unit) -> set[str] | None:

@@ -11,12 +11,13 @@ from typing import Any
 
 from rosarch.datalog import Program, RelationDecl
 from rosarch.datalog.queries import Table
-from rosarch.datalog.rederive import Edit, RuleHistory
+from rosarch.datalog.rederive import Edit, Part, RuleHistory
 from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.models.selection import SelectedComponent
 
 Row = tuple[Any, ...]
+Rows = dict[str, list[Row]]
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,7 @@ class Update:
 
 
 class LiveRules:
-    """Derives the rows of components, and after an edit of the rules again only what it reaches.
+    """Derives the rows of components, and after an edit of the rules again only what it reaches, where it changes anything.
 
     The rows of the whole program lie in `folder`, a file a component.
     """
@@ -59,24 +60,36 @@ class LiveRules:
         relations = edit.relations if edit else self.program.relations
         names = wanted(relations)
 
-        def work(index: int) -> dict[str, list[Row]]:
-            return self._whole(index, names) if edit is None else self._part(index, edit, names)
+        if edit is None:
+            again = None
+            found = self._run(lambda index: self._whole(index, names), range(len(self.components)))
+        else:
+            leading = edit.leading_to(names)
+            again = edit.first.names if edit.first and leading else frozenset()
+            found = self._run(lambda index: self._edited(index, edit, leading, names), range(len(self.components)))
+            changed = [index for index, outcome in found.items() if outcome is None]
+            if changed:
+                part = edit.part(leading)
+                again |= part.names
+                found |= self._run(lambda index: self._derived(index, part, names), changed)
+        titles = [component.title for component in self.components]
+        failures = {titles[i]: f"{each.reason}: {each.detail}" for i, each in sorted(found.items()) if isinstance(each, Failure)}
+        tables = {
+            titles[i]: {name: _table(relations[name], rows) for name, rows in each.items()}
+            for i, each in sorted(found.items())
+            if each is not None and not isinstance(each, Failure)
+        }
+        return Update(tables, again, time.perf_counter() - start, failures)
 
-        tables: dict[str, Mapping[str, Table]] = {}
-        failures: dict[str, str] = {}
-        for index, outcome in run_tasks(work, range(len(self.components)), jobs=self.jobs, timeout=LIMITS.evaluation):
-            title = self.components[index].title
-            if isinstance(outcome, Failure):
-                failures[title] = f"{outcome.reason}: {outcome.detail}"
-            else:
-                tables[title] = {name: _table(relations[name], rows) for name, rows in outcome.items()}
-        ordered = {c.title: tables[c.title] for c in self.components if c.title in tables}
-        return Update(ordered, edit.affected if edit else None, time.perf_counter() - start, failures)
+    def _run(self, work: Callable[[int], Rows | None], indexes: Sequence[int]) -> dict[int, Rows | Failure | None]:
+        """What `work` gives for each of these components."""
+        outcomes = run_tasks(work, indexes, jobs=self.jobs, timeout=LIMITS.evaluation)
+        return {indexes[number]: outcome for number, outcome in outcomes}
 
     def _file(self, index: int) -> Path:
         return self.folder / f"{index}.rows"
 
-    def _whole(self, index: int, wanted: Collection[str]) -> dict[str, list[Row]]:
+    def _whole(self, index: int, wanted: Collection[str]) -> Rows:
         assert self.program is not None
         inputs = set(self.program.inputs)
         facts = {name: rows for name, rows in self.components[index].load().items() if name in inputs}
@@ -84,13 +97,23 @@ class LiveRules:
         _write(self._file(index), result.all_rows())
         return {name: result.rows(name) for name in wanted}
 
-    def _part(self, index: int, edit: Edit, wanted: Collection[str]) -> dict[str, list[Row]]:
-        derived = [name for name in wanted if name in edit.affected]
-        known = _read(self._file(index), {*(edit.needed if derived else ()), *(n for n in wanted if n not in edit.affected)})
-        found = {name: known[name] for name in wanted if name in known}
-        if derived and edit.slice is not None:
-            result = edit.slice.evaluate({name: known[name] for name in edit.needed}, keep=derived)
-            found |= {name: result.rows(name) for name in derived}
+    def _edited(self, index: int, edit: Edit, leading: frozenset[str], wanted: Collection[str]) -> Rows | None:
+        """The rows after an edit; None when edited relations have others than before, so that those that rest on them may, too."""
+        if edit.first is None or not leading:
+            return _read(self._file(index), wanted)
+        if edit.first.names >= leading:
+            return self._derived(index, edit.first, wanted)
+        known = _read(self._file(index), edit.first.needed | edit.first.names)
+        result = edit.first.program.evaluate({name: known[name] for name in edit.first.needed}, keep=edit.first.names)
+        if any(name not in known or set(known[name]) != set(result.rows(name)) for name in result.names()):
+            return None
+        return _read(self._file(index), wanted)
+
+    def _derived(self, index: int, part: Part, wanted: Collection[str]) -> Rows:
+        """The rows with those that a part of the rules derives."""
+        known = _read(self._file(index), part.needed.union(wanted))
+        result = part.program.evaluate({name: known[name] for name in part.needed}, keep=part.names)
+        found = {**known, **{name: result.rows(name) for name in part.names.intersection(wanted, result.names())}}
         return {name: found[name] for name in wanted if name in found}
 
 
@@ -105,7 +128,7 @@ def _write(path: Path, relations: Mapping[str, Iterable[Row]]) -> None:
     path.write_bytes(len(head).to_bytes(8, "little") + head + b"".join(parts.values()))
 
 
-def _read(path: Path, wanted: Collection[str]) -> dict[str, list[Row]]:
+def _read(path: Path, wanted: Collection[str]) -> Rows:
     with path.open("rb") as file:
         start = 8 + int.from_bytes(file.read(8), "little")
         places = marshal.loads(file.read(start - 8))

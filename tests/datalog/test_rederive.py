@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rosarch.datalog import DatalogError
-from rosarch.datalog.rederive import Edit, RuleHistory
+from rosarch.datalog.rederive import Edit, Part, RuleHistory
 
 BASE = """\
 .decl edge(x: symbol, y: symbol)
@@ -30,11 +30,18 @@ FACTS = {"edge": [("a", "b"), ("b", "c"), ("c", "b"), ("c", "d")]}
 
 
 def rederived(history: RuleHistory, base: dict[str, list[tuple[str, ...]]], edit: Edit) -> dict[str, list[tuple[str, ...]]]:
-    """The rows after an edit: those of the slice, the others as they were."""
-    if edit.slice is None:
+    """The rows after an edit: those of the affected relations, the others as they were."""
+    if edit.first is None:
         return base
-    found = edit.slice.evaluate({name: base[name] for name in edit.needed}, keep=edit.affected)
-    return {**base, **{name: found.rows(name) for name in edit.affected if name in found.names()}}
+    first, whole = (derived(part, base) for part in (edit.first, edit.part(edit.affected)))
+    if all(base.get(name) == rows for name, rows in first.items()):
+        assert all(base.get(name) == rows for name, rows in whole.items())  # all others have the rows that they had
+    return {**base, **whole}
+
+
+def derived(part: Part, base: dict[str, list[tuple[str, ...]]]) -> dict[str, list[tuple[str, ...]]]:
+    found = part.program.evaluate({name: base[name] for name in part.needed}, keep=part.names)
+    return {name: found.rows(name) for name in found.names()}
 
 
 def rows_of(program: object, facts: object) -> dict[str, list[tuple[str, ...]]]:
@@ -54,11 +61,11 @@ def test_only_what_is_reached_is_derived_again(tmp_path: Path) -> None:
     file, history, base = start(tmp_path)
     file.write_text("// a comment\n\n" + BASE)
     edit = history.edit()
-    assert edit is not None and edit.slice is None and not edit.affected
+    assert edit is not None and edit.first is None and not edit.affected
 
     file.write_text(BASE + 'lone("z").\n')
     edit = history.edit()
-    assert edit is not None and edit.affected == {"lone"} and edit.needed == {"node", "path"}
+    assert edit is not None and edit.first and edit.affected == {"lone"} and edit.first.needed == {"node", "path"}
     assert rederived(history, base, edit)["lone"] == [("a",), ("d",), ("z",)]
 
 
@@ -67,21 +74,37 @@ def test_relations_come_and_go(tmp_path: Path) -> None:
     file, history, base = start(tmp_path)
     file.write_text(BASE + '.decl back(x: symbol)\nback(X) :- reverse(X, "a").\n')
     edit = history.edit()
-    assert edit is not None and edit.affected == {"back"} and edit.needed == {"path"}
+    assert edit is not None and edit.first and edit.affected == {"back"} and edit.first.needed == {"path"}
     assert rederived(history, base, edit)["back"] == [("b",), ("c",), ("d",)]
 
     file.write_text(BASE.replace(".decl pair(x: symbol, y: symbol)\npair(X, Y) :- node(X), node(Y).\n", ""))
     edit = history.edit()
-    assert edit is not None and not edit.affected and edit.slice is None
+    assert edit is not None and not edit.affected and edit.first is None
 
 
 def test_what_cannot_be_told_apart_is_derived_as_a_whole(tmp_path: Path) -> None:
-    """A changed type, or a change that reaches most clauses, is no edit of a part."""
+    """A changed type is no edit of a part."""
     file, history, _ = start(tmp_path)
     file.write_text(BASE + ".type T <: symbol\n")
     assert history.edit() is None
-    file.write_text(BASE.replace("path(X, Y) :- edge(X, Y).", "path(X, Y) :- edge(X, Y), X != Y.").replace("node(X) :- edge(_, X).\n", ""))
-    assert history.edit() is None
+
+
+def test_what_leads_to_relations(tmp_path: Path) -> None:
+    """Of what an edit reaches, only that is derived which leads to what is asked for; at first what was edited, with what is recursive with it."""
+    file, history, _ = start(tmp_path)
+    file.write_text(BASE.replace("path(X, Y) :- edge(X, Y).", "path(X, Y) :- edge(X, Y), X != Y."))
+    edit = history.edit()
+    assert edit is not None and edit.first is not None
+    assert (edit.affected, edit.first.names) == ({"path", "reverse", "lone"}, {"path"})
+    assert (edit.leading_to(["lone"]), edit.leading_to(["pair"])) == ({"path", "lone"}, set())
+    file.write_text(
+        BASE.replace("reverse(X, Y) :- path(Y, X).", "reverse(X, Y) :- path(X, Y).") + ".decl end(x: symbol)\nend(X) :- reverse(X, _).\n"
+    )
+    history = RuleHistory([file])
+    history.whole()
+    file.write_text(file.read_text().replace("path(X, Y).", "path(Y, X)."))
+    edit = history.edit()
+    assert edit is not None and edit.first is not None and edit.first.names == {"reverse", "end"}  # as it is inlined
 
 
 @pytest.mark.parametrize(
