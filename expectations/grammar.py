@@ -19,7 +19,7 @@ from rosarch.extractor.hints import hint
 
 _TOKEN = re.compile(r'(?:[^\s"]|"(?:\\.|[^"\\])*"?)+')
 _FIELD = re.compile(r"([a-z_]+)=(?!=)(.*)", re.DOTALL)
-_QUERY = re.compile(r"!?\s*[a-z_][\w.]*\s*\(|[A-Z]\w*\s*(?:!?=|[<>])")
+_QUERY = re.compile(r"!?\s*[a-z_][\w.]*\s*\(|(?:[A-Z]\w*|\d+)\s*(?:!?=|[<>])")
 _GUARDS = ("guard", "when", "conditional")
 _TRUTH_VALUES = frozenset({"must", "latched", "implicit"})
 _NUMBERS = frozenset({"queue", "hz", "after"})

@@ -11,6 +11,7 @@
 // expect-only: periodic
 // expect: activity(F, "thread"), function_name(F, "Node::forever")
 // expect: activity(F, "end"), function_name(F, "Node::~Node")
+// expect: 1 = count : { sends_in_burst(_, _, _) }
 #include <atomic>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>

@@ -19,6 +19,7 @@
 // expect: Count = count : { _timed_block(B), activity_part(Root, B), activity(Root, "thread") }, Count = 0
 // expect-not: runs_later(_, F)
 // expect-not: timer_callback(_, F)
+// expect: 4 = count : { concurrent(_, _) }, 8 = count : { constant_node(_) }, 9 = count : { depends_on(_, _) }
 #include <algorithm>
 #include <boost/asio.hpp>
 #include <csignal>

@@ -12,6 +12,7 @@
 // expect: state g_stop = false
 // expect: transition g_stop = true
 // expect-not: reactive /in -> /late
+// expect: 6 = count : { concurrent(_, _) }
 #include <algorithm>
 #include <csignal>
 #include <ros/ros.h>

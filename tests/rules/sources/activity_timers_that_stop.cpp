@@ -2,6 +2,7 @@
 // expect-only: reactive * -> *
 // expect-only: one_shot *
 // expect-only: periodic *
+// expect: 3 = count : { enters(_, _) }
 #include <chrono>
 #include <thread>
 #include <rclcpp/rclcpp.hpp>

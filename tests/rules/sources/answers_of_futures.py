@@ -13,6 +13,7 @@
 # expect-only: one_shot *
 # expect-only: periodic *
 # expect-not: _kept(_); _handled_twice(_); _always_kept(_, _); _first_value(_, _)
+# expect: 21 = count : { reached_in(_, _, _) }
 import rclpy
 from rclpy.lifecycle import LifecycleNode
 from std_msgs.msg import Bool, String

@@ -39,6 +39,7 @@
 // expect-not: provides_after([_, "subscriber", _], _)
 // expect-not: provides_after([_, "service_client", _], _)
 // expect-not: provides_after([_, _, "/late"], W), waits_for(W, [_, _, "/sometimes"])
+// expect: 22 = count : { message_arrives(_, _) }, 8 = count : { value_goes(_, _, _) }
 #include <actionlib/client/simple_action_client.h>
 #include <actionlib/server/simple_action_server.h>
 #include <actionlib_tutorials/FibonacciAction.h>

@@ -11,6 +11,7 @@
 // expect-only: publisher
 // expect: Count = count : { bound_argument(F, I, A), literal(A, "string", _) }, Count = 10
 // expect: N = count : { _passed_to(_, _) }, N = 1
+// expect-not: value_source(_, _)
 #include <boost/bind.hpp>
 #include <functional>
 #include <ros/ros.h>

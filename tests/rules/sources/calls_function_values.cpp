@@ -10,6 +10,7 @@
 // expect: calls(_, F), function_name(F, "byField")
 // expect: calls(_, F), function_name(F, "byCast")
 // expect-not: parameter_operand_type(_, _); given_to_field(_, _, _); _held_itself(_, _, _); flow_variable(_, _, _)
+// expect-not: field_made(_, _)
 #include <functional>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>

@@ -7,6 +7,8 @@
 // expect-not: state_variable(_); changes(_, _, _); transition(_, _, _); runs_later(_, _); parameter_access(_, _, _); hidden_site(_, "ros::init")
 // expect-not: calls(_, F), function_name(F, "Kept::helper"), reachable(F)
 // expect: Count = count : { component_middleware(_) }, Count = 1
+// expect: 5 = count : { class_constructed(_) }
+// expect-not: period_amount(_, _, _)
 #include <csignal>
 #include <map>
 #include <ros/ros.h>

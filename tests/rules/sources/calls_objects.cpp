@@ -19,6 +19,7 @@
 // expect: Count = count : { calls(C, F), function_name(F, "Made::Made") }, Count = 1
 // expect: Count = count : { makes_instance(C, Class) }, Count = 1
 // expect: makes_instance(C, "Made")
+// expect: 2 = count : { bound_type(_, _, _, _) }, 30 = count : { reachable(_) }
 #include <boost/bind.hpp>
 #include <memory>
 #include <ros/ros.h>

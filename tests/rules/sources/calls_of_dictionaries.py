@@ -6,6 +6,7 @@
 # expect: Count = count : { calls(C, F), function_name(F, Name), match(".*on_right", Name) }, Count = 2
 # expect-only: publisher *
 # expect-only: reactive * -> *
+# expect: 2 = count : { function_holder(_, _) }, 6 = count : { port_holder(_, _) }
 import absent
 import rospy
 from std_msgs.msg import Empty, String

@@ -3,6 +3,7 @@
 // expect: service_client ~arm/change_state std_srvs/Trigger
 // expect-not: publisher /never
 // expect: reactive /in -> ~arm/change_state
+// expect: 6 = count : { call_role(_, _, _) }
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/empty.hpp>
 #include <std_srvs/srv/trigger.hpp>

@@ -8,6 +8,7 @@
 # expect: periodic first 5 Hz
 # expect: periodic second 20 Hz
 # expect-only: periodic
+# expect: 7 = count : { as_given(_, _, _) }, 1 = count : { sleeps_within(_) }
 import _thread
 import threading
 

@@ -14,6 +14,7 @@
 // expect: Count = count : { callback_queue(Site, Queue) }, Count = 3
 // expect-not: concurrent_callbacks(F, G), function_name(F, "onOwn"), function_name(G, "onThird")
 // expect-not: concurrent_callbacks(F, G), function_name(F, "onOwn"), function_name(G, "onOwnToo")
+// expect: 3 = count : { as_given(_, _, _) }
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>

@@ -19,6 +19,7 @@
 // expect-only: transition
 // expect: N = count : { _enters_at(_, _) }, N = 2
 // expect-not: _dropped(_, _, _); _local_made_of_parameter(_, _)
+// expect: 3 = count : { flow_filter(_, _, _) }
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 

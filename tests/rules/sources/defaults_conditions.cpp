@@ -10,6 +10,8 @@
 // expect-not: default_text(V, _), variable_name(V, "passed")
 // expect: default_text(V, "3"), variable_name(V, "mode")
 // expect: default_text(V, "false"), variable_name(V, "fake_")
+// expect: 27 = count : { defined_text(_, _, _, _, _) }
+// expect-not: seen_otherwise(_, _, _)
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 

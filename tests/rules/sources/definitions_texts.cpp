@@ -17,6 +17,7 @@
 // expect: N = count : { outer_use(_, _) }, N = 6
 // expect-only: subscriber
 // expect: N = count : { number_variable(_) }, N = 2
+// expect: 8 = count : { operand_values(_, _, _, _, _, _) }
 #include <boost/algorithm/string.hpp>
 #include <algorithm>
 #include <cstdio>

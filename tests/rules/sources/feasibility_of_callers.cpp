@@ -33,6 +33,7 @@
 // expect-only: publisher
 // expect: Count = count : { never_true(E, C) }, Count = 9
 // expect: Count = count : { never_false(E, C) }, Count = 7
+// expect: 1 = count : { default_text(_, _) }
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <string>

@@ -3,6 +3,7 @@
 // expect: port_flow([_, _, "/map"], [_, _, "/pose"], "data", "kept")
 // expect: port_flow([_, _, "/scan"], [_, _, "/pose"], "data", "reactive")
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 2
+// expect-not: value_enters(_, _, _)
 #include <aligner/aligner.h>
 #include <geometry_msgs/Pose.h>
 #include <ros/ros.h>

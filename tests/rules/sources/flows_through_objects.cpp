@@ -3,6 +3,7 @@
 // expect: port_flow([_, _, "/speed"], [_, _, "/plan"], "data", "deferred")
 // expect: port_flow([_, _, "/path"], [_, _, "/plan"], "data", "deferred")
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 2
+// expect-not: may_skip(_, _, _)
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>

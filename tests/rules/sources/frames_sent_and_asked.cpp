@@ -24,6 +24,7 @@
 // expect: sends_frame(C, "base", "")
 // expect: sends_frame(C, "again", "")
 // expect: sends_frame(C, "named", "~child")
+// expect: 1 = count : { kept_from(_, _, _) }
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>

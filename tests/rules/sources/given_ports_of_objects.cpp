@@ -1,5 +1,6 @@
 // Functions that send through what they are given: a parameter, or a member of the object that they are called on.
 // expect-only: reactive * -> *
+// expect: 6 = count : { default_group(_, _) }, 2 = count : { given_to_another(_, _, _) }
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/string.hpp>
 #include <std_srvs/srv/trigger.hpp>

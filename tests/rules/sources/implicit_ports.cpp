@@ -11,6 +11,7 @@
 // expect: service_server set_parameters implicit
 // expect: service_server tuned/set_parameters implicit
 // expect: service_server ~load_nodelet nodelet/NodeletLoad implicit
+// expect: 1 = count : { message_arrives(_, _) }
 #include <actionlib/client/simple_action_client.h>
 #include <actionlib/server/simple_action_server.h>
 #include <diagnostic_updater/diagnostic_updater.h>

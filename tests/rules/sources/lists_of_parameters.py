@@ -6,6 +6,7 @@
 # expect: param nothing = "[]"
 # expect: param wrapped = "[1, 2]"
 # expect: param single = 3
+# expect: 23 = count : { evaluable(_) }, 4 = count : { list_text(_, _, _) }
 import rclpy
 from rclpy.node import Node
 

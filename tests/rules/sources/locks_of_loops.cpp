@@ -13,6 +13,7 @@
 // expect-not: concurrent(_, F), activity(F, "signal")
 // expect: Count = count : { locks(F) }, Count = 1
 // expect: locks(F), function_name(F, "onGuarded")
+// expect-not: serves_callbacks(_)
 #include <csignal>
 #include <mutex>
 #include <ros/ros.h>

@@ -2,6 +2,7 @@
 //
 // expect: Count = count : { call_blocks(_, _, _) }, Count = 1
 // expect: call_blocks([_, "service_client", "/reset"], [_, "service_server", "/reset"], C), expr_function(C, F), function_name(F, "onIn")
+// expect: 10 = count : { evaluable(_) }
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <std_srvs/Empty.h>

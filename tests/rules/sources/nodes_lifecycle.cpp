@@ -10,6 +10,7 @@
 // expect-only: transition *
 // expect-only: reactive * -> *
 // expect-only: periodic *
+// expect: 8 = count : { activity_expr(_, _) }, 15 = count : { activity_part(_, _) }
 #include <thread>
 #include <rclcpp/rclcpp.hpp>
 #include <rclcpp_lifecycle/lifecycle_node.hpp>

@@ -12,6 +12,7 @@
 // expect: N = count : { variable_wanted(_) }, N = 23
 // expect-only: publisher
 // expect-only: periodic
+// expect: 14 = count : { joined_text(_, _, _) }, 5 = count : { message_content(_, _) }, 2 = count : { round_sends(_, _, _) }
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 #include <string>

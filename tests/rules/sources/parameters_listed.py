@@ -10,6 +10,7 @@
 # expect: param frame op=read
 # expect-only: param
 # expect: publisher base
+# expect: 5 = count : { listed_parameter(_, _, _) }
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String

@@ -11,6 +11,8 @@
 // expect: param ~handed_bool type=bool
 // expect: param ~made_int type=int
 // expect: param ~made_string = base type=string
+// expect: 6 = count : { default_text(_, _) }
+// expect-not: constant_condition(_, _); written_through(_)
 #include <absent_vendor/gain.h>
 #include <ros/ros.h>
 #include <string>

@@ -12,6 +12,7 @@
 // expect: subscriber /front
 // expect-not: subscriber ?
 // expect-not: subscriber *other*
+// expect-not: of_other_key(_, _)
 #include <map>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>

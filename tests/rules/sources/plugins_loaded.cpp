@@ -9,6 +9,7 @@
 // expect: Count = count : { plugin_load_any(C, "Part") }, Count = 1
 // expect: N = count : { as_given(_, _, _) }, N = 5
 // expect-not: chained_type(_, _); _type_operand(_, _)
+// expect: 10 = count : { assigned_value(_, _, _) }
 #include <boost/shared_ptr.hpp>
 #include <pluginlib/class_loader.h>
 #include <ros/ros.h>

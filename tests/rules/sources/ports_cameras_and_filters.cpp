@@ -32,6 +32,8 @@
 // expect: port_made_through([_, _, "/left_wheel"], C)
 // expect: publisher /left_wheel std_msgs/Int32
 // expect: publisher /right_wheel std_msgs/Int32
+// expect: 2 = count : { bound_argument(_, _, _) }, 25 = count : { call_namespace(_, _, _, _) }
+// expect: 25 = count : { port_quality_given(_, _, _) }, 2 = count : { synchronised(_, _) }
 #include <image_transport/image_transport.h>
 #include <message_filters/cache.h>
 #include <message_filters/subscriber.h>

@@ -13,6 +13,7 @@
 // expect-only: publisher
 // expect-only: subscriber
 // expect: Count = count : { instantiated(Site, Context, Type, Instance) }, Count = 18
+// expect: 7 = count : { chained_type(_, _) }
 #include <memory>
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>

@@ -33,6 +33,7 @@
 // expect: service_client other std_srvs/Trigger
 // expect: port_quality([_, _, "other"], "reliability", "best_effort")
 // expect: N = count : { port_queue(_, _) }, N = 15, 6 = count : { result_value(_, _) }
+// expect: 3 = count : { base_part(_) }
 #include <memory>
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/bool.hpp>

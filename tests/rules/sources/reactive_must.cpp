@@ -26,6 +26,7 @@
 // expect: reactive /repeat -> /out may
 // expect-only: reactive
 // expect: Count = count : { may_skip(F, Kind, Name), Kind != "parameter" }, Count = 20
+// expect: 27 = count : { port_flow(_, _, _, _) }
 #include <message_filters/subscriber.h>
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>

@@ -11,6 +11,7 @@
 # expect-only: param
 # expect: publisher points from_param=~topic
 # expect: publisher auto/state from_param=~device
+# expect: 4 = count : { used_instead(_, _) }
 import rospy
 from std_msgs.msg import String
 

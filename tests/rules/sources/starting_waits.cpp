@@ -2,6 +2,7 @@
 //
 // expect: N = count : { sent_at_start(_, _) }, N = 0
 // expect: N = count : { sent_in_a_row(_, _) }, N = 0
+// expect: 2 = count : { decides(_, _) }, 10 = count : { port_value(_, _) }
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 

@@ -4,6 +4,7 @@
 # expect: state angle = 0
 # expect: transition angle = message.data on angle
 # expect-only: state
+# expect: 14 = count : { evaluable(_) }
 import rospy
 from std_msgs.msg import Float32, String
 

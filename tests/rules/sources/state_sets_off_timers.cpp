@@ -4,6 +4,7 @@
 // expect: state made_ = false
 // expect-only: state
 // expect-not: _not_empty_by(_, _, _)
+// expect: 1 = count : { stops_timer(_, _) }
 #include <ros/ros.h>
 
 class Lamp {

@@ -7,6 +7,7 @@
 // expect-only: state
 // expect: transition Fuser::queue_ on /in
 // expect: transition Fuser::arrived_ = true on /first
+// expect: 4 = count : { constant_return(_, _) }
 #include <deque>
 #include <optional>
 #include <rclcpp/rclcpp.hpp>

@@ -2,6 +2,7 @@
 //
 // expect: param bond_disable_heartbeat_timeout = true op=declare
 // expect-only: param * op=declare
+// expect-not: cannot_be(_, _, _, _)
 #include <bond/msg/constants.hpp>
 #include <rclcpp/rclcpp.hpp>
 

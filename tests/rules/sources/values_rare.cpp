@@ -9,6 +9,7 @@
 // expect: subscriber /left
 // expect: subscriber /right
 // expect-not: constant_condition(_, _)
+// expect-not: operand_values(_, _, _, _, _, _)
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <string>

@@ -6,6 +6,7 @@
 // expect: N = count : { template_made_with(Type, Class), location(Class, _, _, _) }, N = 3
 // expect: N = count : { variable_wanted(_) }, N = 7
 // expect-only: subscriber
+// expect: 14 = count : { plain_class(_) }
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <string>

@@ -11,6 +11,7 @@
 // expect: subscriber /resolved
 // expect: value(E, _, "5", _), operator(E, "-")
 // expect-not: _called_inside(_, _); _generic(_, _); _condition_part(_)
+// expect: 9 = count : { name_parameter(_, _, _, _) }
 #include <boost/format.hpp>
 #include <functional>
 #include <ros/ros.h>

@@ -21,6 +21,7 @@
 // expect: subscriber /by_function
 // expect: subscriber /recursive
 // expect: subscriber ?
+// expect: 28 = count : { as_given(_, _, _) }
 #include <boost/format.hpp>
 #include <cstdio>
 #include <memory>

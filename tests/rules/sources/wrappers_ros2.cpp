@@ -12,6 +12,8 @@
 // expect-not: given_callback(_, _); sends_through(_, _); _sends_several(_); _sends_other(_, _, _); _given_to(_, _, _); _slot(_); _other_callee(_, _)
 // expect-not: _leads_to(_, _); _forwards(_, _); _handled_twice(_); _runs_for(_, _); _makes_several(_); _calls_quality(_, _); text_variable(_); number_variable(_)
 // expect-not: _only_reads(_); _not_chosen(_, _)
+// expect: 5 = count : { activity(_, _) }, 9 = count : { calls(_, _) }, 12 = count : { chained_type(_, _) }
+// expect-not: callback_in_group(_, _, _)
 #include <memory>
 #include <string>
 #include <chrono>

@@ -1,5 +1,6 @@
 // Serves `left` only when `right` is there, which only comes after `left`.
 // expect: service_server left
+// expect-not: port_quality_given(_, _, _)
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
 

@@ -2,6 +2,7 @@
 // expect-not: finding waits-for-ever "*/left*"
 // expect-not: finding waits-for-ever "*/maybe*"
 // expect-not: finding waits-for-ever "*/soon*"
+// expect: 1 = count : { flag_setting(_, _, _) }
 #include <actionlib/client/simple_action_client.h>
 #include <actionlib_tutorials/FibonacciAction.h>
 #include <ros/ros.h>

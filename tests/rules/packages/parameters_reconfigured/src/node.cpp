@@ -7,6 +7,7 @@
 // expect: reconfigure_parameter(_, "topic", "string", "/global")
 // expect: reconfigure_parameter(_, "named/topic", "string", "/named")
 // expect: reconfigure_parameter(_, "named/queue", "int", "4")
+// expect: 5 = count : { name_parameter(_, _, _, _) }
 #include <dynamic_reconfigure/server.h>
 #include <parameters_reconfigured/GlobalConfig.h>
 #include <parameters_reconfigured/NamedConfig.h>

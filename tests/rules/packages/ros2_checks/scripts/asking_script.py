@@ -1,5 +1,6 @@
 # Callbacks of Python that wait for answers.
 # expect-not: finding callback-deadlock "*/later,*"
+# expect: 7 = count : { future_of(_, _) }, 1 = count : { value_leaves(_, _, _) }
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.node import Node

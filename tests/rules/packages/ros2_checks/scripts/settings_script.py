@@ -1,4 +1,6 @@
 # Parameters of ROS 2 have one type, in Python as well.
+# expect: 2 = count : { listed_parameter(_, _, _) }
+# expect-not: parameter_of_any_type(_)
 import rclpy
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node

@@ -1,5 +1,7 @@
 // Callbacks that wait for answers while several threads run callbacks: only those in the group of the client keep the answer out.
 // expect-not: finding callback-deadlock "*/reentrant,*"
+// expect: 2 = count : { callback_in_group(_, _, _) }, 1 = count : { numeric(_) }
+// expect-not: single_threaded(_)
 #include <chrono>
 #include <rclcpp/rclcpp.hpp>
 #include <std_srvs/srv/trigger.hpp>

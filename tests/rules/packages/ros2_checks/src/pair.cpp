@@ -1,6 +1,7 @@
 // A program of two nodes, which the launch file does not name: what it sets is set for both.
 // expect-not: finding parameter-required "*/side*"
 // expect-not: finding parameter-in-other-namespace
+// expect: 1 = count : { single_threaded(_) }
 #include <rclcpp/rclcpp.hpp>
 
 class Left : public rclcpp::Node {
