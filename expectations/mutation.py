@@ -23,6 +23,8 @@ def mutation_cases(program: Program, cases: Sequence[Case], how: Running) -> Ite
     """A case for each component that its sources expect something of, or that findings are expected about."""
     for case in cases:
         with observed(case, program, how) as found:
+            if any(map(is_finding, case.expectations)):
+                found.systems.findings_with(())  # what is around the components is read here, once for all that judge mutants
             for component in found.components:
                 own = [e for e in case.expectations if _is_about(e, component, found)]
                 if own and component.rows:

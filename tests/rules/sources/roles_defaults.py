@@ -11,7 +11,8 @@
 # expect-only: param
 # expect: publisher points from_param=~topic
 # expect: publisher auto/state from_param=~device
-# expect: 4 = count : { used_instead(_, _) }
+# expect: 5 = count : { used_instead(_, _) }
+# expect: param ~gain = 3
 import rospy
 from std_msgs.msg import String
 
@@ -38,7 +39,26 @@ def ask_for(name):
         return 2
 
 
+def ask_again(name):
+    tries = 0
+    value = None
+    try:
+        value = rospy.get_param(name)
+        tries = 2
+    except KeyError:
+        value = 3
+        tries = 1
+        tries += 5
+        rospy.loginfo("not set")
+    else:
+        tries = 7
+    later = value
+    value = 6
+    return later + tries
+
+
 rospy.init_node("settings")
+gain = ask_again("~gain")
 device = get_param("~device", "auto")
 rate = get_param("~rate", 10)
 frame = ask("~frame", "base")

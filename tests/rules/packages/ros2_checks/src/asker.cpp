@@ -27,6 +27,9 @@ public:
     separate_ = create_client<Trigger>("separate", rclcpp::ServicesQoS(), apart_);
     rclcpp::SubscriptionOptions options;
     options.callback_group = group_;
+    options.use_default_callbacks = false;
+    rclcpp::SubscriptionOptions of_none;
+    of_none.callback_group = any_;
     go_ = create_subscription<Text>("go", 10, [this](const Text & text) { onGo(text); });
     grouped_ = create_subscription<Text>("grouped_text", 10, std::bind(&Asker::onGrouped, this, std::placeholders::_1), options);
     timer_ = create_wall_timer(1s, [this]() { onTimer(); }, any_);
@@ -62,7 +65,9 @@ private:
   rclcpp::TimerBase::SharedPtr timer_;
 };
 
+void serve(const std::shared_ptr<Asker> & asker) { rclcpp::spin(asker); }
+
 int main(int argc, char ** argv) {
   rclcpp::init(argc, argv);
-  rclcpp::spin(std::make_shared<Asker>());
+  serve(std::make_shared<Asker>());
 }

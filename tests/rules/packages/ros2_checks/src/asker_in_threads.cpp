@@ -1,6 +1,6 @@
 // Callbacks that wait for answers while several threads run callbacks: only those in the group of the client keep the answer out.
 // expect-not: finding callback-deadlock "*/reentrant,*"
-// expect: 2 = count : { callback_in_group(_, _, _) }, 1 = count : { numeric(_) }
+// expect: 3 = count : { callback_in_group(_, _, _) }, 1 = count : { numeric(_) }
 // expect-not: single_threaded(_)
 #include <chrono>
 #include <rclcpp/rclcpp.hpp>
@@ -20,6 +20,10 @@ public:
     server_ = create_service<Trigger>("serve", [this](Trigger::Request::SharedPtr, Trigger::Response::SharedPtr) {
       reentrant_->async_send_request(std::make_shared<Trigger::Request>()).get();
     });
+    on_set_ = add_on_set_parameters_callback([this](const std::vector<rclcpp::Parameter> &) {
+      reentrant_->async_send_request(std::make_shared<Trigger::Request>()).get();
+      return rcl_interfaces::msg::SetParametersResult();
+    });
   }
 
 private:
@@ -33,6 +37,7 @@ private:
   rclcpp::Client<Trigger>::SharedPtr grouped_, reentrant_;
   rclcpp::Service<Trigger>::SharedPtr server_;
   rclcpp::TimerBase::SharedPtr timer_;
+  OnSetParametersCallbackHandle::SharedPtr on_set_;
 };
 
 int main(int argc, char ** argv) {
