@@ -3,8 +3,8 @@
     benchmarks/workbench.py edits PATH... [--rule FILE]... [--runs N]
     benchmarks/workbench.py experiment TRUTH SYSTEMS [--runs N]
 
-`edits` derives all rows of the components at PATH (sources, or better facts) as `rosarch watch` does, edits one rule, and derives again;
-rules of rosarch's are edited in a copy. By default an own rule and `core/reactive.dl` are edited. `experiment` runs three variants on all
+`edits` derives all rows of the components at PATH (sources, or better facts) as `rosarch watch` does, edits one rule, and derives again: once
+so that no row changes, and once so that the rule is gone. Rules of rosarch's are edited in a copy. By default an own rule and `core/reactive.dl` are edited. `experiment` runs three variants on all
 systems of TRUTH, facts being extracted before. Prints Markdown tables, of several runs the median. Processor time is of all processes.
 """
 
@@ -38,6 +38,7 @@ OWN = """
 changed_by(Topic, Name) :- transition(_, Variable, Function), variable_name(Variable, Name), port_callback([_, _, Topic], Function).
 """
 WANTED = ("port", "reacts", "transition")
+EDITS = {"1 = 1": "", "1 = 2": ", a rule gone"}
 VARIANTS = "{default: {}, rosinfer: {decisions: {state-variable: rosinfer}}, nesting: {decisions: {publish-guard: nesting}}}"
 
 
@@ -60,31 +61,33 @@ def history(rules: Sequence[str], folder: Path) -> tuple[RuleHistory, dict[str, 
 
 
 def measure_edits(paths: Sequence[Path], rules: Sequence[str], runs: int) -> None:
-    """A row for each path and rule: another condition, which holds, is put into the first rule of the file."""
+    """Two rows for each path and rule: a condition is put into the first rule of the file that holds, and one that does not, so that the rule is gone."""
     print("| facts | components | edited | all rows | processor | after the edit | processor | derived again |\n|---|" + "---:|" * 7)
     for path in paths:
         first: list[tuple[float, ...]] = []
-        again: dict[str, list[tuple[float, ...]]] = {rule: [] for rule in rules}
-        affected: dict[str, int] = {}
+        again: dict[tuple[str, str], list[tuple[float, ...]]] = {(rule, condition): [] for rule in rules for condition in EDITS}
+        affected: dict[tuple[str, str], int] = {}
         for _ in range(runs):
             with tempfile.TemporaryDirectory() as folder, select(path) as selection:
                 known, files = history(rules, Path(folder))
                 live = LiveRules(selection.components, known, Path(folder))
                 first.append(timed(partial(live.derive, lambda _: WANTED))[1:])
-                for rule, file in files.items():
-                    text = file.read_text()
-                    file.write_text(text.replace(":-", ":- 1 = 1,", 1))
+                for edit in again:
+                    rule, condition = edit
+                    text = files[rule].read_text()
+                    files[rule].write_text(text.replace(":-", f":- {condition},", 1))
                     wanted = ("changed_by",) if rule == "own" else WANTED
                     update, *seconds = timed(partial(live.derive, lambda _, wanted=wanted: wanted))
-                    file.write_text(text)
+                    files[rule].write_text(text)
                     if update.failures or update.affected is None:
                         raise SystemExit(f"{path}: {update.failures or 'everything was derived again'}")
-                    again[rule].append(tuple(seconds))
-                    affected[rule] = len(update.affected)
-        for rule in rules:
-            cells = [f"{statistics.median(row[i] for row in rows):.2f} s" for rows in (first, again[rule]) for i in (0, 1)]
-            shown = "a rule of one's own" if rule == "own" else f"`{rule}`"
-            print(f"| {path.stem} | {len(selection.components)} | {shown} | {' | '.join(cells)} | {affected[rule]} |", flush=True)
+                    again[edit].append(tuple(seconds))
+                    affected[edit] = len(update.affected)
+        for rule, condition in again:
+            edit = rule, condition
+            cells = [f"{statistics.median(row[i] for row in rows):.2f} s" for rows in (first, again[edit]) for i in (0, 1)]
+            shown = ("a rule of one's own" if rule == "own" else f"`{rule}`") + EDITS[condition]
+            print(f"| {path.stem} | {len(selection.components)} | {shown} | {' | '.join(cells)} | {affected[edit]} |", flush=True)
 
 
 def run_experiment(plan: Path, cache: Path) -> None:

@@ -48,7 +48,14 @@ def test_meaning(text: str, kind: str, wanted: dict[str, str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["port(_)", '!port([_, "publisher", _])', "Count = count : { port(_) }, Count > 1", "2 = count : { port(_) }", "own.relation(X), X != 1"]
+    "text",
+    [
+        "port(_)",
+        '!port([_, "publisher", _])',
+        "Count = count : { port(_) }, Count > 1",
+        "2 = count : { port(_) }",
+        "own.relation(X), X != 1",
+    ],
 )
 def test_queries(text: str) -> None:
     assert parse(written(text)) == Expectation(written(text), None, query=text)
