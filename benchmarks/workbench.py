@@ -3,9 +3,10 @@
     benchmarks/workbench.py edits PATH... [--rule FILE]... [--runs N]
     benchmarks/workbench.py experiment TRUTH SYSTEMS [--runs N]
 
-`edits` derives all rows of the components at PATH (sources, or better facts) as `rosarch watch` does, edits one rule, and derives again: once
-so that no row changes, and once so that the rule is gone. Rules of rosarch's are edited in a copy. By default an own rule and `core/reactive.dl` are edited. `experiment` runs three variants on all
-systems of TRUTH, facts being extracted before. Prints Markdown tables, of several runs the median. Processor time is of all processes.
+`edits` derives all rows of the components at PATH (sources, or better facts) as `rosarch watch` does, edits one rule, and derives again:
+once so that no row changes, and once so that the rule is gone. Rules of rosarch's are edited in a copy. By default an own rule and
+`core/reactive.dl` are edited. `experiment` runs three variants on all systems of TRUTH, facts being extracted before. Prints Markdown
+tables, of several runs the median. Processor time is of all processes.
 """
 
 from __future__ import annotations
@@ -61,7 +62,7 @@ def history(rules: Sequence[str], folder: Path) -> tuple[RuleHistory, dict[str, 
 
 
 def measure_edits(paths: Sequence[Path], rules: Sequence[str], runs: int) -> None:
-    """Two rows for each path and rule: a condition is put into the first rule of the file that holds, and one that does not, so that the rule is gone."""
+    """Two rows for each path and rule: a condition that holds is put into the first rule of the file, and one that does not."""
     print("| facts | components | edited | all rows | processor | after the edit | processor | derived again |\n|---|" + "---:|" * 7)
     for path in paths:
         first: list[tuple[float, ...]] = []
