@@ -73,6 +73,10 @@ def bound(facts) -> list[str]:
             "struct Base { Out out; }; class MY_LIBRARY_EXPORT N : public Base { void go() { out.send(unheard(1)); } };",
         ),
         ("macro in front of a class", "class MY_LIBRARY_PUBLIC N final { void go(Out out); }; void N::go(Out out) { out.send(1); }"),
+        (
+            "macro in place of a declaration",
+            "struct N { A_PROPERTY(int, x)\n void go(Out out) { out.send(1); } };\nASSUME_OF(N)\nvoid f(Out out) { N n; out.send(2); }",
+        ),
         ("macro behind a variable", "int x ALIGNED(8); void f(Out out) NOTHROW; void f(Out out) { out.send(x); }"),
         ("base class from the global namespace", "struct N : public ::far::Base { void go(Out out) override { out.send(level_); } };"),
         (

@@ -4,7 +4,7 @@
 namespace boost {
 using std::is_same; using std::is_base_of; using std::is_convertible; using std::is_integral; using std::is_floating_point;
   using std::is_arithmetic; using std::is_enum; using std::is_pointer; using std::remove_const; using std::remove_reference;
-  using std::remove_cv; using std::true_type; using std::false_type; using std::add_const; using std::is_class; using std::remove_pointer;
+  using std::remove_cv; using std::true_type; using std::false_type; using std::add_const; using std::is_class; using std::is_abstract; using std::remove_pointer;
   using std::is_void; using std::integral_constant; using std::is_reference; using std::is_function; using std::is_scalar;
 template <class C, class T = void> struct enable_if : std::enable_if<C::value, T> {};
   template <class C, class T = void> struct disable_if : std::enable_if<!C::value, T> {};
