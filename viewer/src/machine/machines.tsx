@@ -79,7 +79,7 @@ function RegionView({ owner, region }: { owner: string; region: Region }) {
         tabIndex={0}
         aria-busy={!drawing}
       >
-        {drawing && <Diagram drawing={drawing} title={region.title} />}
+        {drawing ? <Diagram drawing={drawing} title={region.title} /> : <p class="muted">Laying out …</p>}
       </div>
       {region.never.length > 0 && (
         <p class="muted">Never: {region.never.map((text) => shortened(text, 120)).join("; ")}</p>

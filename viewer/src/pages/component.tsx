@@ -1,17 +1,17 @@
 /** One component: ports, parameters, rates, behaviour, state machines, findings. */
 
 import { useReport } from "../context";
-import type { Component, Port, ReportDocument } from "../data";
+import type { Component, ReportDocument } from "../data";
 import { Machines } from "../machine/machines";
 import { amount, counted, frequency, grouped, type Instance, portKey, portsById, sentIn } from "../model";
 import { Section, Table } from "../parts/controls";
-import { componentKind, PortKind, portLabel, portOrder } from "../parts/kinds";
+import { componentKind } from "../parts/kinds";
 import { Why } from "../parts/proof";
-import { Quality } from "../parts/quality";
 import { Source, Sources } from "../parts/source";
 import { Condition, Maybe, Name, shortened } from "../parts/text";
 import { componentHref, href } from "../route";
 import { FindingCard } from "./findings";
+import { Ports } from "./ports";
 
 export function ComponentPage({ name }: { name: string }) {
   const report = useReport();
@@ -142,114 +142,6 @@ function Started({ instances }: { instances: readonly Instance[] }) {
         ))}
       </ul>
     </details>
-  );
-}
-
-function Ports({ component }: { component: Component }) {
-  const own = component.ports.filter((port) => !port.implicit).sort((a, b) => portOrder(a.kind) - portOrder(b.kind));
-  const implicit = component.ports.filter((port) => port.implicit);
-  return (
-    <Section id="ports" title="Ports" count={own.length}>
-      {own.length > 0 ? (
-        <PortTable owner={component.name} ports={own} label="Ports" />
-      ) : (
-        <p class="muted">It has none.</p>
-      )}
-      {implicit.length > 0 && (
-        <details>
-          <summary>{counted(implicit.length, "port")} that libraries make inside themselves</summary>
-          <PortTable owner={component.name} ports={implicit} label="Implicit ports" />
-        </details>
-      )}
-    </Section>
-  );
-}
-
-function PortTable({ owner, ports, label }: { owner: string; ports: readonly Port[]; label: string }) {
-  const hasQuality = ports.some(({ qos }) => qos);
-  const common = commonCondition(ports);
-  return (
-    <>
-      {common && (
-        <p>
-          All of them only if <code class="condition">{shortened(common, 400)}</code>
-        </p>
-      )}
-      <PortRows owner={owner} ports={ports} label={label} hasQuality={hasQuality} common={common} />
-    </>
-  );
-}
-
-/** The condition that those of all ports begin with, where there are several. */
-function commonCondition(ports: readonly Port[]): string {
-  const parts = ports.map(({ conditional }) => conditional?.split(AND) ?? []);
-  const [first = []] = parts;
-  const same = first.findIndex((part, at) => parts.some((each) => each[at] !== part));
-  return ports.length > 1 ? first.slice(0, same < 0 ? first.length : same).join(AND) : "";
-}
-
-const AND = " && ";
-
-function PortRows({
-  owner,
-  ports,
-  label,
-  hasQuality,
-  common,
-}: {
-  owner: string;
-  ports: readonly Port[];
-  label: string;
-  hasQuality: boolean;
-  common: string;
-}) {
-  return (
-    <Table
-      label={label}
-      head={["Kind", "Name", "Type", hasQuality ? "Quality of service" : "Queue", "Callback", "If", "Source"]}
-    >
-      {ports.map((port) => (
-        <tr key={port.id} id={`port-${port.id}`}>
-          <td>
-            <PortKind kind={port.kind} />
-          </td>
-          <td>
-            <PortName port={port} />
-          </td>
-          <td>{port.type ? <Name text={port.type} /> : <span class="none">not known</span>}</td>
-          <td>
-            <Quality port={port} />
-          </td>
-          <td>
-            {port.callback ? <code>{port.callback}</code> : <span class="none">–</span>}
-            {!["plain", "lambda", ""].includes(port.via) && <span class="muted"> via {port.via}</span>}
-          </td>
-          <td>
-            <Condition text={port.conditional?.slice(common ? common.length + AND.length : 0)} />
-          </td>
-          <td>
-            <Source at={port.at} />
-            {!port.implicit && (
-              <Why owner={owner} of={`port ${portKey(port)}`} title={`${portLabel(port.kind)} ${port.name}`} />
-            )}
-          </td>
-        </tr>
-      ))}
-    </Table>
-  );
-}
-
-function PortName({ port }: { port: Port }) {
-  return (
-    <>
-      <Name text={port.name} strong />
-      {port.from_param && (
-        <div class="muted">
-          from parameter <code>{port.from_param}</code>
-        </div>
-      )}
-      {port.unknown && <div class="muted">not known: {port.unknown}</div>}
-    </>
   );
 }
 

@@ -57,7 +57,7 @@ export function TimingPage({ route }: { route: Route }) {
   );
 }
 
-const SELDOM = "only once, or when a service or action is called, which is not counted";
+const SELDOM = "no clock and no message is known to set it off";
 
 /** What is known first. */
 const byKnowledge = (a: Rate, b: Rate) => knowledge(a) - knowledge(b);
