@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -40,19 +40,6 @@ class Derivations:
 
     steps: tuple[ProofStep, ...]
     roots: Mapping[str, int]
-
-    def of(self, wanted: Callable[[str], bool]) -> Derivations:
-        """The proofs of some things, and no other steps."""
-        roots = {key: number for key, number in self.roots.items() if wanted(key)}
-        numbers: dict[int, int] = {}
-        waiting = list(roots.values())
-        while waiting:
-            number = waiting.pop()
-            if number not in numbers:
-                numbers[number] = len(numbers)
-                waiting += reversed(self.steps[number].premises)
-        steps = [replace(self.steps[old], premises=tuple(numbers[each] for each in self.steps[old].premises)) for old in numbers]
-        return Derivations(tuple(steps), {key: numbers[old] for key, old in roots.items()})
 
 
 class Wanted(NamedTuple):

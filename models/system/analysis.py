@@ -77,11 +77,16 @@ def findings_in(shared: Surrounding, launches: Sequence[Launch], reading: Readin
 
 
 def each_system(
-    stage: str, shared: Surrounding, launches: Sequence[Launch], reading: Reading, make: Maker[Made]
+    stage: str,
+    shared: Surrounding,
+    launches: Sequence[Launch],
+    reading: Reading,
+    make: Maker[Made],
+    before: Callable[[SystemRules], object] | None = None,
 ) -> Iterator[tuple[int, Made | Failure]]:
     """What `make` makes of each launch, by its index: as it was when all facts are the same, else worked out in worker processes.
 
-    `stage` tells in the cache what is made.
+    `stage` tells in the cache what is made; `before` is called with the rules before there are workers, which then have what it reads.
     """
     kept = SystemCache(reading.cache, stage, rules_hash(reading.rules), reading.engine) if reading.cache else None
     facts = list(map(shared.facts, launches))
@@ -98,6 +103,8 @@ def each_system(
     from rosarch.models.rule_sets import system_rules
 
     rules = system_rules(reading.rules)
+    if before:
+        before(rules)
 
     def work(index: int) -> Made:
         return make(rules, launches[index], facts[index].rows(), reading)

@@ -49,7 +49,7 @@ def _rates(result: Result) -> Iterator[Wanted]:
         if low:  # that no message comes is told of what is not known
             yield Wanted(f"topic_low {topic}", "topic_low", (topic, low), RATE_DEPTH)
     for topic, reason in result.rows("topic_unbounded"):
-        yield Wanted(f"topic_unbounded {topic} {reason}", "topic_unbounded", (topic, reason), RATE_DEPTH)
+        yield Wanted(f"topic_unbounded {topic} {reason}", "topic_unbounded", (topic, reason))
 
 
 def _chains(result: Result, implicit: set[str]) -> Iterator[Wanted]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from rosarch.datalog import Result
+from rosarch.datalog.clauses import rules_of
 from rosarch.extractor.pool import Failure
 from rosarch.models.derivations import Derivations
 from rosarch.models.rule_sets import SystemRules
@@ -64,7 +65,8 @@ def tell(
         return composed(rules, launch, rows, result), told
 
     found: dict[int, tuple[Composed, Told] | Failure] = {}
-    for index, outcome in each_system("proven" if shorten else "told", shared, launches, reading, make):
+    before = (lambda rules: rules_of(rules.program)) if shorten else None
+    for index, outcome in each_system("proven" if shorten else "told", shared, launches, reading, make, before):
         found[index] = outcome
         if reading.progress:
             reading.progress("systems", len(found), len(launches))

@@ -16,6 +16,7 @@ from rosarch.models.system.told import Told
 from rosarch.reports.findings import tool_version
 from rosarch.reports.html.components import component_data
 from rosarch.reports.html.findings import findings_data
+from rosarch.reports.html.proofs import Pool
 from rosarch.reports.html.sources import excerpts, places_in
 from rosarch.reports.html.systems import system_data
 from rosarch.reports.printable import all_printable
@@ -50,30 +51,22 @@ def report_document(subject: Subject, read: Callable[[str], str | None]) -> dict
         "findings": findings_data(subject.reported, read),
         "diagnostics": [_diagnostic(diagnostic, subject.folder.absolute()) for diagnostic in subject.diagnostics],
     }
-    data["proofs"] = {name: _proofs(found) for name, found in sorted(_derivations(subject).items())}
+    data["proofs"] = _derivations(subject)
     data["sources"] = excerpts(places_in(data), read)
     return all_printable(data)
 
 
-def _derivations(subject: Subject) -> dict[str, Derivations]:
-    """The proofs of components and systems; each finding is proven in the first system that has it."""
-    found = dict(subject.derivations)
-    told = {(finding.systems[0], f"finding {finding.fingerprint}") for finding in subject.reported.shown if finding.systems}
-    told |= {(finding.systems[0], f"finding {finding.fingerprint}") for finding in subject.reported.known if finding.systems}
-    for name, system in subject.told.items():
-        if system.reasons:
-            found[name] = system.reasons.of(lambda key, name=name: not key.startswith("finding ") or (name, key) in told)  # type: ignore[misc]
-    return found
-
-
-def _proofs(found: Derivations) -> dict[str, Any]:
-    """Steps as text, rule, numbers of the steps they rest on, 1 where more is left out, and a number of `places` where one is known."""
-    places: dict[str, int] = {}
-    steps: list[list[Any]] = []
-    for step in found.steps:
-        at = [places.setdefault(str(step.at), len(places))] if step.at else []
-        steps.append([step.text, step.rule, list(step.premises), int(step.cut), *at])
-    return {"steps": steps, "roots": dict(found.roots), "places": list(places)}
+def _derivations(subject: Subject) -> dict[str, Any]:
+    """Why things are as they are, by the names of components and systems; each finding is proven in the first system that has it."""
+    reported = (*subject.reported.shown, *subject.reported.known)
+    first = {(finding.systems[0], f"finding {finding.fingerprint}") for finding in reported if finding.systems}
+    pool = Pool()
+    roots = {name: pool.add(found, found.roots) for name, found in sorted(subject.derivations.items())}
+    for name, told in sorted(subject.told.items()):
+        if told.reasons:
+            keys = [key for key in told.reasons.roots if not key.startswith("finding ") or (name, key) in first]
+            roots[name] = pool.add(told.reasons, keys)
+    return {"steps": pool.steps, "places": list(pool.places), "roots": roots}
 
 
 def _diagnostic(diagnostic: Diagnostic, folder: Path) -> dict[str, Any]:

@@ -96,27 +96,26 @@ def test_every_place_that_can_be_read_is_excerpted(document: Any, examples: Path
 def test_components_connectors_and_findings_are_proven(delivery: str, document: Any) -> None:
     proofs = json.loads(unpacked(delivery, "proofs"))
     courier = next(c for c in document["components"] if c["name"] == "delivery_robot/courier")
-    steps, roots = proofs[courier["name"]]["steps"], proofs[courier["name"]]["roots"]
+    steps, roots = proofs["steps"], proofs["roots"][courier["name"]]
     assert {f"port {port['kind']} {port['name']} {port['at']}" for port in courier["ports"]} <= set(roots)
     for number in roots.values():
         text, rule, premises, _cut = steps[number]
         assert premises and rule.startswith("rules/core/"), text
-    at = [
-        proofs[courier["name"]]["places"][place] for _text, rule, _premises, _cut, *places in steps for place in places if rule == "input"
-    ]
+    at = [proofs["places"][place] for _text, rule, _premises, _cut, *places in steps for place in places if rule == "input"]
     assert any("courier.cpp:" in place for place in at)
-    proven = [root for system in document["systems"] for root in proofs[system["name"]]["roots"] if root.startswith("finding ")]
+    assert len({json.dumps(step) for step in steps}) == len(steps)
+    proven = [root for system in document["systems"] for root in proofs["roots"][system["name"]] if root.startswith("finding ")]
     assert sorted(proven) == sorted(f"finding {finding['id']}" for finding in document["findings"]["shown"] if finding["systems"])
     for system in document["systems"]:
         ends = {(node, port) for connector in system["connectors"] for node, port in connector["sources"] + connector["sinks"]}
         asked = [(system["nodes"][node], system["nodes"][node]["ports"][port]) for node, port in ends]
         keys = {f"end {port['name']} {node['id']} {node['component']}#{port['id']}" for node, port in asked if "implicit" not in port}
-        assert keys | {f"node {node['id']}" for node in system["nodes"]} <= set(proofs[system["name"]]["roots"])
+        assert keys | {f"node {node['id']}" for node in system["nodes"]} <= set(proofs["roots"][system["name"]])
         for rate in system["rates"]:
             told = (
                 {"topic_high"} if rate["high"] is not None else {f"topic_unbounded {rate['topic']} {reason}" for reason in rate["reasons"]}
             )
-            assert any(root.startswith(tuple(told)) for root in proofs[system["name"]]["roots"] if f" {rate['topic']}" in root)
+            assert any(root.startswith(tuple(told)) for root in proofs["roots"][system["name"]] if f" {rate['topic']}" in root)
 
 
 def test_only_what_the_page_brings_may_run(delivery: str) -> None:

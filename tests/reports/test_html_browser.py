@@ -426,7 +426,7 @@ def add_step(document: Any) -> None:
     nodes = [(system["nodes"][node], system["nodes"][node]["ports"][port]) for node, port in ends]
     key = " > ".join(f"{node['id']} {node['component']}#{port['id']}" for node, port in nodes)
     steps = [["chain_step(...)", "rules/system/chains.dl:1", [1], 0], ["connected(...)", "input", [], 0, 0]]
-    document["proofs"] = {DELIVERY: {"steps": steps, "roots": {f"chain_step {key}": 0}, "places": ["drive.cpp:1"]}}
+    document["proofs"] = {"steps": steps, "roots": {DELIVERY: {f"chain_step {key}": 0}}, "places": ["drive.cpp:1"]}
 
 
 def test_groups_have_the_flag_of_their_worst_finding(reader: Reader, report: str, tmp_path: Path) -> None:

@@ -241,11 +241,11 @@ export type Run = [number, string[]];
 /** A step of a proof: text, rule (or what else it is), numbers of the steps it rests on, 1 where more is left out, the number of its place if it has one. */
 export type ProofStep = [text: string, rule: string, premises: number[], cut: 0 | 1, place?: number];
 
-/** Proofs of the things of a component or system, by keys; see models/derivations.py. */
+/** Proofs; those of the things of a component or system are found by its name and their keys, see models/derivations.py. */
 export interface Proofs {
   steps: ProofStep[];
-  roots: Record<string, number>;
   places: Place[];
+  roots: Record<string, Record<string, number>>;
 }
 
 export interface ReportDocument {
@@ -257,8 +257,8 @@ export interface ReportDocument {
   findings: { shown: Finding[]; suppressed: Finding[]; checks: Record<string, Check> };
   diagnostics: Diagnostic[];
   sources: Record<string, Run[]>;
-  /** By the names of components and systems; pages from disk have them in a block of their own. */
-  proofs?: Record<string, Proofs>;
+  /** Pages from disk have them in a block of their own. */
+  proofs?: Proofs;
 }
 
 /** The text of a block of the page that `packed` of reports/html/page.py made. */

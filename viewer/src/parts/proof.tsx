@@ -17,11 +17,11 @@ export interface Subject {
   proofs: Proven[];
 }
 
-let unpacked: Promise<Record<string, Proofs>> | null = null;
+let unpacked: Promise<Proofs | null> | null = null;
 
-function proofsOf(document: ReportDocument): Promise<Record<string, Proofs>> {
+function proofsOf(document: ReportDocument): Promise<Proofs | null> {
   if (document.proofs) return Promise.resolve(document.proofs);
-  unpacked ??= unpack("proofs").then((text) => (text ? JSON.parse(text) : {}));
+  unpacked ??= unpack("proofs").then((text) => (text ? (JSON.parse(text) as Proofs) : null));
   return unpacked;
 }
 
@@ -76,7 +76,7 @@ export function ProofDialog({ subject, onClose }: { subject: Subject | null; onC
 
 export function ProofTrees({ of }: { of: Proven[] }) {
   const { report } = useShared();
-  const [proofs, setProofs] = useState<Record<string, Proofs> | undefined>();
+  const [proofs, setProofs] = useState<Proofs | null | undefined>();
   useEffect(() => {
     let wanted = true;
     proofsOf(report.document).then((all) => wanted && setProofs(all));
@@ -86,20 +86,22 @@ export function ProofTrees({ of }: { of: Proven[] }) {
   }, [report]);
   if (proofs === undefined) return <p class="muted">Reading the proofs …</p>;
   const found = of.flatMap(({ owner, key }) => {
-    const own = proofs[owner];
-    const root = own?.roots[key];
-    return own && root !== undefined ? [{ key, own, root }] : [];
+    const root = proofs?.roots?.[owner]?.[key];
+    return root !== undefined ? [{ key, root }] : [];
   });
-  if (!found.length) return <p class="muted">The report has no proof of this; it may be made without proofs.</p>;
+  if (!proofs || !found.length)
+    return <p class="muted">The report has no proof of this; it may be made without proofs.</p>;
   return (
     <ul class="proof-tree">
-      {found.map(({ key, own, root }) => (
-        <Step key={key} proofs={own} number={root} depth={0} />
+      {found.map(({ key, root }) => (
+        <Step key={key} proofs={proofs} number={root} depth={0} />
       ))}
     </ul>
   );
 }
 
+/** Steps that tell by themselves what they are. */
+const PLAIN = new Set(["condition", "launch file"]);
 const OPEN = 1; // levels that are open at first
 
 function Step({ proofs, number, depth }: { proofs: Proofs; number: number; depth: number }) {
@@ -109,7 +111,7 @@ function Step({ proofs, number, depth }: { proofs: Proofs; number: number; depth
   const [text, rule, premises, cut, place] = step;
   const line = (
     <>
-      <code>{shortened(text, 400)}</code> <span class="muted">{rule === "condition" ? "" : rule}</span>{" "}
+      <code>{shortened(text, 400)}</code> <span class="muted">{PLAIN.has(rule) ? "" : rule}</span>{" "}
       {place !== undefined && <Source at={proofs.places[place]} />}
     </>
   );
