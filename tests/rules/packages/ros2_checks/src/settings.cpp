@@ -1,6 +1,6 @@
 // Parameters of ROS 2 have one type.
-// expect: 8 = count : { parameter_access_default(_, _, _) }, 13 = count : { parameter_access_type(_, _, _) }
-// expect: 1 = count : { parameter_of_any_type(_) }, 5 = count : { value_source(_, _) }
+// expect: 8 = count : { parameter_access_default(_, _, _) }, 15 = count : { parameter_access_type(_, _, _) }
+// expect: 1 = count : { parameter_of_any_type(_) }, 6 = count : { value_source(_, _) }
 #include <rclcpp/rclcpp.hpp>
 
 class Settings : public rclcpp::Node {
@@ -23,9 +23,14 @@ public:
     size_ = get_parameter("size").as_int();
     get_parameter("rate", rate_);
     get_parameter_or("other", other_, 5.0);
+    model_ = get_parameter("model").as_string();
+    declare_parameter("prefix", rclcpp::PARAMETER_STRING);  // expect-not: finding parameter-required
+    has_prefix_ = get_parameter("prefix", prefix_);
   }
   int size_;
   double rate_, other_;
+  std::string model_, prefix_;
+  bool has_prefix_;
 };
 
 int main(int argc, char ** argv) {
