@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from itertools import count
@@ -137,7 +138,7 @@ def _plugin(
 ) -> Component:
     plain_base = base.removeprefix("::")
     kind = {NODELET_BASE: "nodelet", "Nodelet": "nodelet", COMPONENT_BASE: "component"}.get(plain_base, "plugin")
-    short = cxx.rpartition("::")[2]
+    short = re.sub(r"^(?:\w*::)+", "", cxx)  # its template arguments keep their namespaces
     component = _component(workspace, package, executable or short, kind, target)
     return replace(component, entry_class=cxx, base_class=plain_base or None, plugin_name=name)
 

@@ -113,6 +113,14 @@ def test_plugin_from_macro_and_description(tmp_path: Path) -> None:
     ]
 
 
+def test_name_of_a_plugin_that_is_an_instance_of_a_template(tmp_path: Path) -> None:
+    code = "PLUGINLIB_EXPORT_CLASS(demo::Filter<demo::msg::Scan>, demo::Base)\n"
+    package(tmp_path, "demo", "add_library(demo_filters n.cpp)", {"n.cpp": code})
+    assert [(one.name, one.entry_class) for one in components(discover(tmp_path))] == [
+        ("Filter<demo::msg::Scan>", "demo::Filter<demo::msg::Scan>")
+    ]
+
+
 def test_registration_lines(tmp_path: Path) -> None:
     path = tmp_path / "n.cpp"
     path.write_text("/* a\n b */\nPLUGINLIB_EXPORT_CLASS( ::a::B , nodelet::Nodelet )\n")
