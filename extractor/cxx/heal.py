@@ -344,6 +344,8 @@ def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: 
         wanted.correct(quoted[0], "function")
         if quoted[0] in wanted.members:
             wanted.member(UNKNOWN, quoted[0], "template")
+    elif message == "template argument for template type parameter must be a type" and path:
+        wanted.correct_to_type(path[-1])
     elif message.endswith("does not refer to a value"):
         wanted.correct(quoted[0], "value")
     elif message.startswith("expected '(' for function-style") and (name := re.search(rb"(\w+)\s*$", place.before)):

@@ -134,6 +134,13 @@ class Wanted:
             if node is not None and node.kind in ("class", "value") and not node.inner and node.kind != kind:
                 node.kind, self.changed = kind, True
 
+    def correct_to_type(self, name: str) -> None:
+        """Take what was declared as a value, or as a constant of a message, for a type."""
+        self.correct(name, "class")
+        for fields in self.messages.values():
+            if fields.get(name) == "constant":
+                fields[name], self.changed = "type", True
+
     def _scopes(self) -> list[dict[str, Node]]:
         found = [self.top]
         for scope in found:
@@ -163,9 +170,9 @@ class Wanted:
             rank = _MEMBER_KINDS.index(kind)
             if name not in _KEYWORDS and (name not in self.members or rank > _MEMBER_KINDS.index(self.members[name])):
                 self.members[name], self.changed = kind, True
-        elif struct is not None and os.path.isfile(self._message(struct[0])):
+        elif struct is not None and self.find(path) is None and os.path.isfile(self._message(struct[0])):
             fields = self.messages.setdefault(struct, {})
-            if name not in fields:
+            if name not in fields or (kind == "type" and fields[name] != kind):  # clang is certain of types; the text around a name is not
                 fields[name], self.changed = kind, True
         elif kind == "type":
             return
@@ -217,7 +224,7 @@ class Wanted:
         return text
 
 
-_FIELD = {"constant": "  static constexpr int {name} = {number};\n", "type": "  typedef {unknown} {name};\n"}
+_FIELD = {"constant": "  static constexpr int {name} = {number};\n", "type": "  typedef {unknown}_named {name};\n"}
 
 
 def _with_fields(text: str, struct: str, fields: Mapping[str, str]) -> str:

@@ -32,6 +32,13 @@ struct unknown {
   ROSARCH_UNKNOWN_MEMBERS
 };
 
+/// A value of a type that a class calls by a name of its own: parameters and results are declared with it, so all else converts to it.
+struct unknown_named : unknown {
+  unknown_named();
+  template <typename A, typename... B> unknown_named(A&&, B&&...);
+  template <typename A> unknown_named& operator=(A&&);
+};
+
 template <bool, typename T> struct when {};
 template <typename T> struct when<true, T> { typedef T type; };
 template <typename T> struct plain { typedef T type; };

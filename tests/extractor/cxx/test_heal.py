@@ -112,6 +112,33 @@ def test_type_of_a_field_of_a_message_of_which_only_the_name_is_known(extract) -
     assert ("N::last_", "N") in [(field.partition("@")[0], owner) for field, owner in facts["field_class"]]
 
 
+def test_type_of_a_field_that_is_seen_first_where_it_could_be_a_value(extract) -> None:
+    source = """#include <my_msgs/Level.h>
+        #include <functional>
+        struct Base { void say(int); };
+        struct N : Base { std::function<void(my_msgs::Level::_value_type)> done_; my_msgs::Level::_value_type last_; Out out;
+          void set(my_msgs::Level::_value_type value); void go() { set(my_msgs::Level::HIGH); say(1); } };
+        void N::set(my_msgs::Level::_value_type value) { out.send(1); }"""
+    assert bound(extract(OUT + source)) == ["N::set", "Base::say", "Out::send"]
+
+
+def test_what_a_template_takes_for_a_type_is_one(extract) -> None:
+    source = "#include <utility>\nstruct Base { void say(int); };\nstruct N : Base { std::pair<far::Box, unsigned> box_; void go() { say(1); } };"
+    assert bound(extract(source)) == ["Base::say"]
+
+
+def test_members_of_a_message_that_no_header_of_the_source_declares(tmp_path: Path) -> None:
+    stand_in = tmp_path / "absent" / "2" / "my_msgs" / "msg" / "level.hpp"  # made for another source
+    stand_in.parent.mkdir(parents=True)
+    stand_in.write_text("namespace my_msgs { namespace msg {\nstruct Level_ {\n};\n}}\n")
+    wanted = Wanted(tmp_path)
+    wanted.member("my_msgs::msg::Level_", "size", "value")
+    wanted.name(["my_msgs", "msg", "Level"], "class")
+    wanted.member("my_msgs::msg::Level", "value", "value")
+    assert list(wanted.messages.values()) == [{"size": "value"}]
+    assert wanted.find(["my_msgs", "msg", "Level", "value"]) is not None
+
+
 def test_constants_of_a_message_select_a_case_and_have_no_value(extract) -> None:
     facts = extract(
         OUT + "#include <my_msgs/Level.h>\nvoid f(Out out, my_msgs::Level m) {"

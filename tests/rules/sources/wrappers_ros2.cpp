@@ -147,7 +147,8 @@ private:
   std::shared_ptr<Server<std_srvs::srv::Trigger>> server_;
   std::shared_ptr<Delegating<std_srvs::srv::Empty>> halt_;
   rclcpp::TimerBase::SharedPtr timer_;
-  rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr handle_;
+  OnSetParametersCallbackHandle::SharedPtr handle_;  // by the name that the class of the node has for it
+  rclcpp::QOSMessageLostCallbackType on_lost_;
 };
 
 RCLCPP_COMPONENTS_REGISTER_NODE(Counter)

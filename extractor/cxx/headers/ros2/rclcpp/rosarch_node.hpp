@@ -143,6 +143,11 @@ template <class T, class D> struct rosarch_result { typedef T type; }; template 
   template <class H> void remove_on_set_parameters_callback(const H* handler); \
   template <class H> void remove_pre_set_parameters_callback(const H* handler); \
   template <class H> void remove_post_set_parameters_callback(const H* handler);
+#define ROSARCH_PARAMETER_TYPES \
+  typedef rclcpp::node_interfaces::OnSetParametersCallbackHandle OnSetParametersCallbackHandle; typedef rclcpp::node_interfaces::PreSetParametersCallbackHandle PreSetParametersCallbackHandle; \
+  typedef rclcpp::node_interfaces::PostSetParametersCallbackHandle PostSetParametersCallbackHandle; \
+  typedef std::function<rcl_interfaces::msg::SetParametersResult(const std::vector<rclcpp::Parameter>&)> OnSetParametersCallbackType, OnParametersSetCallbackType; \
+  typedef std::function<void(std::vector<rclcpp::Parameter>&)> PreSetParametersCallbackType; typedef std::function<void(const std::vector<rclcpp::Parameter>&)> PostSetParametersCallbackType;
 #define ROSARCH_GRAPH_METHODS \
   std::vector<std::string> get_node_names() const; std::map<std::string, std::vector<std::string>> get_topic_names_and_types() const; \
   std::map<std::string, std::vector<std::string>> get_service_names_and_types() const; \
@@ -168,7 +173,7 @@ ROSARCH_INTERFACE(NodeServicesInterface, std::string resolve_service_name(const 
   template <class... A> void add_service(const A&...);)
 ROSARCH_INTERFACE(NodeParametersInterface, ROSARCH_PARAMETER_METHODS const std::map<std::string, ParameterValue>& get_parameter_overrides() const;
   template <class V> bool get_parameters_by_prefix(const std::string& prefix, std::map<std::string, V>& values) const;
-  typedef std::function<rcl_interfaces::msg::SetParametersResult(const std::vector<Parameter>&)> OnSetParametersCallbackType, OnParametersSetCallbackType;)
+  ROSARCH_PARAMETER_TYPES)
 ROSARCH_INTERFACE(NodeTimeSourceInterface, )
 ROSARCH_INTERFACE(NodeTypeDescriptionsInterface, )
 ROSARCH_INTERFACE(NodeWaitablesInterface, template <class... A> void add_waitable(const A&...); template <class... A> void remove_waitable(const A&...);)
@@ -210,6 +215,7 @@ public:
   Node(const Node& other, const std::string& sub_namespace);
   virtual ~Node();
   ROSARCH_PORT_METHODS(Publisher)
+  ROSARCH_PARAMETER_TYPES
   ROSARCH_PARAMETER_METHODS
   ROSARCH_GRAPH_METHODS
   ROSARCH_INTERFACE_METHODS
@@ -236,6 +242,7 @@ template <class N, class T, class Y, class Q, class... A> std::shared_ptr<Generi
 template <class N, class T, class Y, class Q, class F, class... A> std::shared_ptr<GenericSubscription> create_generic_subscription(N&& topics, const T& topic, const Y& type, const Q& qos,
   const F& callback, const A&...);
 template <class M, class... A> bool wait_for_message(M& message, const A&...);
+template <class S, class D> void copy_all_parameter_values(const S& source, const D& destination, bool override_existing_params = false);
 template <class... A> std::string expand_topic_or_service_name(const A&...);
 std::string extend_name_with_sub_namespace(const std::string& name, const std::string& sub_namespace);
 class SyncParametersClient; class AsyncParametersClient;

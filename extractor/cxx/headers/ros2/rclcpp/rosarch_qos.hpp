@@ -47,6 +47,12 @@ struct QOSLivelinessLostInfo { int total_count, total_count_change; }; struct QO
 struct QOSRequestedIncompatibleQoSInfo { int total_count, total_count_change; int last_policy_kind; };
 struct QOSOfferedIncompatibleQoSInfo { int total_count, total_count_change; int last_policy_kind; };
 struct IncompatibleTypeInfo { int total_count, total_count_change; };
+typedef std::function<void(MatchedInfo&)> PublisherMatchedCallbackType, SubscriptionMatchedCallbackType;
+typedef std::function<void(QOSDeadlineRequestedInfo&)> QOSDeadlineRequestedCallbackType; typedef std::function<void(QOSDeadlineOfferedInfo&)> QOSDeadlineOfferedCallbackType;
+typedef std::function<void(QOSLivelinessChangedInfo&)> QOSLivelinessChangedCallbackType; typedef std::function<void(QOSLivelinessLostInfo&)> QOSLivelinessLostCallbackType;
+typedef std::function<void(QOSMessageLostInfo&)> QOSMessageLostCallbackType; typedef std::function<void(IncompatibleTypeInfo&)> IncompatibleTypeCallbackType;
+typedef std::function<void(QOSRequestedIncompatibleQoSInfo&)> QOSRequestedIncompatibleQoSCallbackType;
+typedef std::function<void(QOSOfferedIncompatibleQoSInfo&)> QOSOfferedIncompatibleQoSCallbackType;
 struct PublisherEventCallbacks { rosarch::any deadline_callback, liveliness_callback, incompatible_qos_callback, incompatible_type_callback, matched_callback; };
 struct SubscriptionEventCallbacks { rosarch::any deadline_callback, liveliness_callback, incompatible_qos_callback, incompatible_type_callback, message_lost_callback, matched_callback; };
 }

@@ -35,6 +35,7 @@ public:
   template <class F> bool register_on_configure(F f); template <class F> bool register_on_cleanup(F f); template <class F> bool register_on_shutdown(F f); template <class F> bool register_on_activate(F f);
   template <class F> bool register_on_deactivate(F f); template <class F> bool register_on_error(F f); void add_managed_entity(std::weak_ptr<ManagedEntityInterface>);
   ROSARCH_PORT_METHODS(LifecyclePublisher)
+  ROSARCH_PARAMETER_TYPES
   ROSARCH_PARAMETER_METHODS
   ROSARCH_GRAPH_METHODS
   ROSARCH_INTERFACE_METHODS
