@@ -16,6 +16,7 @@ from rosarch.extractor.cxx.declarations import (
     declare_type,
     declare_unknown_type,
     is_template_parameter,
+    is_unknown_type,
 )
 from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
 from rosarch.extractor.cxx.recover import hide, split
@@ -294,16 +295,13 @@ def _template_arguments(body: Body, callee: Tree, text: str, begin: int) -> list
     return result
 
 
-def _written_instance(body: Body, callee: Tree, text: str, begin: int, end: int, class_: str) -> str:
-    """The instance of a class template that is written at [`begin`, `end`), with its arguments where these are plain names."""
-    within = [child for child in callee.children if begin <= body.unit.span_of(child).begin and body.unit.span_of(child).end <= end]
-    types = [
-        declare_type(body.unit, libclang.cursor_type(libclang.target(child))) for child in within if child.kind == kinds.TYPE_REFERENCE
-    ]
-    plain = len([child for child in within if child.kind == kinds.TEMPLATE_REFERENCE]) == 1 and len(types) == text.count(",") + 1
-    name = f"{class_}<{', '.join(types)}>" if plain else "".join(text.split())
+def _written_instance(body: Body, callee: Tree, text: str, begin: int, class_: str) -> str:
+    """The instance of a class template that is written from `begin` on, with its arguments where these are types."""
+    types = _template_arguments(body, callee, text, begin)
+    known = {index: type_ for index, type_ in enumerate(types) if not is_unknown_type(type_)}
+    name = f"{class_}<{', '.join(types)}>" if types and len(known) == len(types) else "".join(text.split())
     body.unit.add("type_class", name, class_)
-    for index, type_ in enumerate(types if plain else ()):
+    for index, type_ in known.items():
         body.unit.add("type_argument", name, index, type_)
     return name
 
@@ -325,5 +323,5 @@ def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> 
                 if child.kind == kinds.TEMPLATE_REFERENCE and found is None:
                     found = target
     if found is not None:
-        return _written_instance(body, callee, text, begin, end, declare_class(body.unit, found))
+        return _written_instance(body, callee, text, begin, declare_class(body.unit, found))
     return text if _BUILTIN.fullmatch(text) else declare_unknown_type(body.unit, text)

@@ -207,6 +207,11 @@ def unknown_type(written: str) -> str:
     return "?" + _SPECIFIERS.sub("", written).replace(" ", "").rstrip("&*")
 
 
+def is_unknown_type(type_: str) -> bool:
+    """Whether it stands for an absent declaration."""
+    return type_.startswith("?")
+
+
 def declare_unknown_type(unit: UnitFacts, written: str) -> str:
     """Record the type that stands for an absent declaration: of the class with the written name."""
     name = unknown_type(written)
