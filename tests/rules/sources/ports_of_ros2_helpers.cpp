@@ -9,8 +9,8 @@
 // expect: reactive scan -> seen must
 // expect: reactive points -> near must
 // expect-only: reactive * -> *
-// expect: param speed op=write
-// expect: param gain op=write
+// expect: param speed = 1.5 op=write
+// expect: param gain = 2 op=write
 // expect-only: param * op=write
 #include <message_filters/cache.h>
 #include <message_filters/subscriber.h>
