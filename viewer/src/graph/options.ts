@@ -65,10 +65,14 @@ function listed(params: URLSearchParams, name: string, otherwise: readonly strin
   return text === null ? [...otherwise] : text.split(",").filter(Boolean);
 }
 
-/** That which makes fewer things to look at. */
+/** Fewer groups tell too little. */
+const FEW_GROUPS = 4;
+
+/** That which makes fewer things to look at, unless these are too few. */
 function bestGrouping(system: System): Grouping {
-  const namespaces = new Set(system.nodes.map((node) => namespaceOf(node.name) || node.name)).size;
+  const namespaces = new Set(system.nodes.map((node) => namespaceOf(node.name).split("/")[1] || node.name)).size;
   const packages = new Set(system.nodes.map((node) => node.package)).size;
+  if (Math.min(namespaces, packages) < FEW_GROUPS) return packages > namespaces ? "package" : "namespace";
   return packages < namespaces ? "package" : "namespace";
 }
 
