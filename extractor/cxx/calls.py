@@ -278,12 +278,8 @@ def _receiver(body: Body, callee: Tree, target: Cursor) -> str | None:
 
 def _candidates(callee: Tree) -> list[Cursor]:
     """The functions of an overload set."""
-    return [
-        libclang.overload(reference.cursor, index)
-        for reference in [callee, *callee.children]
-        for index in range(libclang.overload_count(reference.cursor))
-        if libclang.overload(reference.cursor, index).kind in kinds.FUNCTIONS
-    ]
+    references = [callee, *callee.children]
+    return [found for reference in references for found in libclang.overloads(reference.cursor) if found.kind in kinds.FUNCTIONS]
 
 
 def _template_arguments(body: Body, callee: Tree, text: str, begin: int) -> list[str]:

@@ -74,12 +74,7 @@ def _lower_reference(body: Body, tree: Tree) -> str:
 
 def _lower_overloaded(body: Body, tree: Tree, references: list[Tree]) -> str:
     """The name of an overload set: one row per candidate."""
-    candidates = [
-        candidate
-        for reference in references
-        for index in range(libclang.overload_count(reference.cursor))
-        if (candidate := libclang.overload(reference.cursor, index)).kind in kinds.FUNCTIONS
-    ]
+    candidates = [found for reference in references for found in libclang.overloads(reference.cursor) if found.kind in kinds.FUNCTIONS]
     if not candidates:
         return _lower_unknown(body, tree)
     expr, _ = body.node(tree, "fn")

@@ -16,6 +16,8 @@ from typing import Any
 
 import clang.native
 
+from rosarch.extractor.cxx.kinds import UNEXPOSED_DECLARATION
+
 
 class Cursor(Structure):
     """CXCursor. `data[1]` tells expressions and statements apart, `data[0]` declarations."""
@@ -140,6 +142,8 @@ argument_count = _bind("Cursor_getNumArguments", c_int, Cursor)
 argument = _bind("Cursor_getArgument", Cursor, Cursor, c_uint)
 overload_count = _bind("getNumOverloadedDecls", c_uint, Cursor)
 overload = _bind("getOverloadedDecl", Cursor, Cursor, c_uint)
+_unit_of = _bind("Cursor_getTranslationUnit", c_void_p, Cursor)
+_cursor_at = _bind("getCursor", Cursor, c_void_p, Location)
 enum_value = _bind("getEnumConstantDeclValue", c_longlong, Cursor)
 _evaluate = _bind("Cursor_Evaluate", c_void_p, Cursor)
 _result_kind = _bind("EvalResult_getKind", c_int, c_void_p)
@@ -364,3 +368,16 @@ class Unit:
             handle = _diagnostic(self._handle, index)
             yield _diagnostic_severity(handle), _text(_diagnostic_spelling(handle)), _diagnostic_location(handle)
             _dispose_diagnostic(handle)
+
+
+def overloads(reference: Cursor) -> list[Cursor]:
+    """What an overload set holds; of a declaration that a using-declaration stands for, what that names."""
+    found = []
+    for index in range(overload_count(reference)):
+        candidate = overload(reference, index)
+        if candidate.kind == UNEXPOSED_DECLARATION:
+            named = _cursor_at(_unit_of(candidate), location(candidate))
+            found += [overload(named, number) for number in range(overload_count(named))]
+        else:
+            found.append(candidate)
+    return found
