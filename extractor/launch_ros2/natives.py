@@ -275,15 +275,30 @@ def _getattr(run: Calls, owner: Any, name: Any, *default: Any) -> Any:
     return default[0] if found is NOTHING and default else found
 
 
-@native("copy.copy", "copy.deepcopy")
+@native("copy.copy")
 def _copied(_run: Calls, value: Any) -> Any:
-    return (
-        {key: _copied(_run, item) for key, item in value.items()}
-        if isinstance(value, dict)
-        else list(value)
-        if isinstance(value, list)
-        else value
-    )
+    return type(value)(value) if type(value) in (dict, list, set) else value
+
+
+@native("copy.deepcopy")
+def _copied_deeply(_run: Calls, value: Any) -> Any:
+    copies: dict[int, Any] = {}  # by what they are copies of: a list may contain itself
+
+    def copy(value: Any) -> Any:
+        if id(value) not in copies:
+            if type(value) is dict:
+                made: dict[Any, Any] = {}
+                copies[id(value)] = made
+                made.update({key: copy(item) for key, item in value.items()})
+            elif type(value) is list:
+                items: list[Any] = []
+                copies[id(value)] = items
+                items += map(copy, value)
+            else:
+                return tuple(map(copy, value)) if type(value) is tuple else set(value) if type(value) is set else value
+        return copies[id(value)]
+
+    return copy(value)
 
 
 for _name, _value in MATH.items():
