@@ -224,9 +224,11 @@ def declare_template_member(unit: UnitFacts, expr: str, tree: Tree, name: str) -
 
     Or of an instance of a class template, `X<T>::name`.
     """
-    templates = [child for child in tree.children if child.kind == kinds.TEMPLATE_REFERENCE]
-    if templates and (target := libclang.referenced(templates[-1].cursor)).kind in kinds.CLASSES:
-        types = [child for child in tree.children[tree.children.index(templates[-1]) + 1 :] if child.kind == kinds.TYPE_REFERENCE]
+    references = [(child, libclang.referenced(child.cursor)) for child in tree.children if child.kind == kinds.TEMPLATE_REFERENCE]
+    templates = [(child, target) for child, target in references if target.kind in kinds.CLASSES]  # others are parameters of the template
+    if templates:
+        reference, target = templates[-1]
+        types = [child for child in tree.children[tree.children.index(reference) + 1 :] if child.kind == kinds.TYPE_REFERENCE]
         for index, child in enumerate(types):
             unit.add(
                 "instance_member_use", expr, declare_class(unit, target), index, declare_type(unit, libclang.cursor_type(child.cursor))

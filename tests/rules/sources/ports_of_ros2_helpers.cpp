@@ -5,6 +5,7 @@
 // expect: subscriber points sensor_msgs/PointCloud2
 // expect: subscriber odometry nav_msgs/Odometry
 // expect: subscriber limit std_msgs/Float64
+// expect: subscriber battery via=polling
 // expect-only: subscriber
 // expect: reactive scan -> seen must
 // expect: reactive points -> near must
@@ -12,6 +13,7 @@
 // expect: param speed = 1.5 op=write
 // expect: param gain = 2 op=write
 // expect-only: param * op=write
+#include <autoware_utils_rclcpp/polling_subscriber.hpp>
 #include <message_filters/cache.h>
 #include <message_filters/subscriber.h>
 #include <nav_msgs/msg/odometry.hpp>
@@ -61,6 +63,17 @@ std::shared_ptr<Poller<MessageT, Policy>> create_poller(rclcpp::Node * node, con
   return std::make_shared<Poller<MessageT, Policy>>(node, topic, qos);
 }
 
+template <typename MessageT, template <typename> class Policy = autoware_utils_rclcpp::polling_policy::Latest>
+class Taker
+{
+public:
+  Taker(rclcpp::Node * node, const std::string & topic)
+  : subscriber_(autoware_utils_rclcpp::InterProcessPollingSubscriber<MessageT, Policy>::create_subscription(node, topic, rclcpp::QoS{1})) {}
+
+private:
+  typename autoware_utils_rclcpp::InterProcessPollingSubscriber<MessageT, Policy>::SharedPtr subscriber_;
+};
+
 class Robot : public rclcpp::Node
 {
 public:
@@ -90,6 +103,7 @@ private:
   std::shared_ptr<message_filters::Cache<PointCloud2>> points_cache_;
   std::shared_ptr<Poller<nav_msgs::msg::Odometry>> odometry_ = create_poller<nav_msgs::msg::Odometry>(this, "odometry");
   std::shared_ptr<Poller<std_msgs::msg::Float64, Newest>> limit_ = create_poller<std_msgs::msg::Float64, Newest>(this, "limit");
+  std::shared_ptr<Taker<std_msgs::msg::Float64>> battery_ = std::make_shared<Taker<std_msgs::msg::Float64>>(this, "battery");
 };
 
 int main(int argc, char ** argv)
