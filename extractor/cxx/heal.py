@@ -51,6 +51,8 @@ _END_EXPECTED = (
 )
 _NAME_ERRORS = ("use of undeclared identifier", "unknown type name", "no template named", "expected class name", "expected namespace name")
 
+_NO_TYPE = ("no type named", "no struct named", "no class named")
+
 CallPlaces = Counter[tuple[str, int]]
 
 
@@ -186,7 +188,7 @@ def _collect(wanted: Wanted, errors: Iterable[_Error], variables: bool) -> None:
         place = sources.place(error)
         if error.message.startswith(_NAME_ERRORS):
             _collect_name(wanted, error.message, quoted, place, plain)
-        elif error.message.startswith(("no member named", "no type named")) and quoted:
+        elif error.message.startswith(("no member named", *_NO_TYPE)) and quoted:
             _collect_member(wanted, error.message, quoted, place)
         else:
             _collect_correction(wanted, error.message, quoted, place)
@@ -294,7 +296,7 @@ def _collect_member(wanted: Wanted, message: str, quoted: list[str], place: _Pla
     path, after = place.chain()
     if not path or path[0] != quoted[0]:
         path, after = [quoted[0]], b""
-    is_type = message.startswith("no type")
+    is_type = message.startswith(_NO_TYPE)
     kind, parameters = _kind(["", *path], place.before, after, "class" if is_type and len(path) == 1 else "")
     if "in the global namespace" in message:
         wanted.name(path, kind, parameters)

@@ -77,6 +77,10 @@ def bound(facts) -> list[str]:
             "macro in place of a declaration",
             "struct N { A_PROPERTY(int, x)\n void go(Out out) { out.send(1); } };\nASSUME_OF(N)\nvoid f(Out out) { N n; out.send(2); }",
         ),
+        (
+            "struct of a namespace",
+            "namespace c_library {} struct Base { Out out; }; struct N : Base { struct c_library::state state_; void go() { out.send(state_.x); } };",
+        ),
         ("macro behind a variable", "int x ALIGNED(8); void f(Out out) NOTHROW; void f(Out out) { out.send(x); }"),
         ("base class from the global namespace", "struct N : public ::far::Base { void go(Out out) override { out.send(level_); } };"),
         (
