@@ -2,7 +2,7 @@
 //
 // expect: N = count : { parameter_access_type(_, _, _) }, N = 26
 // expect: N = count : { parameter_operand_type(_, _) }, N = 33
-// expect: N = count : { parameter_access_default(_, _, _) }, N = 12
+// expect: N = count : { parameter_access_default(_, _, _) }, N = 13
 // expect: N = count : { parameter_access(_, _, _) }, N = 28
 // expect: N = count : { node_name_argument(_, _) }, N = 2
 // expect: N = count : { constant_text(_, "") }, N = 2
