@@ -63,6 +63,10 @@ def watch(
             _tell(f"rosarch: error: {error}")
             if next(batches, None) is None:
                 return
+        except KeyboardInterrupt:  # between two waits for a save
+            if before is None:
+                raise
+            return
 
 
 class _Wanted:
