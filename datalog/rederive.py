@@ -40,22 +40,19 @@ class Edit:
     """What separates a program from the one whose rows are known.
 
     `relations` are all that are declared now, `affected` those that may have other rows. `first` derives, from rows that are known, those
-    that were edited themselves: where they have the rows that they had, all others have, too. None when nothing is affected.
+    that were edited themselves: where they have the rows that they had, all others have, too. None when nothing is affected. `part`
+    gives what derives affected relations, all that lead to some of them, from rows that are known.
     """
 
     relations: Mapping[str, RelationDecl]
     affected: frozenset[str]
     first: Part | None
+    part: Callable[[Collection[str]], Part]
     _reads: Mapping[str, Collection[str]]
-    _part: Callable[[Collection[str]], Part]
 
     def leading_to(self, names: Collection[str]) -> frozenset[str]:
         """The affected relations that some relations are derived from, themselves included."""
         return self.affected & reachable(self.affected.intersection(names), self._reads)
-
-    def part(self, names: Collection[str]) -> Part:
-        """What derives affected relations, all that lead to some of them, from rows that are known."""
-        return self._part(names)
 
 
 class RuleHistory:
@@ -100,7 +97,7 @@ class RuleHistory:
             sliced, needed = slice_unit(unit, own, [c for c in unit.clauses if c.head.name in own])
             return Part(compile_unit(sliced, sources, report, self.bits), frozenset(names), needed)
 
-        return Edit(declarations(unit, types), affected, part(first) if first else None, reads, part)
+        return Edit(declarations(unit, types), affected, part(first) if first else None, part, reads)
 
     def _read(self) -> tuple[Unit, Sources, Report]:
         unit, sources, report = read_program(self.roots, self.extra_source, self.reading, parse=self._parse)

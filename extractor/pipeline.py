@@ -143,7 +143,8 @@ def extract(
         workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
         interfaces = Interfaces.of(workspace.packages, workspace.root)
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
-        extraction = Extraction(workspace.root, diagnostics=noticed, programs=programs(workspace) | registered(workspace))
+        built = programs(workspace)
+        extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace))
         scratch = extraction._stack.enter_context(scratch_folder())
         tracing.ignore(scratch)
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
@@ -165,7 +166,6 @@ def extract(
     if units or scripts:
         extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str)
     defined = _defined(interfaces)
-    built = programs(workspace)
     outcomes = {one: read.of([one.python]) if one.python else reading.of(units_of[one]) for one in found}
     extraction.components = tuple(
         _component_facts(component, workspace.root, outcomes[component], defined, built)

@@ -213,7 +213,7 @@ def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
     receiver = _receiver(body, callee, target)
     arguments = [_lower(body, argument, text=True) for argument in _arguments(body, parts[1:])]
     through = None
-    candidates = _candidates(callee)
+    candidates = libclang.overloaded_functions([callee, *callee.children])
     if target.kind not in kinds.FUNCTIONS and not candidates and callee.kind not in (kinds.UNEXPOSED_EXPR, kinds.MEMBER_ACCESS):
         through = _lower(body, callee)
     call, _ = body.node(tree, "call")
@@ -274,12 +274,6 @@ def _receiver(body: Body, callee: Tree, target: Cursor) -> str | None:
     if member == kinds.METHOD and body.owner and not libclang.is_static_method(target):
         return body.this()
     return None
-
-
-def _candidates(callee: Tree) -> list[Cursor]:
-    """The functions of an overload set."""
-    references = [callee, *callee.children]
-    return [found for reference in references for found in libclang.overloads(reference.cursor) if found.kind in kinds.FUNCTIONS]
 
 
 def _template_arguments(body: Body, callee: Tree, text: str, begin: int) -> list[str]:

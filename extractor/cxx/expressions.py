@@ -74,7 +74,7 @@ def _lower_reference(body: Body, tree: Tree) -> str:
 
 def _lower_overloaded(body: Body, tree: Tree, references: list[Tree]) -> str:
     """The name of an overload set: one row per candidate."""
-    candidates = [found for reference in references for found in libclang.overloads(reference.cursor) if found.kind in kinds.FUNCTIONS]
+    candidates = libclang.overloaded_functions(references)
     if not candidates:
         return _lower_unknown(body, tree)
     expr, _ = body.node(tree, "fn")

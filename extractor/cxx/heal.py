@@ -208,11 +208,7 @@ def _collect_name(wanted: Wanted, message: str, quoted: list[str], place: _Place
         path, after = [quoted[0]], b""  # within a macro: the place is that of its use
     if not path:
         return
-    body = (
-        _macro_body(path[0], after, message.startswith("unknown type name"))
-        if len(path) == 1 and not message.startswith("expected")
-        else None
-    )
+    body = _macro_body(path[0], message, after) if len(path) == 1 else None
     if body is not None:
         wanted.macro(path[0], body)
         return
@@ -240,18 +236,20 @@ def _collect_name(wanted: Wanted, message: str, quoted: list[str], place: _Place
         wanted.name(path, kind, parameters)
 
 
-def _macro_body(name: str, after: bytes, declares: bool) -> str | None:
+def _macro_body(name: str, message: str, after: bytes) -> str | None:
     """The body of a macro that would make sense of a name in capitals, parameters included; None for no macro.
 
     Where clang looked for a declaration, `NAME(...)` stands for one, `Q_PROPERTY(int x)`.
     """
-    if not _MACRO.fullmatch(name):
+    if not _MACRO.fullmatch(name) or message.startswith("expected"):
         return None
     if name.startswith("__"):
         return "(...)" if after.lstrip().startswith(b"(") else ""
     call = _MACRO_CALL.match(after)
+    if call and call.group(1) == b"{":
+        return f"(...) for (; {UNKNOWN}(); )"
     if call:
-        return f"(...) for (; {UNKNOWN}(); )" if call.group(1) == b"{" else "(...)" if declares else None
+        return "(...)" if message.startswith("unknown type name") else None
     return "" if re.match(rb"[ \t]*\r?\n", after) or _DECLARATION.match(after) else None
 
 

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import ctypes
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_uint, c_void_p
 from pathlib import Path
 from typing import Any
 
 import clang.native
 
-from rosarch.extractor.cxx.kinds import UNEXPOSED_DECLARATION
+from rosarch.extractor.cxx.kinds import FUNCTIONS, UNEXPOSED_DECLARATION
 
 
 class Cursor(Structure):
@@ -141,7 +141,7 @@ template_argument = _bind("Type_getTemplateArgumentAsType", Type, Type, c_uint)
 argument_count = _bind("Cursor_getNumArguments", c_int, Cursor)
 argument = _bind("Cursor_getArgument", Cursor, Cursor, c_uint)
 overload_count = _bind("getNumOverloadedDecls", c_uint, Cursor)
-overload = _bind("getOverloadedDecl", Cursor, Cursor, c_uint)
+_overload = _bind("getOverloadedDecl", Cursor, Cursor, c_uint)
 _unit_of = _bind("Cursor_getTranslationUnit", c_void_p, Cursor)
 _cursor_at = _bind("getCursor", Cursor, c_void_p, Location)
 enum_value = _bind("getEnumConstantDeclValue", c_longlong, Cursor)
@@ -310,6 +310,22 @@ def target(tree: Tree) -> Cursor:
     return tree.target
 
 
+def overloaded_functions(references: Iterable[Tree]) -> list[Cursor]:
+    """The functions of overload sets; of a declaration that a using-declaration stands for, those that it names."""
+    found: list[Cursor] = []
+    for reference in references:
+        for candidate in _overloads(reference.cursor):
+            if candidate.kind == UNEXPOSED_DECLARATION:
+                found += _overloads(_cursor_at(_unit_of(candidate), location(candidate)))
+            else:
+                found.append(candidate)
+    return [candidate for candidate in found if candidate.kind in FUNCTIONS]
+
+
+def _overloads(reference: Cursor) -> list[Cursor]:
+    return [_overload(reference, index) for index in range(overload_count(reference))]
+
+
 def spelling_location(place: Location) -> tuple[str, int]:
     """Return (file name, byte offset) of where the text of a location is written: for a macro's argument, the argument."""
     file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
@@ -368,16 +384,3 @@ class Unit:
             handle = _diagnostic(self._handle, index)
             yield _diagnostic_severity(handle), _text(_diagnostic_spelling(handle)), _diagnostic_location(handle)
             _dispose_diagnostic(handle)
-
-
-def overloads(reference: Cursor) -> list[Cursor]:
-    """What an overload set holds; of a declaration that a using-declaration stands for, what that names."""
-    found = []
-    for index in range(overload_count(reference)):
-        candidate = overload(reference, index)
-        if candidate.kind == UNEXPOSED_DECLARATION:
-            named = _cursor_at(_unit_of(candidate), location(candidate))
-            found += [overload(named, number) for number in range(overload_count(named))]
-        else:
-            found.append(candidate)
-    return found
