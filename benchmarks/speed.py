@@ -1,26 +1,31 @@
-"""Measure time and memory of `rosarch analyze` on a whole system or on some of its packages.
+"""Measure time and memory of `rosarch` on a whole system, on some of its packages, on one of its nodes, or after edits.
 
-    benchmarks/speed.py SYSTEM_DIR [--package NAME]... [--runs N]
+    benchmarks/speed.py SYSTEM_DIR [--package NAME]... [--runs N]        `rosarch analyze`
+    benchmarks/speed.py SYSTEM_DIR --node PACKAGE/NAME [--runs N]        `rosarch show ports`
+    benchmarks/speed.py SYSTEM_DIR --edits N                             `rosarch check` after each of N edits of every kind
 
 Prints a Markdown table. A cold run starts with empty caches, a new system finds only the rules compiled, a warm run is the cold one again.
-Memory is the largest resident set of any one process of the run.
+Memory is the largest resident set of any one process of the run, processor time that of all of them.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import re
 import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 KILOBYTES = 1 if sys.platform != "darwin" else 1024  # the unit of ru_maxrss
+CLEAN, FINDINGS = 0, 1
+_INCLUDED = re.compile(r'^\s*#\s*include\s*[<"]([^>"\n]+)[>"]', re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -28,48 +33,103 @@ class Run:
     """What one run cost."""
 
     seconds: float
+    processor: float
     mebibytes: float
 
 
-def measure(command: Sequence[str], cache: Path, log: Path) -> Run:
-    """Run `command`; stop the benchmark when it fails."""
-    environment = {**os.environ, "ROSARCH_CACHE_DIR": str(cache)}
+def measure(arguments: Sequence[str], folder: Path) -> Run:
+    """Run `rosarch` with what it keeps in `folder`; stop the benchmark when it fails."""
+    command = [sys.executable, "-m", "rosarch.cli", *arguments]
+    environment = {**os.environ, "ROSARCH_CACHE_DIR": str(folder / "cache")}
+    log = folder / "log"
     with log.open("w", encoding="utf-8") as output:
         start = time.perf_counter()
         process = subprocess.Popen(command, env=environment, stdout=output, stderr=output)
         _, status, usage = os.wait4(process.pid, 0)
         seconds = time.perf_counter() - start
     process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode:
+    if process.returncode not in (CLEAN, FINDINGS):
         raise SystemExit(f"{' '.join(command)} ended with {process.returncode}:\n{log.read_text(encoding='utf-8')}")
-    return Run(seconds, usage.ru_maxrss / KILOBYTES / 1024)
+    return Run(seconds, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / KILOBYTES / 1024)
 
 
-def measure_all(system: Path, options: Sequence[str], runs: int) -> dict[str, list[Run]]:
+def measure_all(arguments: Sequence[str], runs: int) -> dict[str, list[Run]]:
     """The runs of each kind."""
     results: dict[str, list[Run]] = {"cold": [], "new system": [], "warm": []}
     for _ in range(runs):
         with tempfile.TemporaryDirectory(prefix="rosarch-speed-") as name:
             folder = Path(name)
-
-            def run(folder: Path = folder) -> Run:
-                command = [sys.executable, "-m", "rosarch.cli.main", "analyze", str(system), "-o", str(folder / "models"), *options]
-                return measure(command, folder / "cache", folder / "log")
-
-            results["cold"].append(run())
-            results["warm"].append(run())
+            words = [word.replace(OUT, str(folder / "models")) for word in arguments]
+            results["cold"].append(measure(words, folder))
+            results["warm"].append(measure(words, folder))
             shutil.rmtree(folder / "cache" / "units")
-            results["new system"].append(run())
+            results["new system"].append(measure(words, folder))
     return results
+
+
+OUT = "{out}"
+"""Stands for a folder of the benchmark's own."""
+
+
+def measure_edits(system: Path, edits: int) -> dict[str, list[Run]]:
+    """The runs of `rosarch check` on a copy of a system: the first, one without an edit, and one after each edit; these add up."""
+    with tempfile.TemporaryDirectory(prefix="rosarch-speed-") as name:
+        folder = Path(name).resolve()
+        copy = folder / system.name
+        shutil.copytree(system, copy, symlinks=True)
+        command = ["check", str(copy)]
+        results = {"cold": [measure(command, folder)], "nothing changed": [measure(command, folder) for _ in range(edits)]}
+        for kind, files in edited_files(copy, folder).items():
+            results[f"{kind} changed"] = []
+            for number, path in enumerate(spread(files, edits)):
+                edit(path, number)
+                results[f"{kind} changed"].append(measure(command, folder))
+        return results
+
+
+def edited_files(root: Path, folder: Path) -> dict[str, list[Path]]:
+    """What is there to edit: sources of components that are started, headers that these include, launch files; the smallest first."""
+    from rosarch.cli.systems import SystemInputs, load_systems
+    from rosarch.extractor.launch import launch_files
+
+    os.environ["ROSARCH_CACHE_DIR"] = str(folder / "cache")
+    analysis = load_systems(SystemInputs(root))
+    sources = {root / source for model in analysis.models for source in model.sources}
+    included = {name.rpartition("/")[2] for source in sources for name in _INCLUDED.findall(source.read_text(errors="replace"))}
+    headers = [path for path in root.rglob("*.h*") if path.name in included]
+    found = {"one source": sources, "one header": headers, "one launch file": map(Path, launch_files(root))}
+    return {kind: sorted(paths, key=lambda path: (path.stat().st_size, path)) for kind, paths in found.items()}
+
+
+def spread(files: Sequence[Path], count: int) -> list[Path]:
+    """Some of the files, at even distances."""
+    return [files[(2 * number + 1) * len(files) // (2 * count)] for number in range(min(count, len(files)))]
+
+
+def edit(path: Path, number: int) -> None:
+    """Put another file in the place of `path`: with a comment more, above all else where that is allowed, so that everything moves."""
+    text = path.read_bytes()
+    comment = b"edit %d" % number
+    change: dict[str, Callable[[], bytes]] = {
+        ".launch": lambda: text.replace(b"<launch", b"<!-- %s -->\n<launch" % comment, 1),
+        ".xml": lambda: text.replace(b"<launch", b"<!-- %s -->\n<launch" % comment, 1),
+        ".py": lambda: text + b"\n# %s\n" % comment,
+        ".yaml": lambda: text + b"\n# %s\n" % comment,
+    }
+    other = path.with_name(f"{path.name}.edited")
+    other.write_bytes(change.get(path.suffix, lambda: b"// %s\n%s" % (comment, text))())
+    shutil.copymode(path, other)
+    other.replace(path)
 
 
 def table(results: dict[str, list[Run]]) -> str:
     """The results as Markdown."""
-    lines = ["| run | min | median | max | peak memory |", "|---|---|---|---|---|"]
-    for kind, runs in results.items():
+    lines = ["| run | min | median | max | processor | peak memory |", "|---|---:|---:|---:|---:|---:|"]
+    for kind, runs in ((kind, runs) for kind, runs in results.items() if runs):
         seconds = [run.seconds for run in runs]
         figures = " | ".join(f"{value:.2f} s" for value in (min(seconds), statistics.median(seconds), max(seconds)))
-        lines.append(f"| {kind} | {figures} | {max(run.mebibytes for run in runs):.0f} MiB |")
+        processor = statistics.median(run.processor for run in runs)
+        lines.append(f"| {kind} | {figures} | {processor:.2f} s | {max(run.mebibytes for run in runs):.0f} MiB |")
     return "\n".join(lines)
 
 
@@ -78,13 +138,19 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("system", type=Path)
     parser.add_argument("--package", action="append", default=[])
+    parser.add_argument("--node")
+    parser.add_argument("--edits", type=int)
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--jobs", type=int)
     parser.add_argument("--engine", choices=("embedded", "souffle"), default="embedded")
     options = parser.parse_args()
-    extra = ["--engine", options.engine, *(f"--package={name}" for name in options.package)]
-    extra += [f"--jobs={options.jobs}"] if options.jobs else []
-    print(table(measure_all(options.system, extra, options.runs)))
+    if options.edits:
+        print(table(measure_edits(options.system, options.edits)))
+        return 0
+    command = ["show", "ports", str(options.system), options.node] if options.node else ["analyze", str(options.system), "-o", OUT]
+    command += ["--engine", options.engine, *(f"--package={name}" for name in options.package)]
+    command += [f"--jobs={options.jobs}"] if options.jobs else []
+    print(table(measure_all(command, options.runs)))
     return 0
 
 
