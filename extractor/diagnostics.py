@@ -23,6 +23,12 @@ class Diagnostic:
         return f"{self.path}:{self.line}:{self.column}: {self.message}"
 
 
+def source_diagnostic(problem: SourceProblem) -> Diagnostic:
+    """A problem of a source as a diagnostic."""
+    path, line, column, message = problem
+    return Diagnostic("source", Path(path), line, column, message)
+
+
 def shortened(text: str, most: int = 60) -> str:
     """A text as a message quotes it: in one line, with no more characters than that."""
     line = " ".join(text.split())

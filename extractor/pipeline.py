@@ -7,9 +7,10 @@ component are the union of those of its units.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Mapping, Sequence
-from contextlib import ExitStack
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack, nullcontext
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from rosarch.datalog.scratch import scratch_folder
@@ -19,7 +20,7 @@ from rosarch.extractor.cache import Cache, hash_of, write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
 from rosarch.extractor.cxx.unit import file_key
-from rosarch.extractor.cxx.units import UnitReader, odd_source
+from rosarch.extractor.cxx.units import UnitReader
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.facts_text import facts_text
 from rosarch.extractor.files import path_text
@@ -27,10 +28,12 @@ from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.memo import Memo
 from rosarch.extractor.messages import Interfaces, MessageClass
-from rosarch.extractor.pool import Failure, default_jobs
+from rosarch.extractor.pool import Failure
 from rosarch.extractor.python.units import PythonReader
+from rosarch.extractor.sources import Sources, diagnostics
+from rosarch.extractor.unit_index import UnitIndex
 from rosarch.extractor.unit_store import read_rows
-from rosarch.extractor.units import Outcome, Progress, UnitFile, read_units
+from rosarch.extractor.units import Outcome, Progress, UnitFile
 from rosarch.extractor.workspace import (
     Component,
     Diagnostic,
@@ -130,18 +133,22 @@ def extract(
     cache: Cache | None = None,
     progress: Progress | None = None,
     only: Callable[[Component], bool] | None = None,
+    known: Callable[[ComponentFacts], bool] | None = None,
     workspace: Workspace | None = None,
 ) -> Extraction:
     """Extract the facts of the components of `packages` (all by default) below `root`, or of those that `only` tells.
 
     A `workspace` takes the place of what is discovered there. `timeout` is the limit in seconds for one source. `defines` are CMake cache
-    variables. With a `cache`, only what has changed since an earlier extraction is read again. Sources that fail and whatever else was
-    not understood is in `diagnostics`; nothing raises for bad input below `root`.
+    variables. With a `cache`, only what has changed since an earlier extraction is read again; components that are `known` then, by their
+    key, may have no rows. Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below
+    `root`.
     """
     with ExitStack() as confinement:
         confinement.enter_context(confined([root, *ros_package_path()]))
-        workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
-        interfaces = Interfaces.of(workspace.packages, workspace.root)
+        with _recorded(root) if cache and known else nullcontext() as rests_on:
+            workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
+            interfaces = Interfaces.of(workspace.packages, workspace.root)
+        index = UnitIndex.load(cache, rests_on) if cache and rests_on and not rests_on.uncertain else None
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
         built = programs(workspace)
         extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace))
@@ -150,28 +157,33 @@ def extract(
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
         commands = read_compile_commands(workspace.root)
         extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
-        units_of = {component: compile_units(workspace, component, commands) for component in found if component.python is None}
+        units_of = {one: [one.python] if one.python else compile_units(workspace, one, commands) for one in found}
         units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
-        extraction.built = sum(commands.find(unit.source, "") is not None for unit in units)
+        compiled = [unit for unit in units if isinstance(unit, CompileUnit)]
+        extraction.built = sum(commands.find(unit.source, "") is not None for unit in compiled)
         extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
-        confinement.enter_context(confined([scratch, *{folder for unit in units for folder in unit.installed}]))
+        confinement.enter_context(confined([scratch, *{folder for unit in compiled for folder in unit.installed}]))
         finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, searched=workspace.searched)
-        reader = UnitReader(workspace.root, finder, scratch, cache)
-        reading = read_units(units, reader, jobs or default_jobs(), timeout, progress)
-        reading.diagnostics += [problem for source in sorted({unit.source for unit in units}) for problem in odd_source(source)]
-        scripts = sorted({component.python for component in found if component.python}, key=repr)
-        read = read_units(scripts, PythonReader(workspace.root, scratch, cache), jobs or default_jobs(), timeout, progress)
-        reading.diagnostics += read.diagnostics
-    extraction.seconds = {**reading.seconds, **read.seconds}
-    if units or scripts:
-        extraction.diagnostics = sorted([*extraction.diagnostics, *reading.diagnostics], key=str)
-    defined = _defined(interfaces)
-    outcomes = {one: read.of([one.python]) if one.python else reading.of(units_of[one]) for one in found}
-    extraction.components = tuple(
-        _component_facts(component, workspace.root, outcomes[component], defined, built)
-        for component in sorted(found, key=lambda c: (c.package, c.name))
-    )
+        readers = UnitReader(workspace.root, finder, scratch, cache), PythonReader(workspace.root, scratch, cache)
+        sources = Sources(*readers, jobs, timeout, progress)
+        make = partial(_component_facts, workspace.root, sources.paths, _defined(interfaces), built)
+        reading = index.read(units, sources.read) if index else sources.read(units)
+        made = {one: make(one, reading.of(units_of[one])) for one in found}
+        if known and index:
+            wanted = [one for one in found if not known(made[one])]
+            lost = {unit for one in wanted for unit in units_of[one] if sources.lacks(reading.files[unit])}
+            reading.files.update(sources.read(sorted(lost, key=repr)).files)
+            made.update((one, make(one, reading.of(units_of[one]))) for one in wanted)
+        if units:
+            extraction.diagnostics = sorted([*extraction.diagnostics, *diagnostics(reading)], key=str)
+    extraction.seconds = reading.seconds
+    extraction.components = tuple(made[one] for one in sorted(found, key=lambda each: (each.package, each.name)))
     return extraction
+
+
+def _recorded(root: Path) -> AbstractContextManager[tracing.Recording]:
+    """Record what is seen of the workspace."""
+    return tracing.recording(tracing.Present({}).trees([os.path.abspath(root)]))
 
 
 def _discovered(root: Path, packages: Collection[str] | None, defines: Mapping[str, str], timeout: float, cache: Cache | None) -> Workspace:
@@ -248,7 +260,12 @@ def _defined(interfaces: Interfaces) -> _Defined:
 
 
 def _component_facts(
-    component: Component, root: Path, outcomes: Sequence[Outcome], defined: _Defined, programs: frozenset[tuple[str, str]]
+    root: Path,
+    paths: Callable[[UnitFile], Iterable[Path]],
+    defined: _Defined,
+    programs: frozenset[tuple[str, str]],
+    component: Component,
+    outcomes: Sequence[Outcome],
 ) -> ComponentFacts:
     own: dict[str, set[tuple[str | int, ...]]] = {
         "component": {(component.name, component.package, component.kind)},
@@ -272,7 +289,7 @@ def _component_facts(
                 if isinstance(outcome, Failure):
                     own["source_failed"].add((file_key(relative), outcome.reason))
     read = [outcome for _, outcome in outcomes if isinstance(outcome, UnitFile)]
-    keys = [file.key for file in read if file.key is not None]
+    keys = [file.key for file in read if file.certain]
     facts = [f"{relation} {row!r}" for relation, rows in sorted(own.items()) for row in sorted(rows, key=repr)]
     certain = len(keys) == len(outcomes)  # a unit that failed may not do so the next time
     sources = tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root))
@@ -281,7 +298,7 @@ def _component_facts(
         component.package,
         component.kind,
         sources,
-        tuple(dict.fromkeys(path for file in read for path in (file.path, *file.headers))),
+        tuple(dict.fromkeys(path for file in read for path in paths(file))),
         {**own, "message_class": defined.classes, "config_parameter": defined.configs},
         hash_of([*keys, "", *facts, "", *sources, "", defined.digest]) if certain else None,
     )

@@ -20,6 +20,8 @@ from typing import Generic, TypeVar
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 Stamp = tuple[int, int, int, int]
+Read = tuple[str, "Stamp | None"]
+"""What was seen of a file that was read, see `Trace`."""
 
 _BOOKKEEPING = frozenset({".git", ".hg", ".svn"})
 """Folders that change with no change of the sources."""
@@ -37,7 +39,7 @@ class Trace:
     """
 
     trees: Mapping[str, str]
-    reads: Mapping[str, tuple[str, Stamp | None]]
+    reads: Mapping[str, Read]
     probes: Mapping[str, str]
     variables: Mapping[str, str | None]
 
@@ -47,7 +49,7 @@ class Recording:
     """What was seen so far below and outside of `trees`, but for what lies in folders that are `ignored`."""
 
     trees: Mapping[str, str] = field(default_factory=dict)
-    reads: dict[str, tuple[str, Stamp | None]] = field(default_factory=dict)
+    reads: dict[str, Read] = field(default_factory=dict)
     probes: dict[str, str] = field(default_factory=dict)
     variables: dict[str, str | None] = field(default_factory=dict)
     ignored: tuple[str, ...] = ()
@@ -207,17 +209,26 @@ class Present:
             return None
         if any(self.variables.get(name) != value for name, value in then.variables.items()):
             return None
-        restamped: dict[str, tuple[str, Stamp | None]] = {}
-        for path, (digest, stamp) in then.reads.items():
-            status = _status(path)
-            if stamp is not None and status is not None and _stamp(status) == stamp:
-                continue
-            if _digest(_content(path, status)) != digest:
+        restamped: dict[str, Read] = {}
+        for path, now in changes(then.reads):
+            if now is None:
                 return None
-            trusted = None if status is None else _trusted(status)
-            if trusted != stamp:
-                restamped[path] = (digest, trusted)
+            restamped[path] = now
         return replace(then, reads={**then.reads, **restamped}) if restamped else then
+
+
+def changes(reads: Mapping[str, Read]) -> Iterator[tuple[str, Read | None]]:
+    """The files that are not as they were: None with those of another content, what is seen now with those of another stamp."""
+    for path, (digest, stamp) in reads.items():
+        status = _status(path)
+        if stamp is not None and status is not None and _stamp(status) == stamp:
+            continue
+        if _digest(_content(path, status)) != digest:
+            yield path, None
+            continue
+        trusted = None if status is None else _trusted(status)
+        if trusted != stamp:
+            yield path, (digest, trusted)
 
 
 def _stamp(status: os.stat_result) -> Stamp:

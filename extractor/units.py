@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 from rosarch.extractor.boundary import OUTSIDE, is_inside
 from rosarch.extractor.cache import Cache, extractor_version
-from rosarch.extractor.diagnostics import Diagnostic, SourceProblem
+from rosarch.extractor.diagnostics import Diagnostic, SourceProblem, source_diagnostic
 from rosarch.extractor.pool import Failure, run_tasks
 
 Progress = Callable[[str, int, int], None]
@@ -19,16 +19,18 @@ Progress = Callable[[str, int, int], None]
 
 @dataclass(frozen=True)
 class UnitFile:
-    """A unit that was extracted: the file with its rows, those of the headers it shares, how long it took, the errors that lost code.
+    """A unit that was extracted: the keys of its rows and of those of headers that it shares, see `UnitStore`, and how long it took.
 
-    `key` is a hash of all that the rows depend on; None when that is not known.
+    `problems` are the errors that lost code, and what else a reader would want to know of the source. When it is `certain`, the key is a
+    hash of all that the rows depend on, and `files` are those of the workspace, and others that are installed, among that.
     """
 
-    path: Path
-    headers: tuple[Path, ...]
-    key: str | None
+    key: str
+    headers: tuple[str, ...]
     seconds: float
-    problems: list[SourceProblem]
+    problems: tuple[SourceProblem, ...]
+    files: tuple[str, ...]
+    certain: bool = True
 
 
 class AnyUnit(Hashable, Protocol):
@@ -72,30 +74,50 @@ class Reader(Protocol[Read]):
         """Extract one unit."""
 
 
-@dataclass
+@dataclass(frozen=True)
 class Reading(Generic[Unit]):
-    """What became of all units: their files or why there is none, what was not understood, and the time that each source took."""
+    """What became of units: their files, or why there is none."""
 
     files: dict[Unit, UnitFile | Failure] = field(default_factory=dict)
-    diagnostics: list[Diagnostic] = field(default_factory=list)
-    seconds: dict[Path, float] = field(default_factory=dict)
 
     def of(self, units: Iterable[Unit]) -> list[Outcome]:
         """The sources of some units and what became of them."""
         return [(unit.own_sources, self.files[unit]) for unit in units]
 
+    @property
+    def failed(self) -> dict[Unit, Failure]:
+        """The units without a file."""
+        return {unit: outcome for unit, outcome in self.files.items() if isinstance(outcome, Failure)}
 
-def read_units(units: Sequence[Unit], reader: Reader[Unit], jobs: int, timeout: float, progress: Progress | None) -> Reading[Unit]:
-    """Extract every unit into a file, unless it is in the cache."""
-    reading = Reading[Unit]()
+    @property
+    def seconds(self) -> dict[Path, float]:
+        """The time that each source took."""
+        found: dict[Path, float] = {}
+        for unit, outcome in self.files.items():
+            if isinstance(outcome, UnitFile):
+                found[unit.source] = max(outcome.seconds, found.get(unit.source, 0.0))
+        return found
+
+    @property
+    def diagnostics(self) -> set[Diagnostic]:
+        """What was not understood, each once: a header's problems are found by every source that includes it."""
+        problems = {problem for outcome in self.files.values() if isinstance(outcome, UnitFile) for problem in outcome.problems}
+        problems |= {(str(unit.source), 1, 1, f"not analysed: {_reason(failure)}") for unit, failure in self.failed.items()}
+        return set(map(source_diagnostic, problems))
+
+
+def _reason(failure: Failure) -> str:
+    return failure.detail if failure.detail == OUTSIDE else f"{failure.reason} ({failure.detail})"
+
+
+def read_units(
+    units: Sequence[Unit], reader: Reader[Unit], jobs: int, timeout: float, progress: Progress | None, known: Mapping[Any, UnitFile]
+) -> Reading[Unit]:
+    """Extract every unit into a file, unless it is in the cache. Of those that are `known`, there may be no file."""
+    reading = Reading[Unit]({unit: known[unit] for unit in units if unit in known})
     extractor_version()  # once here, and not in each worker
-    outside = {source for source in {unit.source for unit in units} if not is_inside(source)}
-    reading.files.update((unit, Failure("outside", OUTSIDE)) for unit in units if unit.source in outside)
-    reading.diagnostics += [Diagnostic("source", source, 1, 1, f"not analysed: {OUTSIDE}") for source in outside]
-    largest = sorted(
-        (unit for unit in units if unit.source not in outside), key=lambda unit: -_size(unit.source)
-    )  # long ones first: even ends
-    lost: set[Diagnostic] = set()  # a header's are found by every source that includes it
+    reading.files.update((unit, Failure("outside", OUTSIDE)) for unit in units if not is_inside(unit.source))
+    largest = sorted((unit for unit in units if unit not in reading.files), key=lambda unit: -_size(unit.source))  # for even ends
 
     def run(work: Callable[[Unit], UnitFile | None], waiting: Sequence[Unit]) -> list[Unit]:
         """Do `work` for all that are `waiting`; the units that it has nothing for."""
@@ -104,31 +126,20 @@ def read_units(units: Sequence[Unit], reader: Reader[Unit], jobs: int, timeout: 
             if outcome is None:
                 left.append(index)
                 continue
-            _settle(reading, waiting[index], outcome, lost)
+            if isinstance(outcome, Failure):
+                refuse_full_disk(outcome)
+            reading.files[waiting[index]] = outcome
             if progress:
                 progress("sources", len(reading.files), len(units))
         return [waiting[index] for index in sorted(left)]
 
-    unknown = run(reader.known, largest) if reader.anything_known() else largest
+    unknown = run(reader.known, largest) if largest and reader.anything_known() else largest
     if unknown:
         reader.prepare(timeout)
         run(reader.read, unknown)
         if reader.cache:
             reader.cache.trim()
-    reading.diagnostics += lost
-    reading.diagnostics.sort(key=str)
     return reading
-
-
-def _settle(reading: Reading[Unit], unit: Unit, outcome: UnitFile | Failure, lost: set[Diagnostic]) -> None:
-    """Take down what became of a unit."""
-    reading.files[unit] = outcome
-    if isinstance(outcome, Failure):
-        refuse_full_disk(outcome)
-        reading.diagnostics.append(Diagnostic("source", unit.source, 1, 1, f"not analysed: {outcome.reason} ({outcome.detail})"))
-    else:
-        reading.seconds[unit.source] = max(outcome.seconds, reading.seconds.get(unit.source, 0.0))
-        lost.update(Diagnostic("source", Path(path), line, column, message) for path, line, column, message in outcome.problems)
 
 
 def refuse_full_disk(failure: Failure) -> None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.cache import Cache
 from rosarch.extractor.limits import LIMITS, SOURCE_SECONDS
@@ -49,11 +49,20 @@ def analyze(
     with meanwhile(partial(model_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
 
-        with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress, only=only) as extraction:
+        system = root.resolve().name
+
+        @lru_cache(maxsize=1)
+        def kept() -> ModelCache | None:
             rules_compiled()
-            system = root.resolve().name
-            kept = ModelCache(cache, system, engine, rules_digest(rules)) if cache else None
-            models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept)
+            return ModelCache(cache, system, engine, rules_digest(rules)) if cache else None
+
+        def known(component: ComponentFacts) -> bool:
+            models = kept()
+            return models is not None and models.load(_title(component), component.key) is not None
+
+        options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache, "progress": progress, "only": only}
+        with extract(root, packages, known=known, **options) as extraction:
+            models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept())
             return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs)
 
 

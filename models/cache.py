@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 
@@ -26,10 +26,19 @@ class ModelCache:
     system: str
     engine: str
     rules: str = ""
+    _loaded: dict[str, tuple[ComponentModel, ...]] = field(default_factory=dict)
 
     def load(self, component: str, facts: str | None) -> tuple[ComponentModel, ...] | None:
         """The models of a component (see `build_models`), found by the hash of its facts; None when there are none."""
-        return self.cache.load_value(self._key(component, facts), tuple) if facts else None
+        if facts is None:
+            return None
+        key = self._key(component, facts)
+        if key not in self._loaded:
+            models = self.cache.load_value(key, tuple)
+            if models is None:
+                return None
+            self._loaded[key] = models
+        return self._loaded[key]
 
     def store(self, component: str, facts: str | None, models: tuple[ComponentModel, ...]) -> None:
         """Keep the models of a component, when its facts have a hash."""

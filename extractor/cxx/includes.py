@@ -197,6 +197,11 @@ class HeaderFinder:
             tracing.uncertain()
         return result
 
+    def found(self, includes: Includes) -> tuple[str, ...]:
+        """The files of a closure that neither rosarch brings nor this makes."""
+        own = f"{self.scratch}{os.sep}"
+        return tuple(path for path in includes.files if not path.startswith((own, _SHIPPED_PREFIX)))
+
     def fingerprint(self, includes: Includes) -> str:
         """A hash of what `closure` found: which files, with what content, and what is missing; the same wherever the workspace lies."""
         parts = ["".join(sorted(map(self._stamp, includes.files)))]

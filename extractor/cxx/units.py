@@ -15,7 +15,7 @@ from rosarch.extractor.cxx.includes import HeaderFinder, Includes
 from rosarch.extractor.cxx.recover import Names
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.translation_unit import CompileUnit, Rows, build_prelude, extract_unit, unit_key
-from rosarch.extractor.diagnostics import Diagnostic, SourceProblem
+from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import read_file
 from rosarch.extractor.pool import Failure, run_tasks
 from rosarch.extractor.unit_store import UnitStore
@@ -86,7 +86,7 @@ class UnitReader:
         head = self.files.head(key)
         if head is None or not all(map(self.files.has, head[1])):
             return None
-        return self._file(key, head, start)
+        return self._file(unit, key, head, start, includes)
 
     def load(self, key: str) -> Names | None:
         """The names that a header declares; None when no unit has read it yet (see `HeaderStore`)."""
@@ -113,22 +113,22 @@ class UnitReader:
         rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
         head = problems, sorted(headers.keys.values())
         self.files.keep(key, head, rows, lasting=includes.predictable)
-        return self._file(key, head, start, certain=includes.predictable)
+        return self._file(unit, key, head, start, includes)
 
-    def _file(self, key: str, head: tuple[list[SourceProblem], list[str]], start: float, *, certain: bool = True) -> UnitFile:
-        problems, headers = head
-        paths = tuple(map(self.files.path, headers))
-        return UnitFile(self.files.path(key), paths, key if certain else None, time.perf_counter() - start, problems)
+    def _file(self, unit: CompileUnit, key: str, head: tuple[list[SourceProblem], list[str]], start: float, includes: Includes) -> UnitFile:
+        lost, headers = head
+        problems = (*lost, *odd_source(unit.source))
+        return UnitFile(key, tuple(headers), time.perf_counter() - start, problems, self.finder.found(includes), includes.predictable)
 
 
-def odd_source(path: Path) -> list[Diagnostic]:
-    """What a reader would want to know of a source before wondering why little was found in it: one diagnostic."""
+def odd_source(path: Path) -> list[SourceProblem]:
+    """What a reader would want to know of a source before wondering why little was found in it: one problem."""
     try:
         data = read_file(path)
     except OSError:
         return []  # reported where it is read
     if not data.strip():
-        return [Diagnostic("source", path, 1, 1, "empty source")]
+        return [(str(path), 1, 1, "empty source")]
     if b"\0" in data:
         return [_at(path, data, data.index(b"\0"), "not a text file")]
     for match in _SELF_INCLUDE.finditer(data):
@@ -141,6 +141,6 @@ def odd_source(path: Path) -> list[Diagnostic]:
     return []
 
 
-def _at(path: Path, data: bytes, offset: int, message: str) -> Diagnostic:
+def _at(path: Path, data: bytes, offset: int, message: str) -> SourceProblem:
     start = data.rfind(b"\n", 0, offset) + 1
-    return Diagnostic("source", path, data.count(b"\n", 0, offset) + 1, offset - start + 1, message)
+    return str(path), data.count(b"\n", 0, offset) + 1, offset - start + 1, message

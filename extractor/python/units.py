@@ -36,7 +36,7 @@ class PythonReader:
         start = time.perf_counter()
         key = self._key(unit)
         problems = self._files.head(key)
-        return None if problems is None else self._file(key, problems, start)
+        return None if problems is None else self._file(unit, key, problems, start)
 
     def read(self, unit: PythonEntry) -> UnitFile:
         """Extract a component."""
@@ -44,14 +44,14 @@ class PythonReader:
         rows, problems = extract_program(self.root, unit)
         key = self._key(unit)
         self._files.keep(key, problems, rows)
-        return self._file(key, problems, start)
+        return self._file(unit, key, problems, start)
 
     @property
     def _files(self) -> UnitStore:
         return UnitStore(self.scratch, self.cache)
 
-    def _file(self, key: str, problems: list[SourceProblem], start: float) -> UnitFile:
-        return UnitFile(self._files.path(key), (), key, time.perf_counter() - start, problems)
+    def _file(self, unit: PythonEntry, key: str, problems: list[SourceProblem], start: float) -> UnitFile:
+        return UnitFile(key, (), time.perf_counter() - start, tuple(problems), tuple(map(str, unit.own_sources)))
 
     def _key(self, unit: PythonEntry) -> str:
         """A hash of the sources and of how they are started."""

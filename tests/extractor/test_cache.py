@@ -42,7 +42,8 @@ def workspace(tmp_path: Path) -> Path:
 
 
 def facts(root: Path, cache: Cache | None) -> dict[str, set[tuple[object, ...]]]:
-    with extract(root, jobs=1, cache=cache) as extraction:
+    """The facts of the only component; none are known, so that the index of units and the entries of all of them are used."""
+    with extract(root, jobs=1, cache=cache, known=lambda _component: False) as extraction:
         (component,) = extraction.components
         return {name: set(rows) for name, rows in component.rows().items()}
 
@@ -111,6 +112,58 @@ def test_a_workspace_elsewhere_shares_the_entries(workspace: Path, tmp_path: Pat
     elsewhere = workspace.rename(tmp_path / "elsewhere")
     assert facts(elsewhere, cache) == first
     assert len(entries(cache)) == 1
+
+
+def key(root: Path, cache: Cache) -> str | None:
+    """The key of the facts of the only component, which are known when they have one."""
+    with extract(root, jobs=1, cache=cache, known=lambda component: component.key is not None) as extraction:
+        (component,) = extraction.components
+        return component.key
+
+
+def test_what_is_known_is_not_looked_at(workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    cache = Cache(tmp_path / "cache")
+    first = key(workspace, cache)
+    assert first is not None
+    for entry in entries(cache):
+        entry.unlink()
+
+    def refuse(*_args: object, **_options: object) -> None:
+        raise AssertionError("looked at again")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("rosarch.extractor.units.run_tasks", refuse)
+        assert key(workspace, cache) == first
+        (workspace / "names.h").write_text("// some\n")
+        with pytest.raises(AssertionError, match="looked at again"):
+            key(workspace, cache)
+    assert key(workspace, cache) not in (first, None)
+    (workspace / "names.h").write_text("// none yet\n")
+    assert key(workspace, cache) == first
+    assert facts(workspace, cache) == facts(workspace, None)  # though the entry was gone
+
+
+@pytest.mark.parametrize("content", [b"", b"short", ()])
+def test_a_damaged_index_is_replaced(workspace: Path, tmp_path: Path, content: object) -> None:
+    cache = Cache(tmp_path / "cache")
+    first = key(workspace, cache)
+    (index,) = [path for path in cache.folder.glob("*/*") if b"UnitFile" in path.read_bytes()]
+    name, whole = index.parent.name + index.name, len(index.read_bytes())
+    index.write_bytes(content) if isinstance(content, bytes) else cache.store_value(name, content)
+    assert key(workspace, cache) == first
+    assert len(index.read_bytes()) == whole
+
+
+def test_another_message_with_the_name_of_a_header(workspace: Path, tmp_path: Path) -> None:
+    """What is generated is no file of the workspace, but it rests on some."""
+    (workspace / "CMakeLists.txt").write_text(f"{CMAKE}find_package(message_generation)\nadd_message_files(FILES Level.msg)\n")
+    (workspace / "msg").mkdir()
+    (workspace / "msg" / "Level.msg").write_text("int32 low\n")
+    (workspace / "talker.cpp").write_text(f'#include "talker/Level.h"\n{SOURCE}talker::Level level; int n = level.high;\n')
+    cache = Cache(tmp_path / "cache")
+    first = facts(workspace, cache)
+    (workspace / "msg" / "Level.msg").write_text("int32 high\n")
+    assert first != facts(workspace, cache) == facts(workspace, None)
 
 
 def test_an_unwritable_cache_is_none(workspace: Path, tmp_path: Path) -> None:
