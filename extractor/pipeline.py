@@ -292,6 +292,8 @@ def _component_facts(
     keys = [file.key for file in read if file.certain]
     facts = [f"{relation} {row!r}" for relation, rows in sorted(own.items()) for row in sorted(rows, key=repr)]
     certain = len(keys) == len(outcomes)  # a unit that failed may not do so the next time
+    if not certain:
+        tracing.uncertain()
     sources = tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root))
     return ComponentFacts(
         component.name,

@@ -50,7 +50,7 @@ class UnitIndex:
         with tracing.recording(self.trace.trees) as seen:
             reading = read(units, known)
         if len(known) < len(units) and not seen.uncertain:
-            self._keep({names[unit]: file for unit, file in reading.files.items() if isinstance(file, UnitFile)}, seen)
+            self._keep({names[unit]: file for unit, file in reading.files.items() if isinstance(file, UnitFile) and file.certain}, seen)
         return reading
 
     def _keep(self, found: Mapping[str, UnitFile], seen: tracing.Recording) -> None:

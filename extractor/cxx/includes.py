@@ -193,8 +193,6 @@ class HeaderFinder:
         result.made = sorted(extra)
         result.overlay = self._overlay()
         result.predictable = self._unpredictable.isdisjoint(seen)
-        if not result.predictable:
-            tracing.uncertain()
         return result
 
     def found(self, includes: Includes) -> tuple[str, ...]:

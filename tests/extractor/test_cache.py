@@ -93,6 +93,9 @@ def test_a_source_whose_includes_macros_decide_is_not_kept(workspace: Path, tmp_
     cache = Cache(tmp_path / "cache")
     assert strings(facts(workspace, cache)) == {"first"}
     assert entries(cache) == []
+    assert key(workspace, cache) is None
+    (workspace / "names.h").write_text('#define NAME "second"\n')
+    assert strings(facts(workspace, cache)) == {"second"}
 
 
 @pytest.mark.parametrize("damage", [b"", b"short", None])
