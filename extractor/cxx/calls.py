@@ -86,16 +86,19 @@ def _lower_construction(body: Body, tree: Tree, constructor: Cursor) -> str:
 
 
 def lower_dependent_construction(body: Body, tree: Tree, type_: Type, values: Tree | None) -> str | None:
-    """Record that `tree` makes an object of `type_`, a parameter of its template, from the bracketed `values`; None for other types."""
+    """Record that `tree`, in a template, makes an object of `type_` from the bracketed `values`; None where clang tells the constructor."""
     unit = body.unit
-    parameter = declare_type(unit, type_)
-    if not is_template_parameter(parameter):
+    name = declare_type(unit, type_)
+    class_ = libclang.type_declaration(libclang.canonical_type(type_)) if values and _is_list(body, values) else None
+    if not is_template_parameter(name) and (class_ is None or class_.kind not in kinds.CLASSES):
         return None
     lowered = [_lower(body, argument, text=True) for argument in (expressions(values) if values else ())]
     call, _ = body.node(tree, "call")
     unit.add("call", call, libclang.type_spelling(type_))
     unit.add("call_unresolved", call, "dependent")
-    unit.add("expr_type", call, parameter)
+    if class_ is not None and class_.kind in kinds.CLASSES:
+        unit.add("call_constructs", call, declare_class(unit, class_))
+    unit.add("expr_type", call, name)
     for index, argument in enumerate(lowered):
         unit.add("call_argument", call, index, argument)
     body.flow.evaluate(call)
@@ -136,6 +139,14 @@ def is_argument_list(body: Body, value: Tree) -> bool:
     span = body.unit.span_of(value)
     bracketed = value.kind == kinds.UNEXPOSED_EXPR and span.file.data[span.begin : span.begin + 1] == b"("
     return bracketed and len(list(_pieces(span.file.data, span.begin, span.end - 1))) > 1
+
+
+def _is_list(body: Body, value: Tree) -> bool:
+    """Whether `value` is values in brackets, not one expression that begins with a bracket."""
+    span = body.unit.span_of(value)
+    if value.kind != kinds.UNEXPOSED_EXPR or span.file.data[span.begin : span.begin + 1] != b"(":
+        return False
+    return all(body.unit.span_of(part).begin > span.begin for part in expressions(value))
 
 
 def _all(tree: Tree) -> Iterator[Tree]:
@@ -208,7 +219,8 @@ def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
     if not parts:
         return _dropped(body, tree)
     callee = strip(parts[0])
-    if len(parts) == 1 and (callee.kind in _VALUES or _constructs(callee) or _same_place(body, tree, parts[0])):
+    called = name and libclang.spelling(callee.cursor) == name  # all parts of a macro lie in one place
+    if len(parts) == 1 and not called and (callee.kind in _VALUES or _constructs(callee) or _same_place(body, tree, parts[0])):
         return _lower(body, parts[0])  # the move of a temporary into its variable
     receiver = _receiver(body, callee, target)
     arguments = [_lower(body, argument, text=True) for argument in _arguments(body, parts[1:])]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
+from .cmake_expand import split_list
 from .cmake_state import Call, Directory, TargetDraft
 from .commands_values import truthy
 from .evaluator import Evaluator, command
@@ -43,8 +44,9 @@ def add_target(run: Evaluator, call: Call, name: str, kind: str, sources: list[s
 
 
 def add_sources(run: Evaluator, target: TargetDraft, sources: list[str]) -> None:
-    """Sources are relative to the folder of the command that names them."""
-    target.extend("SOURCES", [name if name.startswith("$<") else os.path.join(run.directory.source, name) for name in sources])
+    """Sources are relative to the folder of the command that names them; a list in quotes is one all the same."""
+    names = split_list(";".join(sources))
+    target.extend("SOURCES", [name if name.startswith("$<") else os.path.join(run.directory.source, name) for name in names])
     target.extend("SOURCE_BINARY_DIRS", [run.directory.binary])
 
 

@@ -52,6 +52,7 @@ ABC = {"a.cpp": "", "b.cpp": "", "c.cpp": "", "sub/d.cpp": ""}
         ("get_filename_component(N /q/a.b.c NAME_WE)\nadd_executable(x ${N}.cpp)", ["a.cpp"]),
         ("aux_source_directory(sub S)\nadd_executable(x ${S})", ["d.cpp"]),
         ("add_executable(x a.cpp)\ntarget_sources(x PRIVATE b.cpp)", ["a.cpp", "b.cpp"]),
+        ('set(S a.cpp b.cpp)\nset(S "${S}" "c.cpp")\nadd_executable(x "${S}")', ["a.cpp", "b.cpp", "c.cpp"]),
         ("add_executable(x a)", ["a.cpp"]),
         ("cuda_add_executable(x a.cpp)", ["a.cpp"]),
     ],
