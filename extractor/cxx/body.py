@@ -48,6 +48,9 @@ def expressions(tree: Tree) -> list[Tree]:
 def strip(tree: Tree) -> Tree:
     """Leave out parentheses, implicit casts and temporaries."""
     while tree.kind in (kinds.UNEXPOSED_EXPR, kinds.PAREN):
+        if len(tree.children) == 1 and 100 <= tree.children[0].kind <= 199:  # nearly always
+            tree = tree.children[0]
+            continue
         inner = expressions(tree)
         if len(inner) != 1 or len(inner) != len([c for c in tree.children if c.kind not in kinds.REFERENCES]):
             break

@@ -19,6 +19,7 @@ _FUNCTION_KINDS = {
     kinds.CONVERSION: "conversion",
 }
 _CLASS_KINDS = {kinds.STRUCT: "struct", kinds.UNION: "union", kinds.CLASS: "class", kinds.ENUM: "enum"}
+_INT_WORD = re.compile(r"\bint\b")
 _INT_WORDS = re.compile(r"\b(int|auto|signed|unsigned|short|long|decltype)\b")
 _INT = re.compile(r"(signed|int|auto|decltype\s*\(.*\)|\s)*")
 _QUALIFIERS = re.compile(r"\bconst\b|\bvolatile\b|\[\d*\]|[&*\s]")
@@ -172,7 +173,7 @@ def declared_type(unit: UnitFacts, cursor: Cursor) -> str:
     spell is unknown: the result is `?` and the type as written.
     """
     type_ = libclang.cursor_type(cursor)
-    if "int" in unit.type_name(type_):
+    if _INT_WORD.search(unit.type_name(type_)):
         span = unit.span(cursor)
         if span.file.key:
             file, offset = unit.locate(libclang.location(cursor))
@@ -196,10 +197,10 @@ def _specifiers(written: str) -> str:
 
 
 def _is_guessed(spelling: str, written: str) -> bool:
-    """Whether clang's `int` stands for a type that it does not know."""
+    """Whether clang's `int` in a type stands for one that it does not know."""
     if _QUALIFIERS.sub("", spelling) == "int":
         return not _INT.fullmatch(_SPECIFIERS.sub("", written).replace("&", " ").replace("*", " ").strip())
-    return bool(re.search(r"\bint\b", spelling)) and not _INT_WORDS.search(written)
+    return not _INT_WORDS.search(written)
 
 
 def unknown_type(written: str) -> str:
@@ -266,16 +267,15 @@ def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
     kind = "template" if pattern.kind in (kinds.CLASS_TEMPLATE, kinds.PARTIAL_SPECIALIZATION) else _CLASS_KINDS.get(pattern.kind, "class")
     unit.add("class", identifier, kind)
     body = libclang.definition(pattern)
-    for child in libclang.children(body if body.d0 and unit.sees(body) else pattern) if pattern.kind in kinds.CLASSES else ():
-        if child.kind == kinds.BASE_SPECIFIER:
-            base = libclang.cursor_type(child)
-            if libclang.template_argument_count(base) > 0:
-                unit.add("class_base_instance", identifier, declare_type(unit, base))
-            declaration = libclang.type_declaration(base)
-            if declaration.kind in kinds.CLASSES:
-                unit.add("class_base", identifier, declare_class(unit, declaration))
-            else:
-                unit.add("class_base", identifier, _template_base(unit, child))
+    for specifier in libclang.bases(body if body.d0 and unit.sees(body) else pattern) if pattern.kind in kinds.CLASSES else ():
+        base = libclang.cursor_type(specifier)
+        if libclang.template_argument_count(base) > 0:
+            unit.add("class_base_instance", identifier, declare_type(unit, base))
+        declaration = libclang.type_declaration(base)
+        if declaration.kind in kinds.CLASSES:
+            unit.add("class_base", identifier, declare_class(unit, declaration))
+        else:
+            unit.add("class_base", identifier, _template_base(unit, specifier))
     return identifier
 
 

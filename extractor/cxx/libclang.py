@@ -16,7 +16,7 @@ from typing import Any
 
 import clang.native
 
-from rosarch.extractor.cxx.kinds import FUNCTIONS, UNEXPOSED_DECLARATION
+from rosarch.extractor.cxx import kinds
 
 
 class Cursor(Structure):
@@ -52,13 +52,19 @@ class Range(Structure):
 
 
 class _String(Structure):
-    _fields_ = [("data", c_void_p), ("flags", c_uint)]
+    """CXString."""
+
+    _fields_ = [("data", c_char_p), ("flags", c_uint)]
+    data: bytes | None
+    flags: int
 
 
 class _RangeList(Structure):
     _fields_ = [("count", c_uint), ("ranges", POINTER(Range))]
 
 
+_BUFFERED = 2
+"""The flag of a text that `data` is not the address of; the other flag than zero is that of one that has to be disposed of."""
 MACRO_BIT = 1 << 31
 KEEP_GOING = 0x200
 INCOMPLETE = 0x02
@@ -160,6 +166,7 @@ _type_spelling = _bind("getTypeSpelling", _String, Type)
 _file_location = _bind("getFileLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
 _spelling_location = _bind("getSpellingLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
 _file_name = _bind("getFileName", _String, c_void_p)
+_included_file = _bind("getIncludedFile", c_void_p, Cursor)
 _all_skipped_ranges = _bind("getAllSkippedRanges", POINTER(_RangeList), c_void_p)
 _dispose_ranges = _bind("disposeSourceRangeList", None, POINTER(_RangeList))
 _diagnostic_count = _bind("getNumDiagnostics", c_uint, c_void_p)
@@ -177,9 +184,11 @@ class ParseError(Exception):
 
 
 def _text(string: _String, errors: str = "replace") -> str:
-    data = _get_c_string(string)
+    flags = string.flags
+    data = _get_c_string(string) if flags == _BUFFERED else string.data
     result = data.decode("utf-8", errors) if data else ""
-    _dispose_string(string)
+    if flags:  # else it belongs to the unit
+        _dispose_string(string)
     return result
 
 
@@ -228,6 +237,14 @@ def overridden(cursor: Cursor) -> list[Cursor]:
 _found: list[Cursor] = []
 
 
+def _visited(cursor: Cursor, visitor: Any) -> list[Cursor]:
+    """What a visit of `cursor` adds to `_found`."""
+    _visit(cursor, visitor, None)
+    found = _found[:]
+    _found.clear()
+    return found
+
+
 def _collect(child: Cursor, _parent: Cursor, _data: Any) -> int:
     _found.append(child)
     return 1
@@ -238,10 +255,32 @@ _COLLECT = _Visitor(_collect)
 
 def children(cursor: Cursor) -> list[Cursor]:
     """The direct children of `cursor`, in source order."""
-    _visit(cursor, _COLLECT, None)
-    found = _found[:]
-    _found.clear()
-    return found
+    return _visited(cursor, _COLLECT)
+
+
+def _collect_bases(child: Cursor, _parent: Cursor, _data: Any) -> int:
+    if child.kind in _MEMBERS:
+        return 0
+    _found.append(child)
+    return 1
+
+
+_MEMBERS = frozenset({*kinds.FUNCTIONS, kinds.FIELD, kinds.ACCESS_SPECIFIER, kinds.TYPEDEF, kinds.TYPE_ALIAS})
+_COLLECT_BASES = _Visitor(_collect_bases)
+
+
+def bases(cursor: Cursor) -> list[Cursor]:
+    """The base specifiers of the class at `cursor`: clang visits them before its members, of which it may have many."""
+    return [child for child in _visited(cursor, _COLLECT_BASES) if child.kind == kinds.BASE_SPECIFIER]
+
+
+def _collect_declarations(child: Cursor, _parent: Cursor, _data: Any) -> int:
+    if child.kind != kinds.MACRO_DEFINITION:
+        _found.append(child)
+    return 1
+
+
+_COLLECT_DECLARATIONS = _Visitor(_collect_declarations)
 
 
 class Tree:
@@ -297,10 +336,7 @@ _DESCEND = _Visitor(_descend)
 
 def descendants(cursor: Cursor) -> list[Cursor]:
     """All cursors below `cursor`, each before those below it."""
-    _visit(cursor, _DESCEND, None)
-    found = _found[:]
-    _found.clear()
-    return found
+    return _visited(cursor, _DESCEND)
 
 
 def target(tree: Tree) -> Cursor:
@@ -315,11 +351,11 @@ def overloaded_functions(references: Iterable[Tree]) -> list[Cursor]:
     found: list[Cursor] = []
     for reference in references:
         for candidate in _overloads(reference.cursor):
-            if candidate.kind == UNEXPOSED_DECLARATION:
+            if candidate.kind == kinds.UNEXPOSED_DECLARATION:
                 found += _overloads(_cursor_at(_unit_of(candidate), location(candidate)))
             else:
                 found.append(candidate)
-    return [candidate for candidate in found if candidate.kind in FUNCTIONS]
+    return [candidate for candidate in found if candidate.kind in kinds.FUNCTIONS]
 
 
 def _overloads(reference: Cursor) -> list[Cursor]:
@@ -338,6 +374,12 @@ def file_location(place: Location) -> tuple[str, int]:
     file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
     _file_location(place, byref(file), byref(line), byref(column), byref(offset))
     return (_text(_file_name(file), "surrogateescape") if file else "", offset.value)
+
+
+def included_file(inclusion: Cursor) -> str:
+    """The name of the file that an inclusion directive found."""
+    file = _included_file(inclusion)
+    return _text(_file_name(file), "surrogateescape") if file else ""
 
 
 class Unit:
@@ -364,6 +406,10 @@ class Unit:
     def cursor(self) -> Cursor:
         """The cursor of the whole unit."""
         return unit_cursor(self._handle)  # type: ignore[no-any-return]
+
+    def declarations(self) -> list[Cursor]:
+        """All at its top level, but for the definitions of macros: most are clang's own."""
+        return _visited(self.cursor, _COLLECT_DECLARATIONS)
 
     def save(self, path: Path) -> None:
         """Write the unit as a precompiled header."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple, TypeVar
@@ -27,6 +27,8 @@ _CALL = re.compile(
     rb"(?<!\w)(?:(?P<receiver>(?:\w+(?:\[\w*\])?\s*(?:\.|->)\s*)*\w+(?:\[\w*\])?)\s*(?:\.|->)\s*(?:template\s+)?)?"
     rb"(?P<name>(?:\w+::)*\w+)\s*(?P<types><[\w:<>,\s]*>)?\s*\("
 )
+_NO_CALLEE = (b"(", b")", b";", b"{", b"}", b"=")
+"""Signs that are not in what `_CALL` finds, but for its end."""
 _KEYWORDS = frozenset(
     {"if", "while", "for", "switch", "return", "catch", "sizeof", "defined", "new", "delete", "throw", "else", "do", "and", "or", "not"}
 )
@@ -63,11 +65,10 @@ def recover(unit: UnitFacts, names: Sequence[Names]) -> None:
         skipped = unit.skipped.get(str(file.path), [])
         functions.sort(key=lambda function: (function.begin, -function.end))
         begins = [function.begin for function in functions]
-        for begin, end, match in _calls_in(file.data):
-            if end in seen or any(start <= begin < stop for start, stop in skipped):
-                continue
+        for match in _calls_in(_hidden(file.data), _outermost(functions), seen):
+            begin = match.start("name")
             holder = _innermost(functions, begins, begin)
-            if holder is not None:
+            if holder is not None and not any(start <= begin < stop for start, stop in skipped):
                 _recover_call(_Reader(unit, names, holder, match.string), match)
     for expr, file, end in unit.remnants:
         if (id(file), end) in unit.recovered:
@@ -75,9 +76,34 @@ def recover(unit: UnitFacts, names: Sequence[Names]) -> None:
 
 
 @lru_cache(maxsize=256)
-def _calls_in(data: bytes) -> list[tuple[int, int, re.Match[bytes]]]:
-    """What looks like a call in the text of a file, with where its name begins and ends; headers are asked for by many units."""
-    return [(*match.span("name"), match) for match in _CALL.finditer(hide(data))]
+def _hidden(data: bytes) -> bytes:
+    """The text of a file, as `hide` leaves it; headers are asked for by many units."""
+    return hide(data)
+
+
+def _calls_in(text: bytes, spans: Iterable[tuple[int, int]], seen: Set[int]) -> Iterator[re.Match[bytes]]:
+    """What looks like a call within `spans`, but for those whose names end where they are `seen`: nearly all are."""
+    for begin, end in spans:
+        paren = text.find(b"(", begin, end)
+        while paren >= 0:
+            last = paren
+            while text[last - 1] in b" \t\n\r\f\v":
+                last -= 1
+            if last not in seen:
+                start = 1 + max(text.rfind(mark, begin, paren) for mark in _NO_CALLEE)
+                match = _CALL.search(text, start, paren + 1)
+                if match and match.end("name") not in seen:
+                    yield match
+            paren = text.find(b"(", paren + 1, end)
+
+
+def _outermost(functions: Iterable[FunctionSpan]) -> Iterator[tuple[int, int]]:
+    """Where the functions lie that are in no other, of functions sorted by where they begin."""
+    reached = -1
+    for function in functions:
+        if function.begin >= reached:
+            reached = function.end
+            yield function.begin, function.end
 
 
 def _innermost(functions: list[FunctionSpan], begins: list[int], offset: int) -> FunctionSpan | None:

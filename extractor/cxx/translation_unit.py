@@ -10,14 +10,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.cache import extractor_version, hash_of
-from rosarch.extractor.cxx import libclang
+from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.assumed import assumed_classes
 from rosarch.extractor.cxx.heal import OPTIONS, call_places, healed, keeps_calls, without_unknown, worth_healing
 from rosarch.extractor.cxx.includes import CUDA_PRELUDE, Folders, HeaderFinder, Includes, prelude_of, shipped_dirs
 from rosarch.extractor.cxx.libclang import Location
 from rosarch.extractor.cxx.recover import declared_names, recover
 from rosarch.extractor.cxx.shared import SharedHeaders
-from rosarch.extractor.cxx.unit import UnitFacts, file_key
+from rosarch.extractor.cxx.unit import SourceFiles, UnitFacts, file_key
 from rosarch.extractor.cxx.walk import walk_declaration
 from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import path_text
@@ -115,14 +115,15 @@ def extract_unit(
     heal: bool = False,
     problems: list[SourceProblem] | None = None,
     headers: SharedHeaders | None = None,
+    sources: SourceFiles | None = None,
 ) -> Rows:
     """Return the rows of one translation unit; `heal` declares what absent headers would have declared.
 
     `includes` is the closure of the unit's source, where it is known already. `problems` gets the errors that lose code, `headers`
-    those whose facts are kept apart from those of the unit.
+    those whose facts are kept apart from those of the unit. `sources` are the files that were read for other units.
     Raises `libclang.ParseError` when clang gives no translation unit at all.
     """
-    with parsed_unit(unit, root, finder, prelude, includes=includes, heal=heal, headers=headers) as (parsed, facts):
+    with parsed_unit(unit, root, finder, prelude, includes=includes, heal=heal, headers=headers, sources=sources) as (parsed, facts):
         if problems is not None:
             problems += _lost_code(facts, parsed)
         return facts.rows
@@ -138,16 +139,18 @@ def parsed_unit(
     includes: Includes | None = None,
     heal: bool = False,
     headers: SharedHeaders | None = None,
+    sources: SourceFiles | None = None,
 ) -> Iterator[tuple[libclang.Unit, UnitFacts]]:
     """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
     includes = includes or finder.closure(unit.source, unit.folders)
+    sources = sources or SourceFiles(root)
     arguments = arguments_of(unit, includes, prelude)
     with deep_recursion(), libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
-        facts, declarations = _declarations(root, includes, parsed, headers)
+        facts, declarations = _declarations(sources, includes, parsed, headers)
         if heal and unit.language != "c" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch) as better:
                 if better:
-                    again, found = _declarations(root, includes, better, headers)
+                    again, found = _declarations(sources, includes, better, headers)
                     if keeps_calls(call_places(facts, declarations), call_places(again, found)):
                         _walk(again, found, headers)
                         without_unknown(again.rows)
@@ -181,10 +184,10 @@ def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProble
 
 
 def _declarations(
-    root: Path, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None
+    sources: SourceFiles, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None
 ) -> tuple[UnitFacts, Sequence[libclang.Cursor]]:
     """The declarations of a parsed unit that it is to read itself, and the facts that are known without reading them."""
-    facts = UnitFacts(root)
+    facts, root = UnitFacts(sources), sources.root
     for missing in includes.missing:
         if missing.file.is_relative_to(root):
             relative = path_text(missing.file.relative_to(root))
@@ -198,7 +201,10 @@ def _declarations(
         facts.skipped.setdefault(str(file.path), []).append((begin, end))
         if file.key:
             facts.add("lines_skipped", file.key, file.line_column(begin)[0], file.line_column(end)[0])
-    cursors = libclang.children(parsed.cursor)
+    cursors = parsed.declarations()
+    for cursor in cursors:
+        if cursor.kind == kinds.INCLUSION:
+            facts.file(libclang.included_file(cursor))  # it may hold nothing but definitions of macros
     return facts, headers.leave_out(facts, parsed, cursors) if headers else cursors
 
 

@@ -28,13 +28,14 @@ def file_key(relative: str) -> str:
 
 
 class SourceFile:
-    """One file that clang read; `key` is None when it lies outside the workspace, `label` is then its name."""
+    """One file that clang read; `relative` and `key` are None when it lies outside the workspace, `label` is then its name."""
 
-    __slots__ = ("_starts", "data", "key", "label", "path")
+    __slots__ = ("_starts", "data", "key", "label", "path", "relative")
 
-    def __init__(self, path: Path, key: str | None, data: bytes) -> None:
-        self.path, self.key, self.data = path, key, data
-        self.label = key or path_text(path.name)
+    def __init__(self, path: Path, relative: str | None, data: bytes) -> None:
+        self.path, self.relative, self.data = path, relative, data
+        self.key = file_key(relative) if relative else None
+        self.label = self.key or path_text(path.name)
         self._starts: list[int] | None = None
 
     def line_column(self, offset: int) -> tuple[int, int]:
@@ -47,6 +48,27 @@ class SourceFile:
     def text(self, begin: int, end: int) -> str:
         """The source text between two offsets, white space folded."""
         return " ".join(self.data[begin:end].decode("utf-8", "replace").split())
+
+
+class SourceFiles:
+    """The files that clang read for units of the workspace at `root`, each looked at once: most are headers that many units include."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self._by_name: dict[str, SourceFile] = {}
+
+    def named(self, name: str) -> SourceFile:
+        """The file that clang knows as `name`."""
+        known = self._by_name.get(name)
+        if known is None:
+            path = Path(os.path.abspath(name))  # links are kept: a linked package belongs to the workspace it is linked into
+            try:
+                data = read_file(path)
+            except OSError:
+                data = b""
+            relative = path_text(path.relative_to(self.root)) if path.is_relative_to(self.root) else made_from(data)
+            known = self._by_name[name] = SourceFile(self.root / relative if relative else path, relative, data)
+        return known
 
 
 class Span(NamedTuple):
@@ -78,7 +100,7 @@ class UnitFacts:
     ranges that conditional compilation leaves out. `sees` tells which definitions of declared classes count.
     """
 
-    root: Path
+    sources: SourceFiles
     rows: dict[str, set[tuple[str | int, ...]]] = field(default_factory=lambda: defaultdict(set))
     declared: dict[int, str] = field(default_factory=dict)
     scopes: dict[int, str] = field(default_factory=dict)
@@ -96,12 +118,17 @@ class UnitFacts:
     _files: dict[str, SourceFile] = field(default_factory=dict)
     _bases: list[int] = field(default_factory=list)
     _intervals: list[tuple[int, int, SourceFile]] = field(default_factory=list)
-    _sources: set[tuple[str | int, ...]] = field(default_factory=set)
+    _source_rows: set[tuple[str | int, ...]] = field(default_factory=set)
     _latest: tuple[int, int, SourceFile | None] = (0, 0, None)
     _spellings: dict[int, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self._sources = self._sources or self.rows["source_file"]
+        self._source_rows = self._source_rows or self.rows["source_file"]
+
+    @property
+    def root(self) -> Path:
+        """The workspace."""
+        return self.sources.root
 
     def part(self, sees: Callable[[Cursor], bool]) -> UnitFacts:
         """Facts of a part of the unit, kept apart and complete in themselves: only where files lie is known already.
@@ -109,14 +136,14 @@ class UnitFacts:
         Of classes that are declared and defined, it `sees` those definitions of which this is true.
         """
         return UnitFacts(
-            self.root,
+            self.sources,
             skipped=self.skipped,
             sees=sees,
             _files=self._files,
             _bases=self._bases,
             _intervals=self._intervals,
             _spellings=self._spellings,
-            _sources=self.rows["source_file"],
+            _source_rows=self.rows["source_file"],
         )
 
     def add(self, relation: str, *row: str | int) -> None:
@@ -127,17 +154,9 @@ class UnitFacts:
         """The file that clang knows as `name`."""
         known = self._files.get(name)
         if known is None:
-            path = Path(os.path.abspath(name))  # links are kept: a linked package belongs to the workspace it is linked into
-            try:
-                data = read_file(path)
-            except OSError:
-                data = b""
-            relative = path_text(path.relative_to(self.root)) if path.is_relative_to(self.root) else made_from(data)
-            path = self.root / relative if relative else path
-            key = file_key(relative) if relative else None
-            if key and relative:
-                self._sources.add((key, relative))
-            known = self._files[name] = SourceFile(path, key, data)
+            known = self._files[name] = self.sources.named(name)
+            if known.key and known.relative:
+                self._source_rows.add((known.key, known.relative))
         return known
 
     def locate(self, place: Location) -> tuple[SourceFile, int]:

@@ -8,6 +8,7 @@ import re
 import shutil
 import time
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 from rosarch.extractor.cache import Cache, extractor_version, hash_of, write_whole
@@ -15,6 +16,7 @@ from rosarch.extractor.cxx.includes import HeaderFinder, Includes
 from rosarch.extractor.cxx.recover import Names
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.translation_unit import CompileUnit, Rows, build_prelude, extract_unit, unit_key
+from rosarch.extractor.cxx.unit import SourceFiles
 from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import read_file
 from rosarch.extractor.pool import Failure, run_tasks
@@ -38,6 +40,10 @@ class UnitReader:
     scratch: Path
     cache: Cache | None
     _names: dict[str, Names] = field(default_factory=dict)
+
+    @cached_property
+    def _sources(self) -> SourceFiles:
+        return SourceFiles(self.root)
 
     @property
     def files(self) -> UnitStore:
@@ -110,7 +116,17 @@ class UnitReader:
         problems: list[SourceProblem] = []
         headers = SharedHeaders(unit.source, unit.folders, (unit.language, unit.middleware, *unit.definitions), self.finder, self)
         prelude = self.precompiled_for(unit, includes)
-        rows = extract_unit(unit, self.root, self.finder, prelude, includes=includes, heal=True, problems=problems, headers=headers)
+        rows = extract_unit(
+            unit,
+            self.root,
+            self.finder,
+            prelude,
+            includes=includes,
+            heal=True,
+            problems=problems,
+            headers=headers,
+            sources=self._sources,
+        )
         head = problems, sorted(headers.keys.values())
         self.files.keep(key, head, rows, lasting=includes.predictable)
         return self._file(unit, key, head, start, includes)
