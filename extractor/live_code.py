@@ -84,15 +84,15 @@ class _Program:
 
     def __init__(self, declared: Rows) -> None:
         self.declared = declared
-        self.names = dict(_pairs(declared, "function_name"))
-        self.named = _multimap((_last(name), function) for function, name in self.names.items())
+        self.names = _multimap(_pairs(declared, "function_name"))
+        self.named = _multimap((_last(name), function) for function, names in self.names.items() for name in names)
         self.defined = {row[0] for row in declared.get("function_defined", ())}
         self.overriding = _multimap((overridden, function) for function, overridden in _pairs(declared, "function_overrides"))
         self.methods = _multimap((owner, function) for function, owner in _pairs(declared, "function_class"))
         self.bases = _multimap(_pairs(declared, "class_base"))
         self.base_types = _multimap(_pairs(declared, "class_base_instance"))
-        kinds = dict(_pairs(declared, "variable_type"))
-        self.field_types = _multimap((owner, kinds[field]) for field, owner in _pairs(declared, "field_class") if field in kinds)
+        kinds = _multimap(_pairs(declared, "variable_type"))  # several where sources disagree
+        self.field_types = _multimap((owner, kind) for field, owner in _pairs(declared, "field_class") for kind in kinds.get(field, ()))
         self.classes_of = _multimap(_pairs(declared, "type_class"))
         self.inner = _multimap([*_pairs(declared, "type_inner", 2), *_pairs(declared, "type_argument", 2)])
         self.live: set[str] = set()
@@ -127,7 +127,8 @@ class _Program:
         """What may run in the place of a function: what overrides it, and where only its declaration is known all of its name."""
         self.reach(self.overriding.get(function, ()))
         if function not in self.defined:
-            self.mention_name(self.names.get(function, ""))
+            for name in self.names.get(function, ()):
+                self.mention_name(name)
 
     def mention_name(self, name: str) -> None:
         """All functions of a name, whatever class or namespace they are in."""
