@@ -308,8 +308,9 @@ def assembled(compiler: Compiler, plans: Sequence[Plan]) -> Code:
     kinds = {name: [types.kind(a.type) for a in relation.attributes] for name, relation in relations.items()}
     code.nested = {name: found for name, ks in kinds.items() if (found := tuple(i for i, k in enumerate(ks) if k in "r+"))}
     code.bulk_source = "\n".join(line for plan in plans if plan.bulk for line in plan.bulk_lines)
-    heads = {*code.facts, *(rule.target for plan in plans for rule in plan.rules())}
-    code.scanned = frozenset(relations) - heads - compiler.storage.probed
+    derived = (rule.target for plan in plans for rule in plan.rules())
+    code.derived = frozenset((*code.facts, *derived, *(table.relation for table in code.tables)))
+    code.probed = frozenset(compiler.storage.probed)
     last_use: dict[int, int] = {}  # slot to stratum
     for position, plan in enumerate(plans):
         for rule in plan.rules():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import time
 import types as python_types
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableMapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -108,11 +108,10 @@ class Evaluation:
         self.whole: set[str] = set()  # relations of tables that have been derived as a whole
         for name, given in facts.items():
             rows = self._packed(name, _loaded(name, given, code.arity[name]))
-            if name in code.scanned:
-                unique = set(rows)
-                self.slots[code.relation_slot[name]] = rows if len(unique) == len(rows) else list(unique)
-            else:
+            if name in code.derived:
                 self.slots[code.relation_slot[name]].update(rows)
+            else:
+                self.slots[code.relation_slot[name]] = rows if isinstance(rows, Set) else _distinct(rows, name in code.probed)
         if code.uses_ordinals:
             self._number_symbols()
 
@@ -142,7 +141,7 @@ class Evaluation:
         columns = self.code.nested.get(name)
         if columns is not None:
             return unpack_rows(rows, columns, self.code.arity[name])
-        return tuple(rows) if isinstance(rows, list) else rows  # a list is the caller's
+        return rows if name in self.code.derived else tuple(rows)  # else they may be the caller's
 
     def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
         """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""
@@ -389,9 +388,15 @@ class Evaluation:
                 self.slots[slot] = None
 
 
-def _loaded(name: str, rows: Iterable[tuple[Any, ...]], arity: int) -> list[Any]:
-    """Rows as relations store them, after a check of their length."""
-    rows = rows if isinstance(rows, list) else list(rows)
+def _distinct(rows: Collection[Any], probed: bool) -> Collection[Any]:
+    """Rows each once, in the order in which they are given: that is mostly that in memory, which makes indexes in half the time."""
+    unique = dict.fromkeys(rows)
+    return unique if probed else list(unique)
+
+
+def _loaded(name: str, rows: Iterable[tuple[Any, ...]], arity: int) -> Collection[Any]:
+    """Rows as relations store them, after a check of their length; those of a set are left there."""
+    rows = rows if isinstance(rows, (list, Set)) else list(rows)
     if set(map(len, rows)) - {arity}:
         wrong = next(row for row in rows if len(row) != arity)
         raise DatalogError(f"facts of `{name}`: expected {arity} column{'s' * (arity != 1)}, given {wrong!r}")

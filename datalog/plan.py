@@ -119,5 +119,6 @@ class Code:
     nested: dict[str, tuple[int, ...]] = field(default_factory=dict)  # columns of records, of relations that have some
     indexes: tuple[Index, ...] = ()  # their slots follow those of the relations
     tables: tuple[TablePlan, ...] = ()  # their slots follow those of the indexes
-    scanned: frozenset[str] = frozenset()  # relations that are never asked whether they have a row, nor added to
+    derived: frozenset[str] = frozenset()  # relations to which rules and facts of the program add rows
+    probed: frozenset[str] = frozenset()  # relations that are asked whether they have a row
     uses_ordinals: bool = False
