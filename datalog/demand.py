@@ -60,7 +60,8 @@ class _Program:
             name
             for name, own in self.clauses.items()
             if name not in goals and len(self.stratum[name]) == 1 and any(clause.body for clause, _ in own)
-            and not self.relations[name].choices and not self.relations[name].limit and "eqrel" not in self.relations[name].qualifiers
+            and not self.relations[name].choices and not self.relations[name].limit
+            and self.relations[name].qualifiers.isdisjoint(("eqrel", "no_magic"))
             and not any(clause.dominating is not None or any(effects(clause)) for clause, _ in own)
         }  # fmt: skip
 

@@ -129,6 +129,7 @@ class Evaluation:
         """Let go of all relations: tables and what derives them refer to each other, so that only the collector would find them."""
         for table in self.tables:
             table.close()
+        self.tables = ()
         self.slots.clear()
 
     def _packed(self, name: str, rows: Collection[Any]) -> Collection[Any]:

@@ -11,6 +11,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -61,30 +62,30 @@ def read_rows(paths: Iterable[Path], own: Mapping[str, Iterable[Row]]) -> dict[s
 
     They come in the order of the files, so that who goes through them finds neighbours in memory side by side.
     """
-    rows: dict[str, dict[Row, None]] = defaultdict(dict)
+    pieces: dict[str, list[Iterable[Row]]] = defaultdict(list)
     mentions: dict[str, list[Mentions]] = defaultdict(list)
     bodies: dict[str, list[bytes]] = defaultdict(list)
-    _add(rows, own)
+    _add(pieces, own)
     for path in paths:
         _, rest, own_bodies = _parts(path)
         outside, mentioned = marshal.loads(rest)
-        _add(rows, outside)
+        _add(pieces, outside)
         for function, found in mentioned.items():
             mentions[function].append(Mentions(*found))
         for function, body in own_bodies.items():
             bodies[function].append(body)
-    live = live_functions(rows, mentions)
-    for function, found in bodies.items():
+    live = live_functions({relation: list(chain.from_iterable(found)) for relation, found in pieces.items()}, mentions)
+    for function, compiled in bodies.items():
         if function in live:
-            for body in found:
-                _add(rows, marshal.loads(body))
-    return defaultdict(set, {relation: found.keys() for relation, found in rows.items()})
+            for body in compiled:
+                _add(pieces, marshal.loads(body))
+    # equal identifiers mean equal entities
+    return defaultdict(set, {relation: dict.fromkeys(chain.from_iterable(found)).keys() for relation, found in pieces.items()})
 
 
-def _add(rows: dict[str, dict[Row, None]], more: Mapping[str, Iterable[Row]]) -> None:
-    """Equal identifiers mean equal entities."""
+def _add(pieces: dict[str, list[Iterable[Row]]], more: Mapping[str, Iterable[Row]]) -> None:
     for relation, found in more.items():
-        rows[relation].update(dict.fromkeys(found))
+        pieces[relation].append(found)
 
 
 def _parts(path: Path) -> Any:
