@@ -16,7 +16,7 @@ def script() -> int:
     for number in (signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) is not signal.SIG_IGN:  # as `nohup` asks
             signal.signal(number, lambda number, _frame: sys.exit(128 + number))
-    gc.set_threshold(100_000)  # what is made is mostly kept until the end
+    gc.set_threshold(500_000)  # what is made is mostly kept until the end
     try:
         from rosarch.cli.main import main
 

@@ -65,8 +65,9 @@ def show_remaining(analysis: SystemAnalysis | Checked, folder: Path, verbose: bo
 
     if verbose:
         return show_diagnostics(analysis.diagnostics, verbose)
-    told = {(folder.absolute() / step.place.path, step.place.line) for finding in analysis.findings for step in finding.evidence}
-    rest = [found for found in analysis.diagnostics if (found.path.absolute(), found.line) not in told]
+    top = folder.absolute()
+    told = {(os.path.join(top, step.place.path), step.place.line) for finding in analysis.findings for step in finding.evidence}
+    rest = [found for found in analysis.diagnostics if (str(found.path.absolute()), found.line) not in told]
     sys.stderr.write(diagnostics_summary(rest, Path.cwd()))
     return None
 

@@ -113,16 +113,18 @@ class Cache:
     def trim(self, limit: int = LIMIT) -> None:
         """Remove what was not used for longest until three quarters of `limit` bytes remain, when there are more than `limit`."""
         entries = []
-        for path in self.folder.glob("*/*"):
-            with suppress(OSError):  # another run may remove it first
-                stat = path.stat()
-                entries.append((stat.st_mtime, stat.st_size, path))
+        for path in map(str, self.folder.glob("*")):
+            with suppress(OSError), os.scandir(path) as scan:
+                for entry in scan:
+                    with suppress(OSError):  # another run may remove it first
+                        stat = entry.stat()
+                        entries.append((stat.st_mtime, stat.st_size, entry.path))
         total = sum(size for _, size, _ in entries)
         if total <= limit:
             return
         for _, size, path in sorted(entries):
             with suppress(OSError):
-                path.unlink()
+                os.unlink(path)
             total -= size
             if total <= limit * 3 // 4:
                 return

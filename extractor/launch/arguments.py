@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import shlex
 from dataclasses import dataclass
+from functools import lru_cache
 
 from .model import NodeStart
 
@@ -27,12 +28,17 @@ class NodeArguments:
     namespace: str | None = None
 
 
+@lru_cache(maxsize=1000)
+def _split(text: str) -> tuple[str, ...]:
+    try:
+        return tuple(shlex.split(text))
+    except ValueError:
+        return (text,)
+
+
 def node_arguments(node: NodeStart) -> NodeArguments:
     """The meaning of `node.args`."""
-    try:
-        words = tuple(shlex.split(node.args))
-    except ValueError:
-        words = (node.args,)
+    words = _split(node.args)
     if node.ros == 2:  # what `--ros-args` says was taken out where the node is started
         return NodeArguments(words, words, (), ())
     plain: list[str] = []

@@ -38,6 +38,7 @@ class Files:
         self.folder = folder or os.getcwd()
         self._roots: set[str] | None = None
         self._beside: set[str] = set()
+        self._packages_of: dict[str, str] = {}
         self._contents: dict[str, bytes] = {}
         self._documents: dict[tuple[str, object], Any] = {}
         self._references: dict[str, tuple[Reference, ...]] = {}
@@ -45,11 +46,10 @@ class Files:
 
     def allow_beside(self, launch_file: str) -> None:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
-        folder = Path(os.path.realpath(os.path.join(self.folder, launch_file))).parent
-        for above in (folder, *folder.parents):
-            tracing.probe(above / "package.xml")
-        package = next((above for above in (folder, *folder.parents) if (above / "package.xml").is_file()), folder)
-        self._beside.add(str(package))
+        folder = os.path.dirname(os.path.realpath(os.path.join(self.folder, launch_file)))
+        if folder not in self._packages_of:
+            self._packages_of[folder] = _package_of(folder)
+        self._beside.add(self._packages_of[folder])
 
     def is_file(self, path: str) -> bool:
         """Whether there is such a file, be it readable here or not."""
@@ -142,3 +142,11 @@ class Files:
             folders = (*self.packages.folders, *self.packages.packages.values())
             self._roots = {os.path.realpath(folder) for folder in folders}
         return any(real == root or real.startswith(root.rstrip("/") + "/") for root in (*self._beside, *self._roots))
+
+
+def _package_of(folder: str) -> str:
+    """The folder of the package that a folder lies in; itself when it lies in none."""
+    manifests = [above / "package.xml" for above in (Path(folder), *Path(folder).parents)]
+    for manifest in manifests:
+        tracing.probe(manifest)
+    return next((str(manifest.parent) for manifest in manifests if manifest.is_file()), folder)

@@ -27,6 +27,8 @@ def references(launch: Element, path: str, packages: PackagePath) -> Iterator[Re
         place = Place(path, element.line, element.column)
         texts = {**element.attributes, **({"text": element.text} if element.tag == "rosparam" else {})}
         for attribute, text in texts.items():
+            if "(" not in text and "/" not in text:
+                continue  # nothing of the following
             yield from (ArgumentUsed(one or other, place) for one, other in _ARGUMENT.findall(text))
             yield from (PackageNamed(name, packages.find(name), place) for name in _FIND.findall(text))
             yield from (HomePath(element.tag, attribute, found, place) for found in _HOME.findall(text) if attribute != "doc")

@@ -6,10 +6,8 @@ name that it uses.
 
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Collection, Iterator
-from pathlib import Path
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from rosarch.extractor.files import read_file
@@ -32,38 +30,27 @@ def script_rows(composition: Composition, packages: PackagePath) -> Rows:
     wanted = {word for _, word in rows["word_of_name"]}
     for package, type_ in sorted({(node.package, node.type) for node in composition.nodes}):
         folder = packages.find(package)
-        words = None if folder is None else _words(folder, type_, wanted)
+        words = None if folder is None else _words(packages.paths_in(folder), type_, wanted)
         if words is not None:
             rows.setdefault("script", set()).add((package, type_))
             rows.setdefault("script_word", set()).update((package, type_, word) for word in words)
     return rows
 
 
-def _words(folder: str, name: str, wanted: Collection[str]) -> set[str] | None:
+def _words(paths: Mapping[str, Sequence[str]], name: str, wanted: Collection[str]) -> set[str] | None:
     """The words among `wanted` in the script called `name` and in the modules of its package; None when there is no such script."""
-    paths = list(_texts(folder, name))
-    if not any(path.name == name and _is_script(path) for path in paths):
+    own = paths.get(name, ())
+    texts = sorted({*own, *(path for file in paths if file.endswith(_PART_OF_SCRIPT) for path in paths[file])} if own else ())[:MAX_FILES]
+    if not any(_is_script(path) for path in texts if path in own):
         return None
-    return {word for path in paths for word in _WORD.findall(_read(path).decode(errors="replace")) if word in wanted}
+    return {word for path in texts for word in _WORD.findall(_read(path).decode(errors="replace")) if word in wanted}
 
 
-def _texts(folder: str, name: str) -> Iterator[Path]:
-    count = 0
-    for here, folders, files in os.walk(folder):
-        folders[:] = sorted(entry for entry in folders if not entry.startswith("."))
-        for file in sorted(files):
-            if file == name or file.endswith(_PART_OF_SCRIPT):
-                count += 1
-                if count > MAX_FILES:
-                    return
-                yield Path(here) / file
+def _is_script(path: str) -> bool:
+    return path.endswith(".py") or _INTERPRETED.match(_read(path)) is not None
 
 
-def _is_script(path: Path) -> bool:
-    return path.suffix == ".py" or _INTERPRETED.match(_read(path)) is not None
-
-
-def _read(path: Path) -> bytes:
+def _read(path: str) -> bytes:
     try:
         return read_file(path)[:MAX_BYTES]
     except OSError:

@@ -34,14 +34,13 @@ def launch_files(folder: Path | str) -> list[str]:
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
-        tests = _TESTS & set(os.path.relpath(here, folder).split(os.sep))
-        found += [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES) or (not tests and _is_ros2(here, name))]
+        found += [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES) or _is_ros2(folder, here, name)]
     return found
 
 
-def _is_ros2(folder: str, name: str) -> bool:
+def _is_ros2(top: Path | str, folder: str, name: str) -> bool:
     """Whether a file is called as those of ROS 2 are, holds what they do, and is no test."""
-    if not _ROS2_FILE.fullmatch(name) or _TEST.fullmatch(name):
+    if not _ROS2_FILE.fullmatch(name) or _TEST.fullmatch(name) or _TESTS.intersection(os.path.relpath(folder, top).split(os.sep)):
         return False
     try:
         return _DESCRIBES[os.path.splitext(name)[1]] in read_file(os.path.join(folder, name))

@@ -6,6 +6,7 @@ import os
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -107,10 +108,21 @@ class Components:
             interfaces[number] = Interface.of(model_rows(own[number]))
         return replace(self, models=own, interfaces=tuple(interfaces), shared=_shared(own, interfaces)) if changed else self
 
+    @cached_property
+    def _named(self) -> Mapping[str | tuple[str, str], Collection[int]]:
+        """The interfaces of components by the names that these go by: with their package, and alone."""
+        found: dict[str | tuple[str, str], list[int]] = defaultdict(list)
+        for number, each in enumerate(self.interfaces):
+            for _, package, name, *_ in each.rows.get("interface", ()):
+                found[package, name].append(number)
+                found[name].append(number)
+        return dict(found)
+
     def started(self, launch: Launch) -> list[Interface]:
         """The interfaces of those that a launch may start, with those that these load."""
         needed = _Needed([launch])
-        found = {number: each for number, each in enumerate(self.interfaces) if needed.is_named(each.rows.get("interface", ()))}
+        names: set[str | tuple[str, str]] = {*needed.executables, *needed.words, *needed.plugins}
+        found = {number: self.interfaces[number] for name in names for number in self._named.get(name, ())}
         waiting = list(found.values())
         while waiting:
             loads, bases = (waiting[-1].all(relation, 1) for relation in ("interface_loads", "interface_loads_any"))
@@ -278,10 +290,6 @@ class _Needed:
     def key(self) -> list[str]:
         """All that tells these components from others."""
         return [repr(sorted(found)) for found in (self.executables, self.plugins, self.words, self.packages)]
-
-    def is_named(self, rows: Iterable[tuple[Any, ...]]) -> bool:
-        """Whether one of the names that a component goes by, as `interface` has them, is that of something that is started."""
-        return any((package, name) in self.executables or name in self.words or name in self.plugins for _, package, name, *_ in rows)
 
     def is_needed(self, component: Component) -> bool:
         """Whether a node is started from this executable, or with an argument that names this class."""
