@@ -181,7 +181,7 @@ def _operator_reference(tree: Tree, name: str) -> Tree | None:
 
 
 def _lower_operator(body: Body, tree: Tree, target: Cursor, name: str, operator: str) -> str:
-    from rosarch.extractor.cxx.expressions import operator_expression
+    from rosarch.extractor.cxx.expressions import operator_with_operands
 
     reference = _operator_reference(tree, name)
     parts = [child for child in operands(tree) if child is not reference]
@@ -189,7 +189,7 @@ def _lower_operator(body: Body, tree: Tree, target: Cursor, name: str, operator:
         parts = parts[:1]  # the postfix forms have an int argument that nobody wrote
     if operator in ("->", "*") and len(parts) == 1:
         operator = "*"
-    expr = operator_expression(body, tree, "op", operator, _arguments(body, parts))
+    expr, lowered = operator_with_operands(body, tree, "op", operator, _arguments(body, parts))
     if target.kind in kinds.FUNCTIONS:
         function = declare_function(body.unit, target)
         if "@" in function or operator == "()":  # the workspace's own operators, and called function objects
@@ -199,18 +199,18 @@ def _lower_operator(body: Body, tree: Tree, target: Cursor, name: str, operator:
                 called = body.unit.span_of(parts[0])
                 body.unit.call_sites[id(called.file)].add(called.end)
             member = libclang.template_kind(target) if target.kind == kinds.FUNCTION_TEMPLATE else target.kind
-            _operator_arguments(body, expr, member=member == kinds.METHOD)
+            _operator_arguments(body, expr, lowered, member=member == kinds.METHOD)
             body.flow.evaluate(expr)
     return expr
 
 
-def _operator_arguments(body: Body, expr: str, *, member: bool) -> None:
+def _operator_arguments(body: Body, expr: str, operands: list[str], *, member: bool) -> None:
     """The operands of an overloaded operator are the arguments of its function, a member's first its object."""
-    for owner, index, operand in [row for row in body.unit.rows["operand"] if row[0] == expr]:
+    for index, operand in enumerate(operands):
         if member and index == 0:
-            body.unit.add("call_receiver", owner, operand)
+            body.unit.add("call_receiver", expr, operand)
         else:
-            body.unit.add("call_argument", owner, int(index) - member, operand)
+            body.unit.add("call_argument", expr, index - member, operand)
 
 
 def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:

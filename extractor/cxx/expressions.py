@@ -31,18 +31,25 @@ def lower_expression(body: Body, tree: Tree, *, text: bool = False) -> str:
 
 def operator_expression(body: Body, tree: Tree, form: str, name: str, operands: list[Tree]) -> str:
     """Record an operator with its operands, evaluated from left to right."""
+    return operator_with_operands(body, tree, form, name, operands)[0]
+
+
+def operator_with_operands(body: Body, tree: Tree, form: str, name: str, operands: list[Tree]) -> tuple[str, list[str]]:
+    """The same, with the identifiers of the operands."""
     expr, _ = body.node(tree, form)
     body.unit.add("operator", expr, name)
     assigns = name in _ASSIGNMENTS
+    lowered = []
     for index, operand in enumerate(operands):
-        body.unit.add("operand", expr, index, lower_expression(body, operand, text=assigns))
+        lowered.append(lower_expression(body, operand, text=assigns))
+        body.unit.add("operand", expr, index, lowered[index])
     if name in ("++", "--"):
         body.unit.add("expr_text", expr, body.unit.text(body.unit.span_of(tree)))
     if name in _ARITHMETIC:
         _record_constant(body, tree, expr)
     if assigns or name in ("++", "--", "<<", ">>", "delete"):  # of streams, the last ones write
         body.flow.evaluate(expr)
-    return expr
+    return expr, lowered
 
 
 def _record_constant(body: Body, tree: Tree, expr: str) -> None:

@@ -14,7 +14,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.cxx import kinds, libclang
+from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.libclang import Cursor
 from rosarch.extractor.cxx.unit import Span, UnitFacts
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
@@ -117,11 +117,10 @@ def call_places(facts: UnitFacts, declarations: Iterable[Cursor]) -> CallPlaces:
     for declaration in declarations:
         if facts.locate(libclang.location(declaration))[0].key is None:
             continue
-        for cursor in libclang.descendants(declaration):
-            if cursor.kind == kinds.CALL:
-                span = facts.span(cursor)
-                if not _is_operator(facts, cursor, span):
-                    places[str(span.file.path), span.begin] += 1
+        for call in libclang.calls_below(declaration):
+            span = facts.span(call)
+            if not _is_operator(facts, call, span):
+                places[str(span.file.path), span.begin] += 1
     return places
 
 
@@ -165,8 +164,7 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
 
 
 def _errors(unit: libclang.Unit) -> list[_Error]:
-    found = [(message, location) for severity, message, location in unit.diagnostics() if severity >= _ERROR]
-    return [_Error(message, *libclang.file_location(location)) for message, location in found]
+    return [_Error(message, *libclang.file_location(location)) for severity, message, location in unit.diagnostics if severity >= _ERROR]
 
 
 def _with(arguments: Sequence[str], folder: Path) -> list[str]:

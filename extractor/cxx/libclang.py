@@ -11,6 +11,7 @@ import ctypes
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_uint, c_void_p
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -339,6 +340,20 @@ def descendants(cursor: Cursor) -> list[Cursor]:
     return _visited(cursor, _DESCEND)
 
 
+def _descend_to_calls(child: Cursor, _parent: Cursor, _data: Any) -> int:
+    if child.kind == kinds.CALL:
+        _found.append(child)
+    return 2
+
+
+_DESCEND_TO_CALLS = _Visitor(_descend_to_calls)
+
+
+def calls_below(cursor: Cursor) -> list[Cursor]:
+    """All calls below `cursor`."""
+    return _visited(cursor, _DESCEND_TO_CALLS)
+
+
 def target(tree: Tree) -> Cursor:
     """What the cursor of `tree` refers to."""
     if tree.target is None:
@@ -424,9 +439,12 @@ class Unit:
             yield Range.from_buffer_copy(ranges.contents.ranges[index])
         _dispose_ranges(ranges)
 
-    def diagnostics(self) -> Iterator[tuple[int, str, Location]]:
-        """Yield (severity, message, location); severity 3 is an error, 4 fatal."""
+    @cached_property
+    def diagnostics(self) -> list[tuple[int, str, Location]]:
+        """Severity, message and location of each; severity 3 is an error, 4 fatal."""
+        found = []
         for index in range(_diagnostic_count(self._handle)):
             handle = _diagnostic(self._handle, index)
-            yield _diagnostic_severity(handle), _text(_diagnostic_spelling(handle)), _diagnostic_location(handle)
+            found.append((_diagnostic_severity(handle), _text(_diagnostic_spelling(handle)), _diagnostic_location(handle)))
             _dispose_diagnostic(handle)
+        return found

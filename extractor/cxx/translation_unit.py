@@ -91,7 +91,8 @@ def arguments_of(unit: CompileUnit, includes: Includes, prelude: Path | None) ->
     if includes.overlay is not None:
         arguments += ["-ivfsoverlay", str(includes.overlay)]
     if prelude is not None and unit.language == "c++":
-        arguments += ["-include-pch", str(prelude)]
+        # its name tells of which headers it is made, and when these were changed: clang need not look at each of them again
+        arguments += ["-include-pch", str(prelude), "-Xclang", "-fno-validate-pch"]
     return arguments
 
 
@@ -172,7 +173,7 @@ def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProble
     Other errors cost a declaration or an expression, and without third-party headers most sources have some.
     """
     found: dict[str, list[tuple[int, int, str]]] = {}
-    for severity, message, place in parsed.diagnostics():
+    for severity, message, place in parsed.diagnostics:
         if severity >= libclang.FATAL or _LOSING.fullmatch(message):
             file, offset = facts.locate(place)
             if file.key:
@@ -201,10 +202,12 @@ def _declarations(
         facts.skipped.setdefault(str(file.path), []).append((begin, end))
         if file.key:
             facts.add("lines_skipped", file.key, file.line_column(begin)[0], file.line_column(end)[0])
-    cursors = parsed.declarations()
-    for cursor in cursors:
+    cursors = []
+    for cursor in parsed.declarations():
         if cursor.kind == kinds.INCLUSION:
             facts.file(libclang.included_file(cursor))  # it may hold nothing but definitions of macros
+        else:
+            cursors.append(cursor)
     return facts, headers.leave_out(facts, parsed, cursors) if headers else cursors
 
 
