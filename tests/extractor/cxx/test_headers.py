@@ -171,6 +171,8 @@ LIBRARIES = [
     ("diagnostic_updater/diagnostic_updater.h", "diagnostic_updater::Updater u; u.add(\"x\", [](diagnostic_updater::DiagnosticStatusWrapper&) {});", "diagnostic_updater::DiagnosticTaskVector::add"),
     ("nodelet/nodelet.h", "struct N : nodelet::Nodelet { void onInit() { NODELET_INFO(\"x\"); getPrivateNodeHandle(); } };", "nodelet::Nodelet::getPrivateNodeHandle"),
     ("rosbag/bag.h", "rosbag::Bag b; b.write(\"t\", ros::Time(1), 5);", "rosbag::Bag::write"),
+    ("tl_expected/expected.hpp", "tl::expected<int, std::string> e = tl::unexpected(\"none\"); if (e) *e += e.value(); e.error();", "tl::expected::error"),
+    ("boost/geometry/index/rtree.hpp", "namespace bgi = boost::geometry::index; bgi::rtree<int, bgi::rstar<16>> t; for (int i : t) ros::ok(); t.query(bgi::nearest(1, 2), std::back_inserter(*new std::vector<int>));", "boost::geometry::index::rtree::query"),
 ]  # fmt: skip
 TEST_ACTION = """
 #include <ros/message_prelude.h>
