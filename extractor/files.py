@@ -39,7 +39,8 @@ def read_file(path: str | Path) -> bytes:
             raise OSError(errno.EINVAL, "not a regular file", str(path))
         if not is_inside(path):
             raise OSError(errno.EACCES, OUTSIDE, str(path))
-        content = Path(path).read_bytes()
+        with open(path, "rb") as file:
+            content = file.read()
         return content
     finally:
         tracing.read(path, status, content)

@@ -7,7 +7,6 @@ on: an element that is refused costs that element, a value that is absent stays 
 from __future__ import annotations
 
 import itertools
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -115,7 +114,7 @@ class _Composer:
 
     def enter_file(self, path: str, launch: Element, scope: Scope) -> None:
         """Compose the content of a file, unless that would never end."""
-        key = (os.path.realpath(os.path.join(self.state.files.folder, path)), scope.namespace, frozenset(scope.args.items()))
+        key = (self.state.files.real(path), scope.namespace, frozenset(scope.args.items()))
         if key in self.stack:
             raise LaunchError("cycle", path, f"{path} includes itself")
         if len(self.stack) >= MAX_INCLUDE_DEPTH:

@@ -39,6 +39,7 @@ class Files:
         self._roots: set[str] | None = None
         self._beside: set[str] = set()
         self._packages_of: dict[str, str] = {}
+        self._real: dict[str, str] = {}
         self._contents: dict[str, bytes] = {}
         self._documents: dict[tuple[str, object], Any] = {}
         self._references: dict[str, tuple[Reference, ...]] = {}
@@ -46,10 +47,17 @@ class Files:
 
     def allow_beside(self, launch_file: str) -> None:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
-        folder = os.path.dirname(os.path.realpath(os.path.join(self.folder, launch_file)))
+        folder = os.path.dirname(self.real(launch_file))
         if folder not in self._packages_of:
             self._packages_of[folder] = _package_of(folder)
         self._beside.add(self._packages_of[folder])
+
+    def real(self, path: str) -> str:
+        """The path without links."""
+        full = os.path.join(self.folder, path)
+        if full not in self._real:
+            self._real[full] = os.path.realpath(full)
+        return self._real[full]
 
     def is_file(self, path: str) -> bool:
         """Whether there is such a file, be it readable here or not."""
@@ -127,7 +135,7 @@ class Files:
             raise LaunchError("file", path, f"{path} cannot be read: {getattr(error, 'strerror', None) or error}") from None
         if not stat.S_ISREG(status.st_mode):
             raise LaunchError("file", path, f"{path} is not a regular file")
-        if not self._is_allowed(os.path.realpath(full)):
+        if not self._is_allowed(self.real(full)):
             raise LaunchError("outside", path, f"{path} is outside the package path and not read")
         if status.st_size > MAX_BYTES:
             tracing.read(full, status, None)

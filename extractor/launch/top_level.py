@@ -54,7 +54,7 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
     An unknown part of an included name (`$(arg base)/base.launch`) stands for any one name of a folder or file.
     """
     paths = list(paths)
-    real = {path: os.path.realpath(path) for path in paths}
+    real = {path: files.real(path) for path in paths}
     called: dict[str, list[str]] = {}
     for path in paths:
         called.setdefault(os.path.basename(path), []).append(path)
@@ -65,7 +65,7 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
         composition = compositions[path] = compose([path], files=files, environment=environment)
         said = _said(path, called) if path.endswith((".py", ".yaml", ".yml")) else _written(path, files)
         written = {*(include.file or include.text for include in composition.includes), *said}
-        included[real[path]] = {os.path.realpath(name) for name in written if "$(" not in name} - {real[path]}
+        included[real[path]] = {files.real(name) for name in written if "$(" not in name} - {real[path]}
         for name in written:
             tracing.probe(name)
             if "$(" in name and name not in matches:
