@@ -145,10 +145,13 @@ def extract(
     """
     with ExitStack() as confinement:
         confinement.enter_context(confined([root, *ros_package_path()]))
-        with _recorded(root) if cache and known else nullcontext() as rests_on:
-            workspace = workspace or _discovered(root, packages, defines or {}, timeout, cache)
+        asked = [repr(packages and sorted(packages)), repr(sorted((defines or {}).items())), repr(timeout)]
+        with _recorded(root) if cache and known and not workspace else nullcontext() as rests_on:
+            workspace = workspace or _discovered(
+                root, lambda: discover(root, packages, defines=defines or {}, timeout=timeout), asked, cache
+            )
             interfaces = Interfaces.of(workspace.packages, workspace.root)
-        index = UnitIndex.load(cache, rests_on) if cache and rests_on and not rests_on.uncertain else None
+        index = UnitIndex.load(cache, asked, rests_on) if cache and rests_on and not rests_on.uncertain else None
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
         built = programs(workspace)
         extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace))
@@ -186,16 +189,11 @@ def _recorded(root: Path) -> AbstractContextManager[tracing.Recording]:
     return tracing.recording(tracing.Present({}).trees([os.path.abspath(root)]))
 
 
-def _discovered(root: Path, packages: Collection[str] | None, defines: Mapping[str, str], timeout: float, cache: Cache | None) -> Workspace:
+def _discovered(root: Path, find: Callable[[], Workspace], asked: Iterable[str], cache: Cache | None) -> Workspace:
     """The workspace; as it was when nothing that its CMake files and manifests look at has changed since."""
-
-    def find() -> Workspace:
-        return discover(root, packages, defines=defines, timeout=timeout)
-
     if cache is None:
         return find()
     top = os.path.abspath(root)
-    asked = [repr(packages and sorted(packages)), repr(sorted(defines.items())), repr(timeout)]
     return Memo(cache).recall(["workspace", top, *asked], (top,), find)
 
 

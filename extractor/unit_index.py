@@ -30,9 +30,9 @@ class UnitIndex:
     units: dict[str, UnitFile] = field(default_factory=dict)
 
     @classmethod
-    def load(cls, cache: Cache, rests_on: tracing.Recording) -> UnitIndex:
-        """The index of the units that are made from what `rests_on` has seen, besides their files."""
-        name = hash_of(["units", extractor_version(), *folders(), "", *rests_on.trees])
+    def load(cls, cache: Cache, key: Iterable[str], rests_on: tracing.Recording) -> UnitIndex:
+        """The index of the units that are made by the parameters `key` from what `rests_on` has seen, besides their files."""
+        name = hash_of(["units", extractor_version(), *folders(), "", *rests_on.trees, "", *key])
         index = cls(cache, name, _guard(rests_on), tracing.Trace(rests_on.trees, {}, {}, {}))
         guard, then, units = cache.load_value(name, tuple) or ("", index.trace, {})
         if guard == index.guard and tracing.Present({}).confirms(replace(then, trees={}, reads={})):

@@ -7,6 +7,7 @@ import os
 import random
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -117,9 +118,9 @@ def test_a_workspace_elsewhere_shares_the_entries(workspace: Path, tmp_path: Pat
     assert len(entries(cache)) == 1
 
 
-def key(root: Path, cache: Cache) -> str | None:
+def key(root: Path, cache: Cache, **options: Any) -> str | None:
     """The key of the facts of the only component, which are known when they have one."""
-    with extract(root, jobs=1, cache=cache, known=lambda component: component.key is not None) as extraction:
+    with extract(root, jobs=1, cache=cache, known=lambda component: component.key is not None, **options) as extraction:
         (component,) = extraction.components
         return component.key
 
@@ -144,6 +145,14 @@ def test_what_is_known_is_not_looked_at(workspace: Path, tmp_path: Path, monkeyp
     (workspace / "names.h").write_text("// none yet\n")
     assert key(workspace, cache) == first
     assert facts(workspace, cache) == facts(workspace, None)  # though the entry was gone
+
+
+def test_each_question_has_an_index(workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    cache = Cache(tmp_path / "cache")
+    questions: list[dict[str, Any]] = [{}, {"packages": ["talker"]}, {"defines": {"NAME": "7"}}]
+    first = [key(workspace, cache, **options) for options in questions]
+    monkeypatch.setattr("rosarch.extractor.units.run_tasks", lambda *_args, **_options: pytest.fail("looked at again"))
+    assert [key(workspace, cache, **options) for options in questions] == first
 
 
 @pytest.mark.parametrize("content", [b"", b"short", ()])
