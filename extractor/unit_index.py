@@ -54,10 +54,12 @@ class UnitIndex:
         return reading
 
     def _keep(self, found: Mapping[str, UnitFile], seen: tracing.Recording) -> None:
+        self.trace = replace(self.trace, reads={**self.trace.reads, **seen.reads}, probes={**self.trace.probes, **seen.probes})
         paths: dict[str, str] = {}
         for name, file in found.items():
-            self.units[name] = replace(file, files=tuple(paths.setdefault(path, os.path.abspath(path)) for path in file.files))
-        self.trace = replace(self.trace, reads={**self.trace.reads, **seen.reads}, probes={**self.trace.probes, **seen.probes})
+            files = tuple(paths.setdefault(path, os.path.abspath(path)) for path in file.files)
+            if self.trace.reads.keys() >= set(files):
+                self.units[name] = replace(file, files=files)
         self.trace = replace(self.trace, reads=self._reads(self.units.values()))
         self.cache.store_value(self.name, (self.guard, self.trace, self.units))
 
