@@ -169,6 +169,8 @@ class Compiler:
     ) -> Rule:  # fmt: skip
         """What an evaluation has to know of a function that was written."""
         slot = self.code.relation_slot
+        for number in emitter.indexes:
+            self.storage.readers[number] += 1
         required = {s.atom.name for s in steps if isinstance(s, Scan) and s.index != delta} - self.storage.demanded
         return Rule(
             name, clause.head.name, str(clause.location), delta_name, tuple(sorted(slot[r] for r in required)),
@@ -196,7 +198,8 @@ class Compiler:
         """Write the module, and what its indexes hold."""
         slot, arity = self.code.relation_slot, self.storage.arity
         self.code.indexes = tuple(
-            Index(slot[key[0]], arity[key[0]], key[1], key[2], key in self.storage.listed) for key in self.storage.indexes
+            Index(slot[key[0]], arity[key[0]], key[1], key[2], key in self.storage.listed, self.storage.readers[number])
+            for key, number in self.storage.indexes.items()
         )
         matchers = [f"{name} = full_match({pattern!r})" for pattern, name in self.matchers.items()]
         self.code.source = "\n\n".join([*matchers, *self.functions.values()]) + "\n"

@@ -25,6 +25,7 @@ Functions = Mapping[str, Callable[..., None]]
 
 
 PARTIAL_INDEXES = 3  # parts of an index that are made before all of it is
+PARTIAL_READERS = 8  # rules; of an index that more of them read, one will ask for all of it
 MANY_ROWS = 1 << 15  # rows from which on bitmaps are considered
 PARTIAL_RATIO = 8  # a part is made when the relation has so many times more rows than keys are asked for
 
@@ -204,7 +205,7 @@ class Evaluation:
         rows = self.slots[index.relation]
         if hasattr(rows, "by_first") and index.keys == (0,):
             return rows.by_first()  # pairs as bitmaps are indexed already
-        if origins and not growing and self.partial.get(slot, 0) < PARTIAL_INDEXES:
+        if origins and not growing and index.readers <= PARTIAL_READERS and self.partial.get(slot, 0) < PARTIAL_INDEXES:
             counts = [(len(self.slots[self.code.relation_slot[o.relation]]), i) for i, o in enumerate(origins)]
             count, best = min(counts)
             if count * PARTIAL_RATIO < len(rows):

@@ -17,7 +17,8 @@ class Index:
     """What an index over a relation of two or more columns holds.
 
     `keys`: the columns of the key. `constants`: only rows with these values in these columns. `listed`: a key has its
-    rows, reduced to their last column where `keys` and `constants` leave only one; else it is there or not.
+    rows, reduced to their last column where `keys` and `constants` leave only one; else it is there or not. `readers`: how many
+    rules ask for it.
     """
 
     relation: int  # the slot of the relation
@@ -25,6 +26,7 @@ class Index:
     keys: tuple[int, ...]
     constants: tuple[tuple[int, Any], ...]
     listed: bool
+    readers: int = 1
 
     @property
     def free(self) -> int | None:

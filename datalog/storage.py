@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -25,6 +26,7 @@ class Storage:
 
     arity: dict[str, int]
     indexes: dict[IndexKey, int] = field(default_factory=dict)  # numbered in the order of their first use
+    readers: defaultdict[int, int] = field(default_factory=lambda: defaultdict(int))  # of an index, how many rules
     probed: set[str] = field(default_factory=set)  # relations that are asked for whole rows
     listed: set[IndexKey] = field(default_factory=set)  # those that are iterated; others only tell whether a key exists
     demanded: set[str] = field(default_factory=set)  # relations of which only the keys that are asked for are derived
