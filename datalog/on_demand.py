@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
+from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable
 from operator import itemgetter
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 from .domain import EvaluationError
 from .engine import failure
@@ -18,13 +20,6 @@ MANY_KEYS = 500  # that have been asked for; then all others are found at once, 
 Find = Callable[..., None]  # given a key, perhaps rows that are new, and a set for what it finds
 
 
-class _Prepared(NamedTuple):
-    """A rule with its function."""
-
-    rule: Rule
-    find: Find
-
-
 class Deriving(Protocol):
     """What a table asks of the evaluation that it is part of."""
 
@@ -35,35 +30,43 @@ class Deriving(Protocol):
         """All rows of the relation of a table."""
 
 
-class Table(dict[Any, Rows]):
+class Table(defaultdict[Any, Rows]):
     """What is left of the rows of each key that has been asked for; by `[]` a key is asked for."""
 
     def __init__(self, plan: TablePlan, evaluation: Deriving) -> None:
-        super().__init__()
+        super().__init__(tuple)
         self.plan = plan
         self._evaluation = evaluation
-        self._filled = False
-        self._rules: list[_Prepared] | None = None
-        self._loop: list[_Prepared] = []
+        self._rules: list[tuple[Rule, Find]] = []
+        self._loop: list[tuple[Rule, Find]] = []
+        self._enough: float = 0  # keys that have been asked for when the table looks at how to go on
 
     def __missing__(self, key: Any) -> Rows:
-        if self._filled:
-            return NONE
-        if len(self) >= MANY_KEYS and self.plan.whole is not None:
-            self._fill()
-            return self.get(key, NONE)
+        if len(self) >= self._enough and self._prepare():
+            return self[key]
         self[key] = found = tuple(self._found(key))
         return found
 
     def close(self) -> None:
         """Let go of the rules, with the relations that they read."""
-        self._rules, self._loop = None, []
+        self._rules, self._loop = [], []
+
+    def _prepare(self) -> bool:
+        """Make the rules ready, or after many keys find all rows. Whether all are there: then no key needs Python any more."""
+        if not self._enough:
+            self._rules, self._loop = self._prepared(self.plan.rules), self._prepared(self.plan.loop)
+            if self._rules:
+                self._enough = MANY_KEYS if self.plan.whole else math.inf
+                return False
+        else:
+            self._fill()
+        self.__class__ = _Filled
+        return True
 
     def _fill(self) -> None:
         """Find the rows of all keys."""
         plan = self.plan
         rows = self._evaluation.whole_relation(plan)
-        self._filled = True
         if plan.arity == len(plan.keys):
             self.update(dict.fromkeys(map(itemgetter(*plan.keys), rows) if plan.arity > 1 else rows, FOUND))
         else:
@@ -71,27 +74,25 @@ class Table(dict[Any, Rows]):
 
     def _found(self, key: Any) -> set[Any]:
         """What the rules find for a key."""
-        if self._rules is None:
-            self._rules, self._loop = self._prepared(self.plan.rules), self._prepared(self.plan.loop)
         found: set[Any] = set()
-        prepared = None
+        rule = None
         try:
-            for prepared in self._rules:
-                prepared.find(key, found)
+            for rule, find in self._rules:
+                find(key, found)
             delta = found if self._loop else None
             while delta:  # what follows from the rows of the same key, until there are no more
                 new: set[Any] = set()
                 rows = self._rows(key, delta)
-                for prepared in self._loop:
-                    prepared.find(key, rows, new)
+                for rule, find in self._loop:
+                    find(key, rows, new)
                 delta = new - found
                 found |= delta
         except EvaluationError as error:
-            raise (failure(prepared.rule, str(error)) if prepared else error) from None
+            raise (failure(rule, str(error)) if rule else error) from None
         return found
 
-    def _prepared(self, rules: Iterable[Rule]) -> list[_Prepared]:
-        return [_Prepared(rule, find) for rule in rules if (find := self._evaluation.prepare_for_table(rule, self))]
+    def _prepared(self, rules: Iterable[Rule]) -> list[tuple[Rule, Find]]:
+        return [(rule, find) for rule in rules if (find := self._evaluation.prepare_for_table(rule, self))]
 
     def _rows(self, key: Any, values: Iterable[Any]) -> list[Any]:
         """Whole rows of the values that are left of them."""
@@ -102,6 +103,12 @@ class Table(dict[Any, Rows]):
         at = next(i for i in range(plan.arity) if i not in plan.keys)
         columns = dict(zip(plan.keys, parts, strict=True))
         return [tuple(value if i == at else columns[i] for i in range(plan.arity)) for value in values]
+
+
+class _Filled(Table):
+    """A table that has all rows: other keys have none."""
+
+    __missing__ = defaultdict.__missing__
 
 
 class RecursiveTable(Table):
@@ -115,11 +122,8 @@ class RecursiveTable(Table):
         if self._asked is not None:
             self._asked.append(key)
             return NONE
-        if self._filled:
-            return NONE
-        if len(self) >= MANY_KEYS and self.plan.whole is not None:
-            self._fill()
-            return self.get(key, NONE)
+        if len(self) >= self._enough and self._prepare():
+            return self[key]
         try:
             self._settle(key)
         finally:
