@@ -16,7 +16,7 @@ from .plan import Rule, TablePlan
 Rows = tuple[Any, ...]
 NONE: Rows = ()
 FOUND: Rows = ((),)  # what a table has for a key that is a whole row
-MANY_KEYS = 500  # that have been asked for; then all others are found at once, if there are rules for that
+MANY_KEYS = 100  # that have been asked for; then all others are found at once, if there are rules for that
 Find = Callable[..., None]  # given a key, perhaps rows that are new, and a set for what it finds
 
 
