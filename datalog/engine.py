@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import math
 import time
 import types as python_types
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
@@ -169,6 +170,13 @@ class Evaluation:
             self._run_stratum(plan.whole)
         rows: Collection[Any] = self.slots[self.code.relation_slot[plan.relation]]
         return rows
+
+    def rows_for_whole(self, plan: TablePlan) -> float:
+        """How many rows, about, one goes through to find all rows of such a relation: for each rule those of the smallest that it needs."""
+        if plan.whole is None:
+            return math.inf
+        slots = self.slots
+        return sum(min((len(slots[slot]) for slot in rule.required), default=0) for rule in plan.whole.base)
 
     def prepare_for_table(self, rule: Rule, table: Table) -> Callable[..., None] | None:
         """The function of a rule as one of a key and what takes new rows; None while a relation it needs is empty."""

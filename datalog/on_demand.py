@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable
 from operator import itemgetter
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from .domain import EvaluationError
 from .engine import failure
@@ -16,8 +15,15 @@ from .plan import Rule, TablePlan
 Rows = tuple[Any, ...]
 NONE: Rows = ()
 FOUND: Rows = ((),)  # what a table has for a key that is a whole row
-MANY_KEYS = 100  # that have been asked for; then all others are found at once, if there are rules for that
+KEY_ROWS = 5  # rows that rules go through in the time that it takes to ask for a key
 Find = Callable[..., None]  # given a key, perhaps rows that are new, and a set for what it finds
+
+
+class _Prepared(NamedTuple):
+    """A rule with its function."""
+
+    rule: Rule
+    find: Find
 
 
 class Deriving(Protocol):
@@ -29,6 +35,9 @@ class Deriving(Protocol):
     def whole_relation(self, plan: TablePlan) -> Collection[Any]:
         """All rows of the relation of a table."""
 
+    def rows_for_whole(self, plan: TablePlan) -> float:
+        """How many rows, about, one goes through to find all rows; none if they cannot be found at once."""
+
 
 class Table(defaultdict[Any, Rows]):
     """What is left of the rows of each key that has been asked for; by `[]` a key is asked for."""
@@ -37,8 +46,8 @@ class Table(defaultdict[Any, Rows]):
         super().__init__(tuple)
         self.plan = plan
         self._evaluation = evaluation
-        self._rules: list[tuple[Rule, Find]] = []
-        self._loop: list[tuple[Rule, Find]] = []
+        self._rules: list[_Prepared] = []
+        self._loop: list[_Prepared] = []
         self._enough: float = 0  # keys that have been asked for when the table looks at how to go on
 
     def __missing__(self, key: Any) -> Rows:
@@ -56,7 +65,7 @@ class Table(defaultdict[Any, Rows]):
         if not self._enough:
             self._rules, self._loop = self._prepared(self.plan.rules), self._prepared(self.plan.loop)
             if self._rules:
-                self._enough = MANY_KEYS if self.plan.whole else math.inf
+                self._enough = 1 + self._evaluation.rows_for_whole(self.plan) / KEY_ROWS
                 return False
         else:
             self._fill()
@@ -75,24 +84,24 @@ class Table(defaultdict[Any, Rows]):
     def _found(self, key: Any) -> set[Any]:
         """What the rules find for a key."""
         found: set[Any] = set()
-        rule = None
+        prepared = None
         try:
-            for rule, find in self._rules:
-                find(key, found)
+            for prepared in self._rules:
+                prepared.find(key, found)
             delta = found if self._loop else None
             while delta:  # what follows from the rows of the same key, until there are no more
                 new: set[Any] = set()
                 rows = self._rows(key, delta)
-                for rule, find in self._loop:
-                    find(key, rows, new)
+                for prepared in self._loop:
+                    prepared.find(key, rows, new)
                 delta = new - found
                 found |= delta
         except EvaluationError as error:
-            raise (failure(rule, str(error)) if rule else error) from None
+            raise (failure(prepared.rule, str(error)) if prepared else error) from None
         return found
 
-    def _prepared(self, rules: Iterable[Rule]) -> list[tuple[Rule, Find]]:
-        return [(rule, find) for rule in rules if (find := self._evaluation.prepare_for_table(rule, self))]
+    def _prepared(self, rules: Iterable[Rule]) -> list[_Prepared]:
+        return [_Prepared(rule, find) for rule in rules if (find := self._evaluation.prepare_for_table(rule, self))]
 
     def _rows(self, key: Any, values: Iterable[Any]) -> list[Any]:
         """Whole rows of the values that are left of them."""
@@ -108,7 +117,7 @@ class Table(defaultdict[Any, Rows]):
 class _Filled(Table):
     """A table that has all rows: other keys have none."""
 
-    __missing__ = defaultdict.__missing__
+    __missing__ = defaultdict.__missing__  # type: ignore[assignment]
 
 
 class RecursiveTable(Table):

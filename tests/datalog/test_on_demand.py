@@ -80,6 +80,13 @@ def test_many_keys(both: Load) -> None:
     assert len(same(both(TREE), facts)) == 2000
 
 
+def test_a_relation_that_is_derived_as_a_whole(both: Load) -> None:
+    programs = both(TREE.replace(".decl holds(a: symbol, n: number)", ".decl holds(a: symbol, n: number) no_magic"))
+    assert not tables(programs[1])
+    facts = {"below": [("a", "b"), ("b", "c"), ("x", "y")], "leaf": [("c", 1), ("y", 3)], "name": [("a",), ("y",), ("z",)]}
+    assert same(programs, facts) == [("a", 1), ("y", 3)]
+
+
 def test_recursion_that_keeps_its_key(both: Load) -> None:
     programs = both(TREE.replace("r(A, N) :- asked(A), holds(A, N).", 'r(A, N) :- asked(A), leaf(A, N), holds("top", N).'))
     assert ("holds", (0, 1)) not in tables(programs[1])
