@@ -222,6 +222,8 @@ def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
     called = name and libclang.spelling(callee.cursor) == name  # all parts of a macro lie in one place
     if len(parts) == 1 and not called and (callee.kind in _VALUES or _constructs(callee) or _same_place(body, tree, parts[0])):
         return _lower(body, parts[0])  # the move of a temporary into its variable
+    if len(parts) == 1 and not name and unit.span_of(parts[0]).begin > unit.span_of(tree).begin and tree.children[0] is not parts[0]:
+        return _converted(body, tree, parts)
     receiver = _receiver(body, callee, target)
     arguments = [_lower(body, argument, text=True) for argument in _arguments(body, parts[1:])]
     through = None
@@ -255,6 +257,13 @@ def _lower_named_call(body: Body, tree: Tree, target: Cursor, name: str) -> str:
         unit.add("call_template_argument", call, index, type_)
     body.flow.evaluate(call)
     return call
+
+
+def _converted(body: Body, tree: Tree, value: list[Tree]) -> str:
+    """`Type(value)` in a template that `Type` depends on."""
+    from rosarch.extractor.cxx.expressions import operator_expression
+
+    return operator_expression(body, tree, "cast", "cast", value)
 
 
 def _name_end(callee: str, name: str) -> int:
