@@ -2,7 +2,7 @@
 //
 // expect: service_server reset std_srvs/Trigger
 // expect-only: param
-// expect: Given = count : { as_given(_, _, _) }, To = count : { given_to_field(_, _, _) }, Typed = count : { _named_by_type(_, _, _) }, Given = 34, To = 3, Typed = 1
+// expect: Given = count : { as_given(_, _, _) }, To = count : { given_to_field(_, _, _) }, Typed = count : { _named_by_type(_, _, _) }, Given = 35, To = 3, Typed = 1
 // expect: _called_inside(L, V), variable_name(V, "callback_"), 1 = count : { _called_inside(_, _) }
 // nothing depends on who calls:
 // expect-not: context_call(_, _); context_matters(_); entered_from(_, _, _); entry_enters(_, _, _); entry_reaches(_); enters_for_another(_, _, _)
