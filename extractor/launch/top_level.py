@@ -9,6 +9,7 @@ from pathlib import Path
 
 from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
+from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
 from rosarch.extractor.xml_reader import XmlError
 
 from .files import Files
@@ -94,12 +95,16 @@ def _reached(names: Iterable[str], included: Mapping[str, set[str]]) -> set[str]
     return reached
 
 
-def _pattern(name: str) -> re.Pattern[str] | None:
+def _pattern(name: str) -> Pattern | None:
     """What a file name with unknown parts can stand for; None when it begins with one, and so could be any file."""
     if not name.startswith("/"):
         return None
     known, *others = _UNKNOWN.split(os.path.normpath(name))
-    return re.compile("[^/]*".join([re.escape(os.path.realpath(known) + known[len(known.rstrip("/")) :]), *map(re.escape, others)]))
+    texts = [os.path.realpath(known) + known[len(known.rstrip("/")) :], *others]
+    try:
+        return compiled(b"[^/]*".join(re.escape(encoded(text)) for text in texts), name)
+    except PatternError:  # it is longer than any name
+        return None
 
 
 def _said(path: str, called: Mapping[str, list[str]]) -> Iterator[str]:

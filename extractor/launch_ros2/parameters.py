@@ -9,12 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch.state import YAML_COST
 from rosarch.extractor.launch.yaml_values import KeyLines, Loader, RepeatedKeysLoader, YamlError, load_yaml
+from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
 
 from .context import Context, Given
 from .substitutions import perform
@@ -155,12 +155,12 @@ def _of_file(world: World, value: Any, given: Given, names: tuple[str, ...], con
     world.here(given.place)
     try:
         sections, lines = sections_of(world, path, context if substituted else None)
+        wanted = chosen(sections, (given.node,) if given.node is not None else names)
     except LaunchError as error:
         state.report_unread(error)
         yield Unread(path, given.place)
         return
-    wanted = (given.node,) if given.node is not None else names
-    for section in chosen(sections, wanted):
+    for section in wanted:
         for name, found, keys in _leaves("", section.values, section.keys):
             line = lines.get(keys)
             written = Place(world.located(path), line) if line and path not in world.written else None
@@ -199,13 +199,19 @@ def chosen(sections: list[Section], names: tuple[str, ...]) -> list[Section]:
     return [section for section in sections if any(matcher(section.pattern).fullmatch(name) for name in names)]
 
 
-@lru_cache(maxsize=4096)
-def matcher(pattern: str) -> re.Pattern[str]:
-    """The names of nodes that a key of a file stands for."""
+def matcher(pattern: str) -> Pattern:
+    """The names of nodes that a key of a file stands for.
+
+    Raises:
+        LaunchError: it is too long to be matched.
+    """
     parts = []
     for part in pattern.strip("/").split("/"):
-        parts.append("(?:/[^/]+)*" if part == "**" else "/" + re.escape(part).replace(r"\*", "[^/]*"))
-    return re.compile("".join(parts))
+        parts.append(b"(/[^/]+)*" if part == "**" else b"/" + re.escape(encoded(part)).replace(rb"\*", b"[^/]*"))
+    try:
+        return compiled(b"".join(parts), pattern)
+    except PatternError as error:
+        raise LaunchError("yaml", pattern, str(error)) from None
 
 
 def _leaves(prefix: str, values: Mapping[Any, Any], keys: tuple[str, ...]) -> Iterator[tuple[str, Any, tuple[str, ...]]]:

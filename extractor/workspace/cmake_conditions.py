@@ -10,7 +10,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosarch.extractor.patterns import PatternError
+
 from .cmake_expand import is_true, split_list
+from .cmake_regex import compile_regex
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,20 +177,13 @@ class _Condition:
         return operator == "IS_NEWER_THAN" or a.rstrip("/") == b.rstrip("/")
 
     def matches(self, text: str, pattern: str) -> bool:
-        match = compile_regex(pattern).search(text)
-        if match:
-            self.around.set_matches([match.group(0), *(group or "" for group in match.groups())])
-        return match is not None
-
-
-def compile_regex(pattern: str) -> re.Pattern[str]:
-    """A CMake regular expression. Its syntax is a subset of Python's but for brackets, where a backslash is literal."""
-    try:
-        return re.compile(
-            re.sub(r"\[(\^?\]?[^\]]*)\]", lambda m: "[" + m.group(1).replace("\\", "\\\\").replace("[", "\\[") + "]", pattern)
-        )
-    except re.error as error:
-        raise ConditionError(f"bad regular expression `{pattern}`: {error}") from error
+        try:
+            found = compile_regex(pattern).search(text)
+        except PatternError as error:
+            raise ConditionError(str(error)) from error
+        if found:
+            self.around.set_matches(found)
+        return found is not None
 
 
 def compare_versions(a: str, b: str) -> int:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable
 
 from rosarch.extractor.files import is_folder
+from rosarch.extractor.patterns import Pattern, compiled, encoded
 
 _MAGIC = re.compile(r"[*?\[]")
 MAX_FILES = 100_000
@@ -29,19 +30,19 @@ def glob(pattern: str, recurse: bool, directories: bool, unreadable: Report) -> 
     return sorted(found)
 
 
-def _matcher(name: str) -> re.Pattern[str]:
-    parts: list[str] = []
-    for piece in re.findall(r"\[[!^]?\]?[^\]]*\]|.", name):
-        if piece == "*":
-            parts.append("[^/]*")
-        elif piece == "?":
-            parts.append("[^/]")
+def _matcher(name: str) -> Pattern:
+    parts: list[bytes] = []
+    for piece in re.findall(rb"\[[!^]?\]?[^\]]*\]|.", encoded(name), re.DOTALL):
+        if piece == b"*":
+            parts.append(b"[^/]*")
+        elif piece == b"?":
+            parts.append(b"[^/]")
         elif len(piece) > 1:
-            body = piece[1:-1].replace("\\", "\\\\")
-            parts.append("[" + ("^" + body[1:] if body[:1] in "!^" else body) + "]")
+            body = piece[1:-1].replace(b"\\", b"\\\\").replace(b"[", b"\\[")
+            parts.append(b"[" + (b"^" + body[1:] if body[:1] in (b"!", b"^") else body) + b"]")
         else:
             parts.append(re.escape(piece))
-    return re.compile("".join(parts))
+    return compiled(b"".join(parts), name)
 
 
 def _folders(path: str, unreadable: Report) -> list[str]:
@@ -66,7 +67,7 @@ def _scan(folder: str, unreadable: Report) -> list[os.DirEntry[str]]:
         return []
 
 
-def _collect(folder: str, matcher: re.Pattern[str], recurse: bool, directories: bool, found: list[str], unreadable: Report) -> None:
+def _collect(folder: str, matcher: Pattern, recurse: bool, directories: bool, found: list[str], unreadable: Report) -> None:
     if len(found) > MAX_FILES:
         return
     for entry in _scan(folder, unreadable):

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
+from rosarch.extractor.patterns import PatternError
 
 from .cmake_glob import glob
 from .cmake_state import Call, Scope
@@ -57,7 +58,10 @@ def _globbed(run: Evaluator, call: Call, words: list[str], recurse: bool) -> lis
     for pattern in patterns:
         path = run.source_path(pattern)
         if not run.is_outside(path):
-            found.extend(glob(path, recurse, directories, partial(run.cannot_read, call.command)))
+            try:
+                found.extend(glob(path, recurse, directories, partial(run.cannot_read, call.command)))
+            except PatternError as error:
+                run.complain(call.command, "cmake-arguments", f"{call.command.written}: {error}")
     found = sorted(dict.fromkeys(found))
     return [os.path.relpath(path, relative) for path in found] if relative else found
 

@@ -7,10 +7,9 @@ import os
 import re
 from collections.abc import Callable
 
-from .cmake_conditions import ConditionError, compile_regex
 from .cmake_expand import join_list
+from .cmake_regex import compile_regex, find_all, replace
 from .cmake_state import Call
-from .commands_values import regex_replace
 from .evaluator import Evaluator, command
 
 
@@ -31,7 +30,7 @@ def _string(run: Evaluator, call: Call) -> None:
         return
     try:
         handler(run, rest)
-    except (IndexError, ValueError, OverflowError, re.error, ConditionError) as error:
+    except (IndexError, ValueError, OverflowError) as error:
         run.complain(call.command, "cmake-arguments", f"string({name}): {error}")
 
 
@@ -45,18 +44,18 @@ def _replace(run: Evaluator, rest: list[str]) -> None:
 
 
 def _regex_match(run: Evaluator, rest: list[str]) -> None:
-    match = compile_regex(rest[0]).search("".join(rest[2:]))
-    run.set(rest[1], match.group() if match else "")
-    if match:
-        run.set_matches([match.group(), *(group or "" for group in match.groups())])
+    found = compile_regex(rest[0]).search("".join(rest[2:]))
+    run.set(rest[1], found[0] if found else "")
+    if found:
+        run.set_matches(found)
 
 
 def _regex_match_all(run: Evaluator, rest: list[str]) -> None:
-    run.set(rest[1], join_list(match.group() for match in compile_regex(rest[0]).finditer("".join(rest[2:]))))
+    run.set(rest[1], join_list(find_all(rest[0], "".join(rest[2:]))))
 
 
 def _regex_replace(run: Evaluator, rest: list[str]) -> None:
-    run.set(rest[2], regex_replace(run, rest[0], rest[1], "".join(rest[3:])))
+    run.set(rest[2], replace(rest[0], rest[1], "".join(rest[3:]), run.charge))
 
 
 def _find(run: Evaluator, rest: list[str]) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from .cmake_conditions import ConditionError, compile_regex
 from .cmake_expand import is_true, join_list
+from .cmake_regex import compile_regex, replace
 from .cmake_state import Call, StopFile, StopLoop
 from .evaluator import Evaluator, command
 
@@ -105,7 +105,7 @@ def _list(run: Evaluator, call: Call) -> None:
         return
     try:
         handler(run, call.args[1], call.args[2:])
-    except (IndexError, ValueError, ConditionError) as error:
+    except (IndexError, ValueError) as error:
         run.complain(call.command, "cmake-arguments", f"list({call.args[0]}): {error}")
 
 
@@ -211,7 +211,7 @@ def _transformation(run: Evaluator, rest: list[str]) -> Callable[[str], str]:
     if action == "PREPEND":
         return lambda element: _charged(run, rest[1] + element)
     if action == "REPLACE":
-        return lambda element: regex_replace(run, rest[1], rest[2], element)
+        return lambda element: replace(rest[1], rest[2], element, run.charge)
     simple: dict[str, Callable[[str], str]] = {"TOUPPER": str.upper, "TOLOWER": str.lower, "STRIP": str.strip}
     if action not in simple:
         raise ValueError(f"unknown action {action}")
@@ -221,19 +221,6 @@ def _transformation(run: Evaluator, rest: list[str]) -> Callable[[str], str]:
 def _charged(run: Evaluator, text: str) -> str:
     run.charge(len(text))
     return text
-
-
-def regex_replace(run: Evaluator, pattern: str, replacement: str, text: str) -> str:
-    """The text with every match of a CMake regular expression replaced."""
-    template, compiled = _python_replacement(replacement), compile_regex(pattern)
-    matches = sum(1 for _match in compiled.finditer(text))
-    run.charge(matches * len(template) + template.count("\\g<") * len(text))
-    return compiled.sub(template, text)
-
-
-def _python_replacement(text: str) -> str:
-    r"""CMake's `\1` replacement text in Python's notation."""
-    return re.sub(r"\\([0-9])|\\(.)", lambda m: f"\\g<{m.group(1)}>" if m.group(1) else re.escape(m.group(2)), text)
 
 
 _LIST: dict[str, Callable[[Evaluator, str, list[str]], None]] = {

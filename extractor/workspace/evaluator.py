@@ -359,7 +359,7 @@ class Evaluator:
         """`CMAKE_MATCH_<n>` after a regular expression matched."""
         for index, group in enumerate(groups):
             self.set(f"CMAKE_MATCH_{index}", group)
-        self.set("CMAKE_MATCH_COUNT", str(len(groups) - 1))
+        self.set("CMAKE_MATCH_COUNT", str(max((index for index, group in enumerate(groups) if group), default=0)))
 
     def set_list(self, name: str, elements: Sequence[str]) -> None:
         """Set a variable to a list."""

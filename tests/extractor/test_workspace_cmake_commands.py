@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 from workspace_builder import evaluated, messages, names, target
 
-UNTERMINATED = "unterminated subpattern at position 0"
 ABC = {"a.cpp": "", "b.cpp": "", "c.cpp": "", "sub/d.cpp": ""}
 
 
@@ -224,7 +223,7 @@ def test_generated_sources_are_not_missing(tmp_path: Path) -> None:
         ("list(GET L 3 x)", "demo/CMakeLists.txt:4:1: list(GET): list index out of range"),
         (
             'string(REGEX MATCH "(" x y)',
-            "demo/CMakeLists.txt:4:1: string(REGEX MATCH): bad regular expression `(`: missing ), " + UNTERMINATED,
+            "demo/CMakeLists.txt:4:1: string(REGEX MATCH): bad regular expression `(`: missing )",
         ),
     ],
 )

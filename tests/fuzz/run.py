@@ -47,6 +47,19 @@ class Defect:
     reason: str
 
 
+@dataclass
+class Costs:
+    """The most that an input took: seconds of processor time, bytes that its process had; and how many ended theirs, where that is no defect."""
+
+    seconds: float = 0.0
+    memory: int = 0
+    ended: int = 0
+
+    def include(self, other: Costs) -> None:
+        """Take in what other inputs took."""
+        self.seconds, self.memory = max(self.seconds, other.seconds), max(self.memory, other.memory)
+
+
 def seeds(name: str) -> list[bytes]:
     """The corpus of a target, inputs that once failed among it."""
     return [path.read_bytes() for path in sorted((HERE / "corpus" / name).iterdir())]
@@ -57,15 +70,16 @@ def inputs(target: Target, count: int, seed: int) -> list[bytes]:
     return list(mutants(seeds(target.name), target.words, count, f"{seed} {target.name}"))
 
 
-def defects(target: Target, given: Sequence[bytes], jobs: int) -> Iterator[Defect]:
-    """Those of the inputs that `target` cannot take."""
+def defects(target: Target, given: Sequence[bytes], jobs: int, costs: Costs) -> Iterator[Defect]:
+    """Those of the inputs that `target` cannot take; `costs` learns what they took."""
     top = Path(tempfile.mkdtemp(prefix="rosarch-fuzz-"))
     memory = MEMORY + _addresses()
     try:
         os.environ["ROSARCH_CACHE_DIR"] = str(top / "cache")
 
-        def work(batch: Sequence[bytes]) -> list[tuple[int, str]]:
-            return list(_tried(target, batch, top / str(os.getpid())))
+        def work(batch: Sequence[bytes]) -> tuple[list[tuple[int, str]], Costs]:
+            taken = Costs()
+            return list(_tried(target, batch, top / str(os.getpid()), taken)), taken
 
         batches = [given[begin : begin + _BATCH] for begin in range(0, len(given), _BATCH)]
         again: list[bytes] = []
@@ -73,13 +87,16 @@ def defects(target: Target, given: Sequence[bytes], jobs: int) -> Iterator[Defec
             if isinstance(outcome, Failure):
                 again += batches[index]
             else:
-                yield from (Defect(target.name, batches[index][at], reason) for at, reason in outcome)
+                costs.include(outcome[1])
+                yield from (Defect(target.name, batches[index][at], reason) for at, reason in outcome[0])
         for index, outcome in run_tasks(work, [[data] for data in again], jobs=jobs, timeout=_HANG / 3, memory=memory):
             if isinstance(outcome, Failure):
+                costs.ended += 1
                 if target.name not in OWN_PROCESS:
                     yield Defect(target.name, again[index], f"{outcome.reason}: {outcome.detail}")
             else:
-                yield from (Defect(target.name, again[index], reason) for _, reason in outcome)
+                costs.include(outcome[1])
+                yield from (Defect(target.name, again[index], reason) for _, reason in outcome[0])
     finally:
         shutil.rmtree(top, ignore_errors=True)
 
@@ -90,8 +107,8 @@ def _addresses() -> int:
     return int(sizes.read_text().split()[0]) * resource.getpagesize() if sizes.exists() else 0
 
 
-def _tried(target: Target, batch: Iterable[bytes], folder: Path) -> Iterator[tuple[int, str]]:
-    """The position of each input that fails, and why."""
+def _tried(target: Target, batch: Iterable[bytes], folder: Path, costs: Costs) -> Iterator[tuple[int, str]]:
+    """The position of each input that fails, and why; `costs` learns what they took."""
     if not folder.is_dir():
         folder.mkdir()
         prepare(folder)
@@ -104,7 +121,9 @@ def _tried(target: Target, batch: Iterable[bytes], folder: Path) -> Iterator[tup
             yield at, f"{type(error).__name__}: {_where(error)}"
         except Exception as error:
             yield at, f"{type(error).__name__}: {' '.join(str(error).split())[:200]}: {_where(error)}"
-        taken = resource.getrusage(resource.RUSAGE_SELF).ru_utime - before
+        after = resource.getrusage(resource.RUSAGE_SELF)
+        taken = after.ru_utime - before
+        costs.include(Costs(taken, after.ru_maxrss << 10))
         if taken > SLOW and target.name not in OWN_PROCESS:
             yield at, f"slow: {taken:.1f} s"
 
@@ -150,16 +169,18 @@ def main() -> int:
         _with_atheris(chosen[0])
     failed = 0
     for target in chosen:
-        begin, reasons = time.monotonic(), set()
-        for defect in defects(target, inputs(target, given.inputs, given.seed), given.jobs):
-            failed += 1
+        begin, reasons, costs, bad = time.monotonic(), set(), Costs(), 0
+        for defect in defects(target, inputs(target, given.inputs, given.seed), given.jobs, costs):
+            bad += 1
             if defect.reason not in reasons:
                 reasons.add(defect.reason)
                 given.out.mkdir(parents=True, exist_ok=True)
                 kept = given.out / f"{target.name}-{hashlib.sha256(defect.data).hexdigest()[:12]}"
                 kept.write_bytes(defect.data)
                 print(f"{target.name}: {defect.reason}  {kept}", flush=True)
-        print(f"{target.name}: {given.inputs} inputs, {time.monotonic() - begin:.1f} s", flush=True)
+        failed += bad
+        most = f"slowest {costs.seconds:.2f} s, most memory {costs.memory >> 20} MiB, {costs.ended} ended their process"
+        print(f"{target.name}: {given.inputs} inputs, {bad} failed, {most}; {time.monotonic() - begin:.0f} s", flush=True)
     return 1 if failed else 0
 
 
