@@ -12,29 +12,37 @@ Lookup = Callable[[str, str], str]
 """From the reference's kind (`""`, `ENV`, `CACHE`) and name to its value."""
 
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
-_PIECE = re.compile(r"\\(.)|\$(ENV|CACHE|)\{", re.DOTALL)
+_PIECE = re.compile(r"\\(.)|\$(ENV|CACHE|)\{|([{}])", re.DOTALL)
 
 
 def expand(text: str, lookup: Lookup, quoted: bool) -> str:
     r"""Replace references and escapes. `\;` stays escaped in unquoted text, where it must not split a list."""
-    result: list[str] = []
+    if "$" not in text and "\\" not in text:
+        return text
+    open_references: list[tuple[str, str, list[str]]] = []  # how each is written, its kind, and what stands before it
+    pieces: list[str] = []
+    depths = [0]
     position = 0
-    while match := _PIECE.search(text, position):
-        result.append(text[position : match.start()])
-        if match.group(1) is not None:
-            result.append(_escape(match.group(1), quoted))
-            position = match.end()
-            continue
-        end = _closing_brace(text, match.end())
-        if end < 0:
-            result.append(match.group())
-            position = match.end()
-            continue
-        name = expand(text[match.end() : end], lookup, True)
-        result.append(lookup(match.group(2), name))
-        position = end + 1
-    result.append(text[position:])
-    return "".join(result)
+    for match in _PIECE.finditer(text):
+        pieces.append(text[position : match.start()])
+        position = match.end()
+        escaped, kind, brace = match.groups()
+        if escaped is not None:
+            pieces.append(_escape(escaped, quoted or bool(open_references)))
+        elif kind is not None:
+            open_references.append((match.group(), kind, pieces))
+            pieces = []
+            depths.append(0)
+        elif brace == "}" and open_references and not depths[-1]:
+            _, kind, before = open_references.pop()
+            depths.pop()
+            before.append(lookup(kind, "".join(pieces)))
+            pieces = before
+        else:
+            depths[-1] += 1 if brace == "{" else -1
+            pieces.append(brace)
+    pieces.append(text[position:])
+    return "".join([part for written, _, before in open_references for part in (*before, written)] + pieces)
 
 
 def _escape(character: str, quoted: bool) -> str:
@@ -43,18 +51,6 @@ def _escape(character: str, quoted: bool) -> str:
     if character == "\n":
         return ""
     return _ESCAPES.get(character, character)
-
-
-def _closing_brace(text: str, start: int) -> int:
-    depth = 1
-    for position in range(start, len(text)):
-        if text[position] == "{":
-            depth += 1
-        elif text[position] == "}":
-            depth -= 1
-            if depth == 0:
-                return position
-    return -1
 
 
 def split_list(text: str, keep_empty: bool = False) -> list[str]:

@@ -9,7 +9,8 @@ from contextlib import contextmanager
 
 from rosarch.extractor import tracing
 
-MAX_STATEMENTS = 300_000
+MAX_WORDS = 600_000
+"""Commands and arguments that are evaluated."""
 MAX_DEPTH = 60
 MAX_ROUNDS = 10_000
 MAX_VALUE = 4 << 20

@@ -6,11 +6,10 @@ purpose: an argument is one token, and references inside it are expanded by `cma
 
 from __future__ import annotations
 
-import re
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from lark import Lark, Token, Transformer
 from lark.exceptions import UnexpectedInput
@@ -18,9 +17,9 @@ from lark.exceptions import UnexpectedInput
 from rosarch.extractor.diagnostics import Diagnostic
 
 GRAMMAR = r"""
-start: command*
+start: command* UNCLOSED?
 command: IDENTIFIER _open argument* ")"
-?argument: BRACKET | QUOTED | UNQUOTED | group
+?argument: BRACKET | QUOTED | UNQUOTED | UNCLOSED | group
 group: _open argument* ")"
 _open: "("
 
@@ -30,7 +29,8 @@ QUOTED.2: /"(?:[^"\\]|\\(?:.|\n))*"/
 UNQUOTED: /(?:\$\([^\s()]*\)|[^\s()#"\\]|\\.)(?:\$\([^\s()]*\)|"(?:[^"\\]|\\(?:.|\n))*"|[^\s()#"\\]|\\.)*/
 
 BRACKET_COMMENT.4: /#\[(?P<ceq>=*)\[(?:.|\n)*?\](?P=ceq)\]/
-COMMENT.3: /#[^\n]*/
+UNCLOSED.3: /#?\[=*\[(?:.|\n)*/
+COMMENT.2: /#[^\n]*/
 SPACE: /[ \t\r\n\f\ufeff]+/
 %ignore BRACKET_COMMENT
 %ignore COMMENT
@@ -87,16 +87,21 @@ class Block:
 Statement = Command | If | Block
 
 
-class _Build(Transformer[Token, list[Command]]):
-    """Commands straight from the parser, without a tree in between."""
+class _Build(Transformer[Token, None]):
+    """Commands straight from the parser, without a tree in between: those that are whole, also when it fails behind them."""
 
-    def start(self, children: list[Command]) -> list[Command]:
-        return children
+    def __init__(self) -> None:
+        super().__init__()
+        self.commands: list[Command] = []
+        self.unclosed: Token | None = None
 
-    def command(self, children: list[object]) -> Command:
+    def start(self, children: list[object]) -> None:
+        self.unclosed = next((child for child in children if isinstance(child, Token)), None)
+
+    def command(self, children: list[object]) -> None:
         name, arguments = children[0], children[1:]
         assert isinstance(name, Token)
-        return Command(name.lower(), str(name), tuple(_flatten(arguments)), name.line or 0, name.column or 0)
+        self.commands.append(Command(name.lower(), str(name), tuple(_flatten(arguments)), name.line or 0, name.column or 0))
 
     def group(self, children: list[object]) -> list[Argument]:
         inner = _flatten(children)
@@ -127,31 +132,30 @@ def _argument(token: Token) -> Argument:
 
 
 @lru_cache(maxsize=1)
-def _parser() -> Lark:
-    return Lark(GRAMMAR, parser="lalr", lexer="contextual", transformer=_Build(), maybe_placeholders=False)
-
-
-_COMMAND_START = re.compile(r"^[ \t]*[A-Za-z_][A-Za-z0-9_]*[ \t]*\(", re.MULTILINE)
+def _parser() -> tuple[Lark, _Build]:
+    build = _Build()
+    return Lark(GRAMMAR, parser="lalr", lexer="contextual", transformer=build, maybe_placeholders=False), build
 
 
 def parse(text: str, path: Path) -> tuple[list[Command], list[Diagnostic]]:
     """The commands of `text`. After a syntax error, those before it, and one diagnostic."""
-    diagnostics: list[Diagnostic] = []
-    while True:
-        try:
-            commands: Any = _parser().parse(text)
-            return list(commands), diagnostics
-        except UnexpectedInput as error:
-            if not diagnostics:
-                diagnostics.append(_syntax_error(error, text, path))
-            end = _offset(error, text)
-            if 0 < end < len(text):
-                text = text[:end]
-                continue
-            starts = [match.start() for match in _COMMAND_START.finditer(text) if match.start() < end]
-            if not starts:
-                return [], diagnostics
-            text = text[: starts[-1]]
+    parser, build = _parser()
+    build.commands = []
+    try:
+        parser.parse(text)
+        return build.commands, [] if build.unclosed is None else [_unclosed(build.unclosed, path)]
+    except UnexpectedInput as error:
+        diagnostics, end = [_syntax_error(error, text, path)], _offset(error, text)
+    if end < len(text):  # the last command before it may have waited for what follows
+        build.commands = []
+        with suppress(UnexpectedInput):
+            parser.parse(text[:end])
+    return build.commands, diagnostics
+
+
+def _unclosed(token: Token, path: Path) -> Diagnostic:
+    opener = token[: token.index("[", 2) + 1]
+    return Diagnostic("cmake-syntax", path, token.line or 0, token.column or 0, f"syntax error: `{opener}` is not closed")
 
 
 def _offset(error: UnexpectedInput, text: str) -> int:
@@ -169,7 +173,7 @@ def _syntax_error(error: UnexpectedInput, text: str, path: Path) -> Diagnostic:
         return Diagnostic("cmake-syntax", path, line, column, "syntax error: unexpected end of file, is a `)` missing?")
     offset = _offset(error, text)
     found = str(token) if token is not None else text[offset : offset + 1]
-    return Diagnostic("cmake-syntax", path, error.line, error.column, f"syntax error: unexpected `{found}`")
+    return Diagnostic("cmake-syntax", path, error.line, error.column, f"syntax error: unexpected `{found[:60]}`")
 
 
 _OPENERS = {"foreach": "endforeach", "while": "endwhile", "function": "endfunction", "macro": "endmacro", "block": "endblock"}

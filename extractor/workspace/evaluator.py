@@ -19,7 +19,7 @@ from . import cmake_loops
 from .cmake_conditions import ConditionError, Surroundings, Word
 from .cmake_conditions import evaluate as condition_holds
 from .cmake_expand import expand, join_list, split_list
-from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_STATEMENTS, MAX_TEXT, MAX_VALUE, OutOfTime, time_limit
+from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_TEXT, MAX_VALUE, MAX_WORDS, OutOfTime, time_limit
 from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
 from .cmake_syntax import Argument, Block, Command, If, Statement, blocks, parse
 from .options import Options, initial_environment, initial_variables, versions
@@ -79,7 +79,7 @@ class Evaluator:
         self.manifest_depends: list[str] = []
         self.found_dependencies = False
         self.depth = 0
-        self.statements = 0
+        self.words = 0
         self.characters = 0
         self.current: tuple[str, Command] | None = None
         self.global_properties: dict[str, str] = {}
@@ -131,6 +131,7 @@ class Evaluator:
 
     def expand_all(self, arguments: Sequence[Argument]) -> list[str]:
         """Arguments as a command sees them."""
+        self.count(len(arguments))
         result: list[str] = []
         for argument in arguments:
             if argument.plain or argument.raw:
@@ -179,6 +180,12 @@ class Evaluator:
             self.give_up(f"a value of more than {MAX_VALUE} characters")
         if self.characters > MAX_TEXT:
             self.give_up(f"more than {MAX_TEXT} characters of values")
+
+    def count(self, words: int) -> None:
+        """Count commands and arguments that are evaluated; give up when these are too many."""
+        self.words += words
+        if self.words > MAX_WORDS:
+            self.give_up(f"more than {MAX_WORDS} commands and arguments")
 
     def give_up(self, reason: str) -> NoReturn:
         """Record a limit that was reached at the current command, and stop the evaluation."""
@@ -250,9 +257,7 @@ class Evaluator:
     def run(self, statements: Sequence[Statement]) -> None:
         """Evaluate statements in order."""
         for statement in statements:
-            self.statements += 1
-            if self.statements > MAX_STATEMENTS:
-                self.give_up(f"more than {MAX_STATEMENTS} commands")
+            self.count(1)
             if isinstance(statement, Command):
                 self.run_command(statement)
             elif isinstance(statement, If):

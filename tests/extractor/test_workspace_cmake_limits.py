@@ -27,7 +27,8 @@ BIG = 'set(x "0123456789abcdef")\nforeach(i RANGE 15)\nset(x "${x}${x}")\nendfor
         ('set(x a)\nwhile(TRUE)\nset(x "${x}${x}")\nendwhile()', LONG.format("6:1")),
         ("foreach(i RANGE 2000000000)\nendforeach()", "demo/CMakeLists.txt:4:1: `foreach` left after 10000 rounds"),
         ("while(TRUE)\nendwhile()", "demo/CMakeLists.txt:4:1: `while` left after 10000 rounds"),
-        ("while(TRUE)\nforeach(i RANGE 9000)\nset(x 1)\nendforeach()\nendwhile()", "demo/CMakeLists.txt:6:1: more than 300000 commands, evaluation stopped"),
+        ("while(TRUE)\nforeach(i RANGE 9000)\nset(x 1)\nendforeach()\nendwhile()", "demo/CMakeLists.txt:6:1: more than 600000 commands and arguments, evaluation stopped"),
+        (f"while(TRUE)\nset(x {'${x} ' * 1000})\nendwhile()", "demo/CMakeLists.txt:5:1: more than 600000 commands and arguments, evaluation stopped"),
         ("macro(again)\nagain()\nendmacro()\nagain()", "demo/CMakeLists.txt:5:1: CMake code nests too deeply, evaluation stopped"),
         ("string(REPEAT abc 2000000000 x)", MUCH.format("4:1")),
         (BIG + 'string(REPLACE 0 "${x}" y "${x}")', MUCH.format("8:1")),
@@ -95,7 +96,9 @@ def test_regular_expressions_that_take_for_ever(
 )
 def test_the_dialect_of_cmake(tmp_path: Path, expression: str, text: str, expected: str) -> None:
     """As cmake 3.25 has it."""
-    _, workspace = evaluated(tmp_path, f'string(REGEX MATCH [==[{expression}]==] m [==[{text}]==])\nmessage(FATAL_ERROR "${{m}}|${{CMAKE_MATCH_COUNT}}")')
+    _, workspace = evaluated(
+        tmp_path, f'string(REGEX MATCH [==[{expression}]==] m [==[{text}]==])\nmessage(FATAL_ERROR "${{m}}|${{CMAKE_MATCH_COUNT}}")'
+    )
     assert messages(workspace, tmp_path)[0].partition("FATAL_ERROR): ")[2] == (expected or "|")
 
 
@@ -118,6 +121,30 @@ def test_a_long_list_is_built_in_linear_time(tmp_path: Path, at_most: Callable[[
         found, workspace = evaluated(tmp_path, cmake, {"x.cpp": ""})
         assert [target.name for target in found.targets] == ["n8001"]
         assert workspace.diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    ("cmake", "message"),
+    [
+        ("a(" * 20_000, "4:40025: syntax error: unexpected end of file, is a `)` missing?"),
+        ("a(\n" * 20_000, "20004:1: syntax error: unexpected end of file, is a `)` missing?"),
+        ("a(" + "[[ " * 20_000, "4:60027: syntax error: unexpected end of file, is a `)` missing?"),
+        ("#[[ \n" * 20_000, "4:25: syntax error: `#[[` is not closed"),
+        ('a(x" ' * 20_001, '4:100028: syntax error: unexpected `"`'),
+        ("${" * 20_000, f"4:25: syntax error: unexpected `{'${' * 30}`"),
+        (f'set(x "{"${" * 20_000}{"}" * 20_000}")', None),
+        (f'set(x "{"${" * 20_000}")', None),
+        (f'set(x "{"$<1:" * 20_000}")', None),
+        (f"if({'(' * 20_000}{')' * 20_000})\nendif()", "4:25: CMake code nests too deeply, evaluation stopped"),
+    ],
+)  # fmt: skip
+def test_broken_code_is_read_in_linear_time(
+    tmp_path: Path, cmake: str, message: str | None, at_most: Callable[[float], AbstractContextManager[None]]
+) -> None:
+    with at_most(5):
+        _, workspace = evaluated(tmp_path, f"add_executable(y x.cpp) {cmake}", {"x.cpp": ""})
+    assert [target.name for target in workspace.packages[0].targets] == ["y"]
+    assert messages(workspace, tmp_path) == ([f"demo/CMakeLists.txt:{message}"] if message else [])
 
 
 def test_time_limits_nest() -> None:
