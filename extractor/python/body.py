@@ -170,11 +170,16 @@ class Body:
         if not lines:
             return ""
         begin, end = getattr(node, "col_offset", 0), getattr(node, "end_col_offset", 0)
-        lines = (*lines[:-1], lines[-1][:end])
-        text = " ".join(b"\n".join((lines[0][begin:], *lines[1:])).decode("utf-8", "replace").split())
+        written = lines[0][begin:end] if len(lines) == 1 else b"\n".join((lines[0][begin:], *lines[1:-1], lines[-1][:end]))
+        text = _folded(written[: 2 * TEXT_LIMIT])  # of a long expression each part has a text: none is looked at as a whole
+        text = text if len(text) > TEXT_LIMIT else _folded(written)
         return text if len(text) <= TEXT_LIMIT else text[: TEXT_LIMIT - 3] + "..."
 
     def written(self, expr: str, node: ast.AST) -> str:
         """Record how `expr` is written."""
         self.facts.add("expr_text", expr, self.text(node))
         return expr
+
+
+def _folded(written: bytes) -> str:
+    return " ".join(written.decode("utf-8", "replace").split())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from rosarch.extractor.cxx.unit import file_key
@@ -20,6 +20,9 @@ from .model import Function, Module
 from .program import Program
 from .scopes import open_module
 from .source import Problem, read_source
+
+_DEEPEST = 2000
+"""Nodes within nodes: each takes several calls, of which there is room for `deep_recursion`."""
 
 Rows = dict[str, set[tuple[str | int, ...]]]
 
@@ -43,16 +46,16 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
     problems += [(str(path), problem.line, problem.column, problem.message) for problem in found]
     if isinstance(parsed, Problem) or not path.is_relative_to(root):
         return
-    for line, column in _dynamic_imports(parsed.tree):
-        problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
+    for depth, nodes in enumerate(_levels(parsed.tree)):
+        if depth > _DEEPEST:
+            problems.append((str(path), 1, 1, "not analysed: nested too deeply"))
+            return
+        for line, column in _dynamic_imports(nodes):
+            problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
     relative = path_text(path.relative_to(root))
     main = path == entry.file and entry.function is None
     module = Module(name, parsed.tree, file_key(relative), relative, tuple(parsed.data.split(b"\n")), main, path.name == "__init__.py")
-    try:
-        open_module(module)
-    except RecursionError:
-        problems.append((str(path), 1, 1, "not analysed: nested too deeply"))
-        return
+    open_module(module)
     yield module
 
 
@@ -77,9 +80,17 @@ def _rows(modules: dict[str, Module], entry: PythonEntry, problems: list[SourceP
     return dict(facts.rows)
 
 
-def _dynamic_imports(tree: ast.Module) -> Iterator[tuple[int, int]]:
+def _levels(tree: ast.Module) -> Iterator[list[ast.AST]]:
+    """The nodes of a tree, those that are nested equally deeply together."""
+    level: list[ast.AST] = [tree]
+    while level:
+        yield level
+        level = [child for node in level for child in ast.iter_child_nodes(node)]
+
+
+def _dynamic_imports(nodes: Iterable[ast.AST]) -> Iterator[tuple[int, int]]:
     """Where a module imports something by a name that is made up at run time."""
-    for node in ast.walk(tree):
+    for node in nodes:
         match node:
             case ast.Call(func=ast.Name(id="__import__") | ast.Attribute(attr="import_module"), args=[ast.Constant(value=str()), *_]):
                 continue

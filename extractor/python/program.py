@@ -29,7 +29,8 @@ from .scopes import open_module
 
 STUBS = Path(__file__).parent / "stubs"
 """Declarations of the client libraries, and of some modules of Python: what headers are for C++."""
-_LONGEST_NAME = 100
+_LONGEST_NAME = 200
+"""Of a module that is declared."""
 
 
 class Program:
@@ -200,7 +201,7 @@ def names_class(path: str) -> bool:
 @lru_cache(maxsize=256)
 def _stub(name: str) -> tuple[ast.Module, bool] | None:
     base = STUBS.joinpath(*name.split("."))
-    if len(base.name) > _LONGEST_NAME:
+    if len(name) > _LONGEST_NAME:
         return None
     for path, package in ((base.with_name(f"{base.name}.pyi"), False), (base / "__init__.pyi", True)):
         if path.is_file() and path.is_relative_to(STUBS):

@@ -302,12 +302,14 @@ def _expressions(node: ast.stmt) -> Iterator[ast.expr]:
 
 
 def _within(node: ast.expr) -> Iterator[ast.expr]:
-    yield node
-    if not isinstance(node, ast.Lambda):
+    waiting = [node]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if isinstance(node, ast.Lambda):
+            continue
+        inner: list[ast.expr] = []
         for child in ast.iter_child_nodes(node):
-            if isinstance(child, ast.expr):
-                yield from _within(child)
-            elif isinstance(child, (ast.keyword, ast.comprehension)):
-                for inner in ast.iter_child_nodes(child):
-                    if isinstance(inner, ast.expr):
-                        yield from _within(inner)
+            parts = ast.iter_child_nodes(child) if isinstance(child, (ast.keyword, ast.comprehension)) else (child,)
+            inner += [part for part in parts if isinstance(part, ast.expr)]
+        waiting += reversed(inner)

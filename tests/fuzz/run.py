@@ -89,7 +89,7 @@ def defects(target: Target, given: Sequence[bytes], jobs: int, costs: Costs) -> 
             else:
                 costs.include(outcome[1])
                 yield from (Defect(target.name, batches[index][at], reason) for at, reason in outcome[0])
-        for index, outcome in run_tasks(work, [[data] for data in again], jobs=jobs, timeout=_HANG / 3, memory=memory):
+        for index, outcome in run_tasks(work, [[data] for data in again], jobs=jobs, timeout=_HANG, memory=memory):
             if isinstance(outcome, Failure):
                 costs.ended += 1
                 if target.name not in OWN_PROCESS:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
+
+import pytest
 
 from rosarch.extractor.facts import validate
 from rosarch.extractor.python.extract import Rows, extract_program
@@ -132,6 +136,30 @@ def test_what_is_not_understood_is_told_and_the_rest_is_read(tmp_path: Path) -> 
     ]
     assert len(extract(tmp_path, "a = " + "(" * 5000 + ")" * 5000)[1]) == 1
     assert len(extract(tmp_path, "a = " + "-" * 50000 + "1")[1]) == 1
+
+
+@pytest.mark.parametrize(
+    ("source", "problems"),
+    [
+        ("super()." * 10_000 + "x", ["1:1: not analysed: nested too deeply"]),
+        ("-1" * 10_000, ["1:1: not analysed: nested too deeply"]),
+        ("f = " + "-" * 1800 + "1", []),
+        ("if x: pass\n" + "elif x: pass\n" * 5000, ["1:1: not analysed: nested too deeply"]),
+        ("x = " + "(" * 100_000, ["1:205: syntax error: too many nested parentheses; what stands from line 1 on is left out"]),
+        ("import a" + ".imports" * 1000 + "\nimport " + "rospy" * 500, []),
+        ("x = " + " or ".join(["a"] * 10_000), []),
+        ("a0 = 1\n" + "".join(f"a{n + 1} = a{n}\n" for n in range(3000)), []),
+        ("".join(f"def f{n}(): return f{n + 1}()\n" for n in range(3000)), []),
+        ("class C0: pass\n" + "".join(f"class C{n + 1}(C{n}): pass\n" for n in range(1000)), []),
+    ],
+)  # fmt: skip
+def test_what_is_deep_long_or_chained(
+    tmp_path: Path, source: str, problems: list[str], at_most: Callable[[float], AbstractContextManager[None]]
+) -> None:
+    with at_most(4):
+        rows, told = extract(tmp_path, source + "\n")
+    assert told == problems
+    assert problems or rows["source_file"]
 
 
 def test_modules_that_import_each_other_and_themselves(tmp_path: Path) -> None:
