@@ -154,7 +154,7 @@ def parse(text: str, path: Path) -> tuple[list[Command], list[Diagnostic]]:
 
 
 def _unclosed(token: Token, path: Path) -> Diagnostic:
-    opener = token[: token.index("[", 2) + 1]
+    opener = token[: token.index("[", token.index("[") + 1) + 1]
     return Diagnostic("cmake-syntax", path, token.line or 0, token.column or 0, f"syntax error: `{opener}` is not closed")
 
 
