@@ -64,8 +64,8 @@ class Reader(Protocol[Read]):
     def anything_known(self) -> bool:
         """Whether it is worth a look into the cache."""
 
-    def prepare(self, timeout: float) -> None:
-        """Make what all units share."""
+    def prepare(self, units: Sequence[Read], timeout: float) -> None:
+        """Make what many units share."""
 
     def known(self, unit: Read) -> UnitFile | None:
         """The unit as it is in the cache."""
@@ -135,7 +135,7 @@ def read_units(
 
     unknown = run(reader.known, largest) if largest and reader.anything_known() else largest
     if unknown:
-        reader.prepare(timeout)
+        reader.prepare(unknown, timeout)
         run(reader.read, unknown)
         if reader.cache:
             reader.cache.trim()

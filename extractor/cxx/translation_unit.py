@@ -72,9 +72,15 @@ def _system(folders: Iterable[Path]) -> list[str]:
     return [word for folder in folders for word in ("-isystem", str(folder))]
 
 
-def build_prelude(path: Path, headers: Iterable[str] = (), middleware: str = ROS1) -> None:
-    """Precompile the shipped declarations that nearly every source includes, and further shipped `headers`."""
+def _precompiled(prelude: Path) -> list[str]:
+    # its name tells of which headers it is made, and when these were changed: clang need not look at each of them again
+    return ["-include-pch", str(prelude), "-Xclang", "-fno-validate-pch"]
+
+
+def build_prelude(path: Path, headers: Iterable[str] = (), middleware: str = ROS1, base: Path | None = None) -> None:
+    """Precompile the shipped declarations that nearly every source includes, or those of further shipped `headers` beyond `base`."""
     arguments = ["-x", "c++-header", *BASE_ARGUMENTS[2:], *_system(shipped_dirs(middleware))]
+    arguments += _precompiled(base) if base else []
     arguments += [word for header in headers for word in ("-include", header)]
     with libclang.Unit(prelude_of(middleware), arguments, libclang.KEEP_GOING | libclang.INCOMPLETE | libclang.FOR_SERIALIZATION) as unit:
         unit.save(path)
@@ -91,8 +97,7 @@ def arguments_of(unit: CompileUnit, includes: Includes, prelude: Path | None) ->
     if includes.overlay is not None:
         arguments += ["-ivfsoverlay", str(includes.overlay)]
     if prelude is not None and unit.language == "c++":
-        # its name tells of which headers it is made, and when these were changed: clang need not look at each of them again
-        arguments += ["-include-pch", str(prelude), "-Xclang", "-fno-validate-pch"]
+        arguments += _precompiled(prelude)
     return arguments
 
 

@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -50,28 +51,37 @@ class UnitReader:
         """The files of units and headers."""
         return UnitStore(self.scratch, self.cache)
 
-    def prepare(self, timeout: float) -> None:
-        """Make what all units share, the precompiled declarations, in a worker: without room on the disk, clang ends its process."""
-        for _, outcome in run_tasks(lambda _task: self.precompiled(), [None], jobs=1, timeout=max(timeout, PRELUDE_SECONDS)):
+    def prepare(self, units: Sequence[CompileUnit], timeout: float) -> None:
+        """Make the precompiled declarations that units share, in a worker: without room on the disk, clang ends its process."""
+        used = sorted({ROS1, *(unit.middleware for unit in units)})  # those of ROS 1 also tell that the cache holds something
+
+        def make(middleware: str) -> Path:
+            return self.precompiled(middleware=middleware)
+
+        for _, outcome in run_tasks(make, used, jobs=len(used), timeout=max(timeout, PRELUDE_SECONDS)):
             if isinstance(outcome, Failure):
                 refuse_full_disk(outcome)
                 full = shutil.disk_usage(self.scratch).free < PRELUDE_BYTES
                 raise OSError(errno.ENOSPC if full else errno.EIO, os.strerror(errno.ENOSPC) if full else outcome.detail, str(self.scratch))
 
     def precompiled(self, headers: tuple[str, ...] = (), middleware: str = ROS1) -> Path:
-        """The precompiled declarations, with those of some further headers."""
+        """The precompiled declarations, with those of some further headers.
+
+        What is precompiled of these rests on where the declarations lie in this run, so that it is not kept.
+        """
         key = hash_of([extractor_version(), middleware, *headers]) if headers or middleware != ROS1 else extractor_version()
         path = self.scratch / f"{key}.pch"
         if not path.is_file():
-            data = self.cache.load(key) if self.cache else None
+            cache = None if headers else self.cache
+            data = cache.load(key) if cache else None
             if data is not None:
                 write_whole(path, data)
                 return path
             made = path.with_name(f"{path.name}.{os.getpid()}")
-            build_prelude(made, headers, middleware)
+            build_prelude(made, headers, middleware, self.precompiled(middleware=middleware) if headers else None)
             made.replace(path)
-            if self.cache:
-                self.cache.store(key, path.read_bytes())
+            if cache:
+                cache.store(key, path.read_bytes())
         return path
 
     def precompiled_for(self, unit: CompileUnit, includes: Includes) -> Path | None:

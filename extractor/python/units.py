@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -24,7 +25,7 @@ class PythonReader:
     scratch: Path
     cache: Cache | None
 
-    def prepare(self, timeout: float) -> None:
+    def prepare(self, units: Sequence[PythonEntry], timeout: float) -> None:
         """Python components share nothing that has to be made first."""
 
     def anything_known(self) -> bool:
