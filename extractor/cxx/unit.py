@@ -60,6 +60,8 @@ class SourceFiles:
     def named(self, name: str) -> SourceFile:
         """The file that clang knows as `name`."""
         known = self._by_name.get(name)
+        if known is None and not name:  # what no file says: not the current folder, which may be the workspace
+            known = self._by_name[name] = SourceFile(Path(), None, b"")
         if known is None:
             path = Path(os.path.abspath(name))  # links are kept: a linked package belongs to the workspace it is linked into
             try:

@@ -78,3 +78,9 @@ def test_lines_that_conditional_compilation_leaves_out(extract) -> None:
     facts = extract("int a;\n#if 0\nint b;\n#else\nint c;\n#endif\n#ifdef GIVEN\nint d;\n#endif\n", definitions=("GIVEN",))
     assert facts["lines_skipped"] == [("@", 2, 4)]
     assert [name for _, name in facts["variable_name"]] == ["a", "c", "d"]
+
+
+def test_what_no_file_says_is_not_in_the_current_folder(facts_of, tmp_path, monkeypatch) -> None:
+    (tmp_path / "src").mkdir()
+    monkeypatch.chdir(tmp_path / "src")
+    assert [path for _, path in facts_of("void f(int = 0);\nvoid g() { f(); }")["source_file"]] == ["n.cpp"]
