@@ -17,7 +17,7 @@ from pathlib import Path
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.libclang import Cursor
 from rosarch.extractor.cxx.unit import Span, UnitFacts
-from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
+from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted, kind_of_member
 from rosarch.extractor.files import read_file
 
 ROUNDS = 3
@@ -33,7 +33,6 @@ _BASE_CLAUSE = re.compile(rb"[:,]\s*(?:(?:public|protected|private|virtual)\s+)*
 _CLASS_HEAD = re.compile(rb"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?([\w:]+)[^;{}()]*$")
 _TEMPLATE = re.compile(rb"\s*<((?:[\w\s:,*&.]|<[\w\s:,*&.]*>)*)>\s*(.?)")
 _FOLLOWING = re.compile(rb"\s*(?:\[[^\]\n]*\]\s*|\([^()\n]*\)\s*)*(?:\.|->)\s*(\w+)")
-_ARGUMENTS = re.compile(rb"\s*(<[\w\s:,*&.]*(?:<[\w\s:,*&.]*>[\w\s:,*&.]*)*>)?\s*\(")
 _DECLARATOR = re.compile(rb"\s*(?:const\s*)?[*&]*\s*[A-Za-z_]\w*\s*[;=,(){\[:]")
 _GLOBAL = re.compile(rb"(?<![\w>])\s*::\s*$")
 """A name is looked for outside of all namespaces."""
@@ -50,7 +49,8 @@ _END_EXPECTED = (
     "expected function body after function declarator",
 )
 _NAME_ERRORS = ("use of undeclared identifier", "unknown type name", "no template named", "expected class name", "expected namespace name")
-
+_HARMLESS = ("only virtual member functions can be marked", "switch condition type")
+"""Errors after which clang's tree has all that the source has."""
 _NO_TYPE = ("no type named", "no struct named", "no class named")
 
 CallPlaces = Counter[tuple[str, int]]
@@ -86,13 +86,17 @@ class _Sources:
     def __init__(self) -> None:
         self._data: dict[str, bytes] = {}
 
+    def text(self, file: str) -> bytes:
+        """What a file holds."""
+        if file not in self._data:
+            self._data[file] = b""
+            with suppress(OSError):
+                self._data[file] = read_file(file)
+        return self._data[file]
+
     def place(self, error: _Error) -> _Place:
         """Where an error is."""
-        if error.file not in self._data:
-            self._data[error.file] = b""
-            with suppress(OSError):
-                self._data[error.file] = read_file(error.file)
-        data, offset = self._data[error.file], error.offset
+        data, offset = self.text(error.file), error.offset
         return _Place(data[max(0, offset - 400) : offset], data[offset : offset + 500])
 
 
@@ -155,7 +159,7 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
             except libclang.ParseError:
                 break
             found = _errors(unit)
-            clashes = wanted.ban({name for error in found for match in _CLASH.finditer(error.message) for name in match.groups() if name})
+            clashes = wanted.ban(_clashes(found))
             if not clashes or len(found) < fewest:
                 errors = found  # else most follow from what is now banned
             if len(found) < fewest:
@@ -163,8 +167,17 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
         yield best
 
 
+def _clashes(errors: Iterable[_Error]) -> set[str]:
+    """The names that the workspace, or a header that is there, declares in another way."""
+    found = {name for error in errors for match in _CLASH.finditer(error.message) for name in match.groups() if name}
+    sources = _Sources()
+    aliases = [sources.place(error).chain()[0] for error in errors if error.message.startswith("typedef redefinition")]
+    return found | {path[-1] for path in aliases if path}
+
+
 def _errors(unit: libclang.Unit) -> list[_Error]:
-    return [_Error(message, *libclang.file_location(location)) for severity, message, location in unit.diagnostics if severity >= _ERROR]
+    found = [(text, place) for severity, text, place in unit.diagnostics if severity >= _ERROR and not text.startswith(_HARMLESS)]
+    return [_Error(text, *libclang.file_location(place)) for text, place in found]
 
 
 def _with(arguments: Sequence[str], folder: Path) -> list[str]:
@@ -173,13 +186,17 @@ def _with(arguments: Sequence[str], folder: Path) -> list[str]:
     return [*arguments[:first], "-isystem", str(folder), *arguments[first:], "-include", str(folder / "healed.h")]
 
 
-def _collect(wanted: Wanted, errors: Iterable[_Error], variables: bool) -> None:
+def _collect(wanted: Wanted, errors: Sequence[_Error], variables: bool) -> None:
     """Read off the errors what is missing.
 
     Plain names wait: a class may come in from a namespace by `using`, and most undeclared variables follow from a
     declaration that clang dropped, so `variables` are not wanted before all else is declared.
     """
     sources = _Sources()
+    for file in dict.fromkeys(error.file for error in errors):
+        if file not in wanted.read:
+            wanted.read.add(file)
+            wanted.members_in(sources.text(file))
     plain: list[tuple[str, str, str]] = []
     for error in errors:
         quoted = _QUOTED.findall(error.message)
@@ -275,7 +292,7 @@ def _kind_in_expression(name: str, qualified: bool, before: bytes, after: bytes)
         return "namespace"
     if re.search(rb"\b(?:const|new|typedef|struct|class)\s+$", before) or _DECLARATOR.match(after):
         return "class"
-    if capital and re.search(rb"\busing\s+$", before):
+    if capital and re.search(rb"\busing\s+(?:\w+\s*::\s*)*$", before):
         return "class"
     if (
         capital
@@ -308,24 +325,18 @@ def _collect_member(wanted: Wanted, message: str, quoted: list[str], place: _Pla
         elif len(path) == 1:
             wanted.member(quoted[1], path[0], "type")
     elif re.search(rb"::\s*$", place.before):
-        wanted.member(quoted[1], path[0], "function" if _ARGUMENTS.match(after) else "constant")
+        wanted.member(quoted[1], path[0], "constant" if kind_of_member(after, 0) == "value" else "function")
     else:
-        wanted.member(quoted[1], path[0], _kind_of_member(after))
+        wanted.member(quoted[1], path[0], kind_of_member(after, 0))
         for name, kind in _following(after):
             wanted.member(UNKNOWN, name, kind)
-
-
-def _kind_of_member(after: bytes) -> str:
-    """What a member is by what follows its name: `<...>(`, `(` or neither."""
-    match = _ARGUMENTS.match(after)
-    return "value" if match is None else "template" if match.group(1) else "function"
 
 
 def _following(after: bytes) -> Iterator[tuple[str, str]]:
     """The members that code goes on to, `.stamp.toSec()`, each with its kind."""
     position = 0
     while (match := _FOLLOWING.match(after, position)) is not None:
-        yield match.group(1).decode(), _kind_of_member(after[match.end(1) :])
+        yield match.group(1).decode(), kind_of_member(after, match.end(1))
         position = match.end(1)
 
 
@@ -342,6 +353,8 @@ def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: 
         wanted.correct(quoted[0], "function")
         if quoted[0] in wanted.members:
             wanted.member(UNKNOWN, quoted[0], "template")
+    elif message.startswith("unexpected namespace name"):
+        wanted.correct(quoted[0], "class")
     elif message == "template argument for template type parameter must be a type" and path:
         wanted.correct_to_type(path[-1])
     elif message.endswith("does not refer to a value"):

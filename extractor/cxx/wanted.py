@@ -16,6 +16,7 @@ from rosarch.extractor.cxx.includes import SHIPPED
 UNKNOWN = "rosarch_healed::unknown"
 
 _RANK = {"value": 1, "constant": 2, "function": 3, "class": 4, "template": 5, "base": 6, "namespace": 7}
+_TYPES = ("class", "template", "base")
 _MEMBER_KINDS = (
     "function",
     "constant",
@@ -28,14 +29,28 @@ _KEYWORDS = frozenset(
     {"void", "int", "unsigned", "signed", "long", "short", "char", "bool", "float", "double", "auto", "const", "static"}
     | {"class", "struct", "union", "enum", "template", "typename", "operator"}
 )
+_RESERVED = frozenset(
+    {"alignof", "and", "asm", "auto", "bool", "break", "case", "catch", "char", "class", "const", "constexpr", "continue", "decltype"}
+    | {"default", "delete", "do", "double", "else", "enum", "explicit", "extern", "false", "float", "for", "friend", "goto", "if"}
+    | {"inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "nullptr", "operator", "or", "private", "protected"}
+    | {"public", "register", "return", "short", "signed", "sizeof", "static", "struct", "switch", "template", "this", "throw", "true"}
+    | {"try", "typedef", "typeid", "typename", "union", "unsigned", "using", "virtual", "void", "volatile", "while", "begin", "end"}
+)
+"""No members: words of the language, and what a value of unknown type has already."""
+_MEMBER = re.compile(rb"(?:\.|->)(?:template\s+)?([A-Za-z_]\w*)")
+_ARGUMENTS = re.compile(rb"\s*(<[\w\s:,*&.]*(?:<[\w\s:,*&.]*>[\w\s:,*&.]*)*>)?\s*\(")
 
 
 @dataclass
 class Node:
-    """A name with the names inside it; `kind` is a key of the ranks above: a later, higher one replaces a lower one."""
+    """A name with the names inside it; `kind` is a key of the ranks above: a later, higher one replaces a lower one.
+
+    `certain` tells that clang knows it as a namespace; by `::` behind a name alone it may be a class.
+    """
 
     kind: str
     parameters: str = "typename..."
+    certain: bool = False
     inner: dict[str, Node] = field(default_factory=dict)
 
     def render(self, name: str, member: bool) -> Iterator[str]:
@@ -63,9 +78,20 @@ class Node:
             yield f"virtual ~{name}();"
         elif self.kind == "class":
             yield f"template <typename A> {name}& operator=(A&&);"
+            yield f"{name}* operator&(); const {name}* operator&() const;"
             yield f"typedef boost::shared_ptr<{name}> Ptr; typedef boost::shared_ptr<const {name}> ConstPtr;"
         yield from _render_all({key: node for key, node in self.inner.items() if key not in (name, "Ptr", "ConstPtr")}, True)
         yield "};"
+
+
+def _member_rank(kind: str) -> int:
+    return _MEMBER_KINDS.index(kind) if kind else -1
+
+
+def kind_of_member(text: bytes, offset: int) -> str:
+    """What a member is by what follows its name: `<...>(`, `(` or neither."""
+    match = _ARGUMENTS.match(text, offset)
+    return "value" if match is None else "template" if match.group(1) else "function"
 
 
 def _render_all(nodes: dict[str, Node], member: bool) -> Iterator[str]:
@@ -83,7 +109,7 @@ class Wanted:
     """All that is to be declared; `changed` tells of additions.
 
     `messages` holds, by header and struct, the members of messages of which only the name is known, each with its kind (`type` for one of
-    a field's type); `bases` the absent base classes of a class of the workspace.
+    a field's type); `bases` the absent base classes of a class of the workspace; `read` the files whose members are wanted.
     """
 
     scratch: Path
@@ -93,6 +119,7 @@ class Wanted:
     messages: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
     bases: dict[str, set[str]] = field(default_factory=dict)
     banned: set[str] = field(default_factory=set)
+    read: set[str] = field(default_factory=set)
     changed: bool = False
 
     def name(self, path: Sequence[str], kind: str, parameters: str = "") -> None:
@@ -111,16 +138,29 @@ class Wanted:
         """Take `path` for namespaces, however they are spelled."""
         scope = self.top
         for part in path:
-            scope = self._put(scope, part, "namespace").inner if part not in self.banned else {}
+            if part in self.banned:
+                return
+            node = self._put(scope, part, "namespace")
+            node.certain, scope = True, node.inner
 
     def _put(self, scope: dict[str, Node], name: str, kind: str) -> Node:
         node = scope.get(name)
         if node is None:
             node = scope[name] = Node(kind)
             self.changed = True
-        elif _RANK[kind] > _RANK[node.kind] and not (kind == "namespace" and node.kind in ("class", "template", "base")):
+        elif node.kind == "namespace":
+            if kind in _TYPES and not node.certain:
+                node.kind, self.changed = kind, True
+        elif _RANK[kind] > _RANK[node.kind] and not (kind == "namespace" and node.kind in _TYPES):
             node.kind, self.changed = kind, True
         return node
+
+    def members_in(self, data: bytes) -> None:
+        """Want of values of unknown type what any object in a text is asked for: which objects these are, clang tells one by one."""
+        for match in _MEMBER.finditer(data):
+            name, kind = match.group(1).decode(), kind_of_member(data, match.end())
+            if name not in _RESERVED and _member_rank(kind) > _member_rank(self.members.get(name, "")):
+                self.members[name] = kind
 
     def macro(self, name: str, body: str) -> None:
         """Want a macro."""
@@ -131,7 +171,10 @@ class Wanted:
         """Take what was declared as class or value for something else: clang does not accept it where it is used."""
         for scope in self._scopes():
             node = scope.get(name)
-            if node is not None and node.kind in ("class", "value") and not node.inner and node.kind != kind:
+            if node is None or node.kind == kind:
+                continue
+            guessed = node.kind in ("class", "value") and not node.inner
+            if guessed or (node.kind == "namespace" and kind == "class" and not node.certain):
                 node.kind, self.changed = kind, True
 
     def correct_to_type(self, name: str) -> None:
@@ -167,8 +210,7 @@ class Wanted:
         path = owner.split("::")
         struct = assumed_struct(path)
         if owner == UNKNOWN and kind != "type":
-            rank = _MEMBER_KINDS.index(kind)
-            if name not in _KEYWORDS and (name not in self.members or rank > _MEMBER_KINDS.index(self.members[name])):
+            if name not in _RESERVED and _member_rank(kind) > _member_rank(self.members.get(name, "")):
                 self.members[name], self.changed = kind, True
         elif struct is not None and self.find(path) is None and os.path.isfile(self._message(struct[0])):
             fields = self.messages.setdefault(struct, {})

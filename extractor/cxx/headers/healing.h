@@ -6,6 +6,16 @@
 #endif
 namespace rosarch_healed {
 
+struct unknown;
+
+/// The address of a value of unknown type: that of whatever is asked for.
+struct address {
+  template <typename T> operator T*() const;
+  unknown* operator->() const;
+  unknown& operator*() const;
+  explicit operator bool() const;
+};
+
 /// A value of unknown type. Only `operator T&`: a second conversion, to `T`, would make most uses ambiguous.
 struct unknown {
   unknown();
@@ -18,6 +28,7 @@ struct unknown {
   template <typename A> unknown& operator[](A&&) const;
   unknown* operator->() const;
   unknown& operator*() const;
+  address operator&() const;
   unknown& operator=(const unknown&);
   template <typename A> unknown& operator=(A&&);
   unknown& operator++();

@@ -6,6 +6,7 @@
 extern "C++" {
 namespace rosarch_math {
 template <class T> struct real {};
+template <> struct real<rosarch_healed::unknown> { typedef double type; };
 template <> struct real<float> { typedef float type; };
 template <> struct real<double> { typedef double type; };
 template <> struct real<long double> { typedef long double type; };
@@ -13,7 +14,7 @@ template <> struct real<long double> { typedef long double type; };
 ROSARCH_INT(bool) ROSARCH_INT(char) ROSARCH_INT(signed char) ROSARCH_INT(unsigned char) ROSARCH_INT(short) ROSARCH_INT(unsigned short)
 ROSARCH_INT(int) ROSARCH_INT(unsigned) ROSARCH_INT(long) ROSARCH_INT(unsigned long) ROSARCH_INT(long long) ROSARCH_INT(unsigned long long)
 #undef ROSARCH_INT
-template <class A, class B> struct wider { typedef decltype(typename real<A>::type() + typename real<B>::type()) type; };
+template <class A, class B> using wider = decltype(typename real<A>::type() + typename real<B>::type());
 }
 }
 #define ROSARCH_MATH_1(name) \
@@ -23,7 +24,7 @@ template <class A, class B> struct wider { typedef decltype(typename real<A>::ty
 #define ROSARCH_MATH_2(name) \
   extern "C" double name(double, double); \
   extern "C" float name##f(float, float); \
-  extern "C++" { template <class A, class B> typename rosarch_math::wider<A, B>::type name(A, B); }
+  extern "C++" { template <class A, class B> rosarch_math::wider<A, B> name(A, B); }
 #else
 #define ROSARCH_MATH_1(name) double name(double); float name##f(float);
 #define ROSARCH_MATH_2(name) double name(double, double); float name##f(float, float);

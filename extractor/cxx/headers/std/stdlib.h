@@ -64,12 +64,14 @@ int abs(int);
 }
 #endif
 #ifdef __cplusplus
+namespace rosarch_healed { struct unknown; }
 extern "C++" {
 long abs(long);
 long long abs(long long);
 float abs(float);
 double abs(double);
 long double abs(long double);
+double abs(const rosarch_healed::unknown&);
 }
 #endif
 #define EXIT_SUCCESS 0

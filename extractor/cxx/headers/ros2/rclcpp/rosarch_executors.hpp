@@ -6,7 +6,7 @@ enum class FutureReturnCode { SUCCESS, INTERRUPTED, TIMEOUT };
 enum class SignalHandlerOptions { All, SigInt, SigTerm, None };
 std::ostream& operator<<(std::ostream&, FutureReturnCode);
 class InitOptions { public: InitOptions(); InitOptions& auto_initialize_logging(bool); bool shutdown_on_signal; void set_domain_id(size_t); };
-struct ExecutorOptions { ExecutorOptions(); Context::SharedPtr context; size_t max_conditions; };
+struct ExecutorOptions { ExecutorOptions(); Context::SharedPtr context; size_t max_conditions; std::shared_ptr<rosarch::any> memory_strategy; };
 class Executor {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Executor)

@@ -127,11 +127,11 @@ template <class T, class D> struct rosarch_result { typedef T type; }; template 
   std::vector<rcl_interfaces::msg::SetParametersResult> set_parameters(const std::vector<rclcpp::Parameter>& parameters); \
   rcl_interfaces::msg::SetParametersResult set_parameters_atomically(const std::vector<rclcpp::Parameter>& parameters); \
   template <class N> rclcpp::Parameter get_parameter(const N& name) const; \
-  template <class N, class V> bool get_parameter(const N& name, V& parameter) const; \
-  template <class N, class V, class D> bool get_parameter_or(const N& name, V& parameter, const D& alternative_value) const; \
-  template <class N, class D> D get_parameter_or(const N& name, const D& alternative_value) const; \
+  template <class V, class N> bool get_parameter(const N& name, V& parameter) const; \
+  template <class V, class N, class D> bool get_parameter_or(const N& name, V& parameter, const D& alternative_value) const; \
+  template <class D, class N> D get_parameter_or(const N& name, const D& alternative_value) const; \
   std::vector<rclcpp::Parameter> get_parameters(const std::vector<std::string>& names) const; \
-  template <class V> bool get_parameters(const std::string& prefix, std::map<std::string, V>& values) const; \
+  template <class V, class N> bool get_parameters(const N& prefix, std::map<std::string, V>& values) const; \
   template <class N> rcl_interfaces::msg::ParameterDescriptor describe_parameter(const N& name) const; \
   std::vector<rcl_interfaces::msg::ParameterDescriptor> describe_parameters(const std::vector<std::string>& names) const; \
   std::vector<uint8_t> get_parameter_types(const std::vector<std::string>& names) const; \
@@ -247,12 +247,12 @@ template <class... A> std::string expand_topic_or_service_name(const A&...);
 std::string extend_name_with_sub_namespace(const std::string& name, const std::string& sub_namespace);
 class SyncParametersClient; class AsyncParametersClient;
 #define ROSARCH_PARAMETERS_CLIENT(Name, Result) class Name { public: RCLCPP_SMART_PTR_DEFINITIONS(Name) template <class... A> Name(const A&...); \
-  template <class... A> Result<std::vector<Parameter>> get_parameters(const A&...); template <class... A> Result<std::vector<ParameterType>> get_parameter_types(const A&...); \
+  template <class... A> Result<std::vector<Parameter>> get_parameters(const std::vector<std::string>&, const A&...); template <class... A> Result<std::vector<ParameterType>> get_parameter_types(const std::vector<std::string>&, const A&...); \
   template <class T> T get_parameter(const std::string& name); template <class T> T get_parameter(const std::string& name, const T& default_value); bool has_parameter(const std::string&); \
   template <class... A> Result<std::vector<rcl_interfaces::msg::SetParametersResult>> set_parameters(const std::vector<Parameter>&, const A&...); \
   template <class... A> Result<rcl_interfaces::msg::SetParametersResult> set_parameters_atomically(const std::vector<Parameter>&, const A&...); \
-  template <class... A> Result<rcl_interfaces::msg::ListParametersResult> list_parameters(const A&...); template <class... A> Result<rosarch::any> describe_parameters(const A&...); \
-  template <class... A> Result<rosarch::any> load_parameters(const A&...); template <class... A> Result<rosarch::any> delete_parameters(const A&...); \
+  template <class... A> Result<rcl_interfaces::msg::ListParametersResult> list_parameters(const std::vector<std::string>&, const A&...); template <class... A> Result<rosarch::any> describe_parameters(const std::vector<std::string>&, const A&...); \
+  template <class... A> Result<rosarch::any> load_parameters(const A&...); template <class... A> Result<rosarch::any> delete_parameters(const std::vector<std::string>&, const A&...); \
   template <class F, class... A> std::shared_ptr<Subscription<rcl_interfaces::msg::ParameterEvent>> on_parameter_event(const F& callback, const A&...); \
   bool service_is_ready() const; template <class T = std::chrono::nanoseconds> bool wait_for_service(T timeout = T(-1)); };
 template <class T> using rosarch_at_once = T;

@@ -54,7 +54,6 @@ struct InvalidParameterTypeException : public std::runtime_error { InvalidParame
 struct InvalidNodeNameError : public std::runtime_error { using std::runtime_error::runtime_error; };
 struct InvalidTopicNameError : public std::runtime_error { using std::runtime_error::runtime_error; };
 struct InvalidServiceNameError : public std::runtime_error { using std::runtime_error::runtime_error; };
-struct UnsupportedEventTypeException : public std::runtime_error { using std::runtime_error::runtime_error; };
 struct RCLError : public std::runtime_error { using std::runtime_error::runtime_error; };
 struct UnknownTypeError : public std::runtime_error { using std::runtime_error::runtime_error; };
 struct UnknownROSArgsError : public std::runtime_error { using std::runtime_error::runtime_error; };

@@ -36,9 +36,11 @@ class ClockQoS : public QoS { public: explicit ClockQoS(const QoSInitialization&
 class RosoutQoS : public QoS { public: explicit RosoutQoS(const QoSInitialization& = KeepLast(5)); };
 class SystemDefaultsQoS : public QoS { public: explicit SystemDefaultsQoS(const QoSInitialization& = KeepLast(5)); };
 class BestAvailableQoS : public QoS { public: explicit BestAvailableQoS(const QoSInitialization& = KeepLast(5)); };
+struct UnsupportedEventTypeException : public std::runtime_error { using std::runtime_error::runtime_error; };
 struct QosCallbackResult { bool successful; std::string reason; };
 enum class QosPolicyKind { AvoidRosNamespaceConventions, Deadline, Depth, Durability, History, Lifespan, Liveliness, LivelinessLeaseDuration, Reliability, Invalid };
-struct QosOverridingOptions { template <class... A> QosOverridingOptions(const A&...); template <class... A> static QosOverridingOptions with_default_policies(const A&...); };
+struct QosOverridingOptions { QosOverridingOptions();
+  QosOverridingOptions(std::initializer_list<QosPolicyKind>, std::function<QosCallbackResult(const QoS&)> = nullptr, std::string id = {}); template <class... A> static QosOverridingOptions with_default_policies(const A&...); };
 template <class... A> QoSCompatibility qos_check_compatible(const A&...);
 typedef rmw_matched_status_t MatchedInfo;
 struct QOSDeadlineRequestedInfo { int total_count, total_count_change; }; struct QOSDeadlineOfferedInfo { int total_count, total_count_change; };

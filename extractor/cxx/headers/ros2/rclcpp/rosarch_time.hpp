@@ -49,6 +49,7 @@ public:
   Time(int32_t seconds, uint32_t nanoseconds, rcl_clock_type_t = RCL_SYSTEM_TIME);
   explicit Time(int64_t nanoseconds = 0, rcl_clock_type_t = RCL_SYSTEM_TIME);
   Time(const Time&);
+  ROSARCH_OF_UNKNOWN(Time)
   Time(const builtin_interfaces::msg::Time& time, rcl_clock_type_t = RCL_ROS_TIME);
   operator builtin_interfaces::msg::Time() const;
   Time& operator=(const Time&); Time& operator=(const builtin_interfaces::msg::Time&);
@@ -64,6 +65,7 @@ public:
   template <class Rep, class Period> Duration(const std::chrono::duration<Rep, Period>& duration);
   Duration(const builtin_interfaces::msg::Duration&);
   Duration(const Duration&);
+  ROSARCH_OF_UNKNOWN(Duration)
   operator builtin_interfaces::msg::Duration() const;
   Duration& operator=(const Duration&); Duration& operator=(const builtin_interfaces::msg::Duration&);
   bool operator==(const Duration&) const; bool operator!=(const Duration&) const; bool operator<(const Duration&) const; bool operator<=(const Duration&) const;

@@ -10,6 +10,7 @@
   Self(const Self&); \
   Self(Self&&) noexcept; \
   Self(initializer_list<Value>); \
+  ROSARCH_OF_UNKNOWN(Self) \
   template <class I, class = rosarch_if_iterator<I>> Self(I, I); \
   template <class First, class... X> explicit Self(const First&, const X&...); \
   ~Self(); \
@@ -29,6 +30,7 @@
   iterator erase(iterator); \
   iterator erase(const_iterator, const_iterator); \
   size_t erase(const Key&); \
+  template <class U> rosarch_if_unknown<U, size_t> erase(const U&); \
   size_t count(const Key&) const; \
   iterator find(const Key&); \
   const_iterator find(const Key&) const; \
@@ -54,6 +56,7 @@
   typedef T mapped_type; \
   T& operator[](const Key&); \
   T& operator[](Key&&); \
+  template <class U> rosarch_if_unknown<U, T&> operator[](const U&); \
   T& at(const Key&); \
   const T& at(const Key&) const; \
   template <class... X> pair<iterator, bool> try_emplace(const Key&, X&&...); \

@@ -39,7 +39,7 @@ public:
   typedef T& reference;
   rosarch_iterator();
   rosarch_iterator(const rosarch_iterator&) = default;
-  rosarch_iterator(const rosarch_iterator<typename remove_const<T>::type, Container>&, int = 0);
+  template <class U, class = typename enable_if<__is_same(const U, T)>::type> rosarch_iterator(const rosarch_iterator<U, Container>&);
   rosarch_iterator& operator=(const rosarch_iterator&);
   T& operator*() const;
   T* operator->() const;

@@ -18,6 +18,7 @@ public:
   ~unique_ptr();
   unique_ptr& operator=(unique_ptr&&) noexcept;
   unique_ptr& operator=(nullptr_t) noexcept;
+  template <class U> rosarch_if_unknown<U, unique_ptr&> operator=(const U&);
   template <class U, class E> unique_ptr& operator=(unique_ptr<U, E>&&) noexcept;
   T& operator*() const; T* operator->() const noexcept; T* get() const noexcept; T* release() noexcept;
   template <class U = T*> void reset(U = nullptr) noexcept;
@@ -36,6 +37,7 @@ public:
   unique_ptr(const unique_ptr&) noexcept;  // none in truth: for values of unknown type, which are given by reference
   unique_ptr& operator=(unique_ptr&&) noexcept;
   unique_ptr& operator=(nullptr_t) noexcept;
+  template <class U> rosarch_if_unknown<U, unique_ptr&> operator=(const U&);
   T& operator[](size_t) const; T* get() const noexcept; T* release() noexcept;
   template <class U = T*> void reset(U = nullptr) noexcept;
   explicit operator bool() const noexcept;
@@ -49,6 +51,7 @@ public:
   typedef typename rosarch_element<T>::type element_type;
   typedef weak_ptr<T> weak_type;
   shared_ptr(nullptr_t = nullptr) noexcept;
+  ROSARCH_OF_UNKNOWN(shared_ptr)
   template <class U, class = typename enable_if<is_convertible<U*, element_type*>::value>::type> explicit shared_ptr(U*);
   template <class U, class D, class... A> shared_ptr(U, D, A...);
   shared_ptr(const shared_ptr&) noexcept;
@@ -77,6 +80,7 @@ template <class T> class weak_ptr {
 public:
   typedef T element_type;
   weak_ptr() noexcept;
+  ROSARCH_OF_UNKNOWN(weak_ptr)
   weak_ptr(const weak_ptr&) noexcept;
   template <class U> weak_ptr(const weak_ptr<U>&) noexcept;
   template <class U> weak_ptr(const shared_ptr<U>&) noexcept;

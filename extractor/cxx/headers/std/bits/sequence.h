@@ -47,6 +47,7 @@ template <class I> using rosarch_if_iterator = typename iterator_traits<I>::iter
   Self(const Self&); \
   Self(Self&&) noexcept; \
   Self(initializer_list<T>, const A& = A()); \
+  ROSARCH_OF_UNKNOWN(Self) \
   ~Self(); \
   Self& operator=(const Self&); \
   Self& operator=(Self&&) noexcept; \

@@ -47,11 +47,15 @@ template <class A, class B> bool operator<=(const pair<A, B>&, const pair<A, B>&
 template <class A, class B> bool operator>=(const pair<A, B>&, const pair<A, B>&);
 template <class T> struct tuple_size;
 template <size_t i, class T> struct tuple_element;
+template <class T> struct tuple_size<const T> : tuple_size<T> {};
+template <size_t i, class T> struct tuple_element<i, const T> { typedef const typename tuple_element<i, T>::type type; };
 template <class A, class B> struct tuple_size<pair<A, B>> : integral_constant<size_t, 2> {};
 template <class A, class B> struct tuple_element<0, pair<A, B>> { typedef A type; };
 template <class A, class B> struct tuple_element<1, pair<A, B>> { typedef B type; };
 template <size_t i, class T> using tuple_element_t = typename tuple_element<i, T>::type;
 template <size_t i, class A, class B> typename tuple_element<i, pair<A, B>>::type& get(pair<A, B>&) noexcept;
 template <size_t i, class A, class B> const typename tuple_element<i, pair<A, B>>::type& get(const pair<A, B>&) noexcept;
+template <size_t i, class A, class B> typename tuple_element<i, pair<A, B>>::type&& get(pair<A, B>&&) noexcept;
+template <size_t i, class U> rosarch_if_unknown<U, rosarch_healed::unknown&> get(const U&);
 template <class T> struct hash { size_t operator()(const T&) const; };
 }
