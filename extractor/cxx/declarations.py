@@ -268,15 +268,20 @@ def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
     unit.add("class", identifier, kind)
     body = libclang.definition(pattern)
     for specifier in libclang.bases(body if body.d0 and unit.sees(body) else pattern) if pattern.kind in kinds.CLASSES else ():
-        base = libclang.cursor_type(specifier)
-        if libclang.template_argument_count(base) > 0:
-            unit.add("class_base_instance", identifier, declare_type(unit, base))
-        declaration = libclang.type_declaration(base)
+        declare_base_instance(unit, identifier, specifier)
+        declaration = libclang.type_declaration(libclang.cursor_type(specifier))
         if declaration.kind in kinds.CLASSES:
             unit.add("class_base", identifier, declare_class(unit, declaration))
         else:
             unit.add("class_base", identifier, _template_base(unit, specifier))
     return identifier
+
+
+def declare_base_instance(unit: UnitFacts, identifier: str, specifier: Cursor) -> None:
+    """Record a base that is an instance of a class template."""
+    base = libclang.cursor_type(specifier)
+    if libclang.template_argument_count(base) > 0:
+        unit.add("class_base_instance", identifier, declare_type(unit, base))
 
 
 def _template_base(unit: UnitFacts, specifier: Cursor) -> str:

@@ -6,6 +6,7 @@ from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body
 from rosarch.extractor.cxx.calls import is_argument_list, lower_base_construction
 from rosarch.extractor.cxx.declarations import (
+    declare_base_instance,
     declare_class,
     declare_function,
     declare_parameter,
@@ -67,6 +68,9 @@ def walk_class(unit: UnitFacts, cursor: Cursor) -> None:
     file, line, column = unit.place(cursor)
     if file.key:
         unit.add("location", owner, file.key, line, column)
+    if libclang.template_of(cursor).d0:
+        for specifier in libclang.bases(cursor):
+            declare_base_instance(unit, owner, specifier)
     for child in libclang.children(cursor):
         if child.kind == kinds.FIELD or child.kind == kinds.VARIABLE:
             declare_variable(unit, child)

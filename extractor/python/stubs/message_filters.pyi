@@ -1,4 +1,4 @@
-"""message_filters (http://docs.ros.org/en/noetic/api/message_filters/html/python/); of ROS 2, the node comes first."""
+"""message_filters (http://docs.ros.org/en/noetic/api/message_filters/html/python/); of ROS 1, the topic comes first, and no node."""
 
 from typing import Any, Callable
 
@@ -7,7 +7,7 @@ class SimpleFilter:
     def signalMessage(self, *msg: Any) -> None: ...
 
 class Subscriber(SimpleFilter):
-    def __init__(self, *args: Any, **kwargs: Any) -> None: ...
+    def __init__(self, node: Any, msg_type: type, topic: str = ..., qos_profile: Any = ..., **kwargs: Any) -> None: ...
     def getTopic(self) -> str: ...
 
 class Cache(SimpleFilter):

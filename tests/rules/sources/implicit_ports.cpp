@@ -11,7 +11,8 @@
 // expect: service_server set_parameters implicit
 // expect: service_server tuned/set_parameters implicit
 // expect: service_server ~load_nodelet nodelet/NodeletLoad implicit
-// expect: 1 = count : { message_arrives(_, _) }
+// expect: 3 = count : { message_arrives(_, _) }
+// expect: N = count : { port_callback(_, _) }, N = 4
 #include <actionlib/client/simple_action_client.h>
 #include <actionlib/server/simple_action_server.h>
 #include <diagnostic_updater/diagnostic_updater.h>
