@@ -159,7 +159,7 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
             except libclang.ParseError:
                 break
             found = _errors(unit)
-            clashes = wanted.ban(_clashes(found))
+            clashes = wanted.ban(_clashes(found, scratch))
             if not clashes or len(found) < fewest:
                 errors = found  # else most follow from what is now banned
             if len(found) < fewest:
@@ -167,12 +167,19 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
         yield best
 
 
-def _clashes(errors: Iterable[_Error]) -> set[str]:
-    """The names that the workspace, or a header that is there, declares in another way."""
+def _clashes(errors: Iterable[_Error], scratch: Path) -> set[str]:
+    """The names that the workspace, or a header that is there, declares in another way.
+
+    An alias of a message that is made below `scratch` clashes in one place; without the name, all would be lost that uses it before.
+    """
     found = {name for error in errors for match in _CLASH.finditer(error.message) for name in match.groups() if name}
     sources = _Sources()
-    aliases = [sources.place(error).chain()[0] for error in errors if error.message.startswith("typedef redefinition")]
+    aliases = [sources.place(error).chain()[0] for error in errors if _redefines(error, scratch)]
     return found | {path[-1] for path in aliases if path}
+
+
+def _redefines(error: _Error, scratch: Path) -> bool:
+    return error.message.startswith("typedef redefinition") and not Path(error.file).is_relative_to(scratch)
 
 
 def _errors(unit: libclang.Unit) -> list[_Error]:

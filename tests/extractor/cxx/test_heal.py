@@ -183,6 +183,13 @@ def test_what_the_source_declares_itself_is_not_declared_again(extract) -> None:
     assert ("later", "struct") in facts["class"]
 
 
+def test_a_message_that_is_included_behind_its_use_has_a_type(extract) -> None:
+    use = "void f(const geometry_msgs::Wrench& w) { Out out; out.send(w.force.x); spin(a, b, c, d, e); }\n"
+    facts = extract(f"{OUT}namespace geometry_msgs {{}}\n{use}#include <geometry_msgs/Wrench.h>\n")
+    types = dict(facts["variable_type"])
+    assert [types[variable] for variable, name in facts["variable_name"] if name == "w"] == ["const geometry_msgs::Wrench &"]
+
+
 @pytest.mark.parametrize("header", ["", "#include <trouble.h>\n"])
 def test_a_source_without_errors_of_its_own_is_parsed_once(extract, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, header: str) -> None:
     outside = tmp_path / "elsewhere"
