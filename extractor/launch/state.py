@@ -31,6 +31,7 @@ MAX_ELEMENTS = 500_000  # processed in one composition, included files counted e
 MAX_PARAMS = 500_000
 MAX_CHARACTERS = 64 * 1024 * 1024  # of all texts resolved and read
 YAML_COST = 16  # reading YAML takes as long as resolving so many times its text
+PART_COST = 64  # so does looking at a part of a list, which others may hold, and itself
 
 
 class Exhausted(Exception):

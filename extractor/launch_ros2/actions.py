@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.model import ArgumentDeclared, LaunchError, Remap
 from rosarch.extractor.launch.names import canonical
 from rosarch.extractor.launch.scope import Scope
+from rosarch.extractor.launch.state import PART_COST
 
 from .conditions import condition_held, holds
 from .context import Context, Given
@@ -47,6 +48,7 @@ def visit(world: World, entity: Any, context: Context) -> None:
     if entity is None or entity is NOTHING:
         return
     if isinstance(entity, (list, tuple)):
+        world.state.spend(PART_COST * len(entity))
         for item in entity:
             visit(world, item, context)
     elif isinstance(entity, Either):

@@ -18,6 +18,8 @@ from rosarch.extractor.launch.unknowns import cleaned, is_known
 from .values import NOTHING, Either, Frame, Function, Instance, Made, PathText, Unknown
 
 MAX_STEPS = 5_000_000
+MAX_PARTS = 100_000
+"""Of a value that is looked at as a whole: what lists share counts each time, as in the text that would be made of it."""
 _SIZE_COST = 64
 _MAKING = (ast.BinOp, ast.JoinedStr, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)  # what may make something large
 _TEXTS = (str, Unknown, Either)
@@ -338,10 +340,13 @@ def _equal(first: Any, second: Any) -> bool:
 
 
 def is_certain(value: Any) -> bool:
-    """Whether a value has nothing unknown in it."""
-    stack = [value]
+    """Whether a value has nothing unknown in it, and is not too large to look: lists may hold each other, and themselves."""
+    stack, parts = [value], 0
     while stack:
         item = stack.pop()
+        parts += 1
+        if parts > MAX_PARTS:
+            return False
         if isinstance(item, (Unknown, Either)) or item is NOTHING or (isinstance(item, str) and not is_known(item)):
             return False
         if isinstance(item, (list, tuple, set)):

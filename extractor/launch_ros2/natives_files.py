@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import yaml
 
 from rosarch.extractor.launch.model import LaunchError
+from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch.yaml_values import Loader, YamlError
 
@@ -193,6 +194,8 @@ def certain(run: Calls, value: Any) -> Any:
     """A value with texts for what is unknown in it; NOTHING when it cannot be written as a text."""
     if isinstance(value, (Unknown, Either, PathText)):
         return run.world.as_text(value)
+    if isinstance(value, (dict, list, tuple)):
+        run.world.state.spend(PART_COST * len(value))
     if isinstance(value, dict):
         return {certain(run, key): certain(run, item) for key, item in value.items() if item is not NOTHING}
     if isinstance(value, (list, tuple)):

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
-from rosarch.extractor.launch.state import YAML_COST
+from rosarch.extractor.launch.state import PART_COST, YAML_COST
 from rosarch.extractor.launch.yaml_values import KeyLines, Loader, RepeatedKeysLoader, YamlError, load_yaml
 from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
 
@@ -106,6 +106,8 @@ def evaluated(world: World, value: Any, context: Context) -> Any:
     """A value of a parameter: what substitutions come to is read as YAML, unless its type is said."""
     if isinstance(value, Made) and value.kind == "ParameterValue":
         return _typed(world, value, context)
+    if isinstance(value, (list, tuple)):
+        world.state.spend(PART_COST * len(value))
     if isinstance(value, (Made, Instance)) or (
         isinstance(value, (list, tuple)) and any(isinstance(item, (Made, Instance)) for item in value)
     ):

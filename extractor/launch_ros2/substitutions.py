@@ -11,6 +11,7 @@ from rosarch.extractor.launch.commands import words_of
 from rosarch.extractor.launch.descriptions import evaluated
 from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, no_name
 from rosarch.extractor.launch.model import ArgumentUsed, LaunchError
+from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.values import boolean
 from rosarch.extractor.urdf.command import xacro_call
 
@@ -39,6 +40,7 @@ def performs(*kinds: str) -> Callable[[_Performer], _Performer]:
 def perform(world: World, value: Any, context: Context) -> str:
     """The text that a value comes to where launch takes substitutions: a text, a substitution, or a list of them."""
     if isinstance(value, (list, tuple)):
+        world.state.spend(PART_COST * len(value))
         text = "".join([perform(world, item, context) for item in value])
     elif isinstance(value, Made):
         performer = _PERFORMERS.get(value.kind)

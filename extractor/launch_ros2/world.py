@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rosarch.extractor.launch.eval_functions import TooLarge, size_of
 from rosarch.extractor.launch.model import LaunchError, Place, Reference
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.yaml_values import KeyLines
@@ -55,6 +56,10 @@ class World:
             return self.state.unknowns.mark(f"$({value.condition.text} ? {shown[0]} : {shown[1]})", value.condition.key)
         if isinstance(value, Unknown):
             return self.state.unknowns.mark(f"$({value.text})", value.place.path)
+        try:
+            self.state.spend(size_of(value))
+        except TooLarge as error:
+            return self.state.unknowns.mark(f"$({error})")
         return str(value)
 
     def share(self, package: str) -> str:

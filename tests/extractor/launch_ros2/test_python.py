@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
@@ -183,3 +185,31 @@ two = generate_controllers_spawner_launch_description(['a', 'b'], extra_spawner_
         ("controller_manager", "spawner", "a b --controller-manager controller_manager --inactive"),
     ]
     assert problems(found, tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("use", "said"),
+    [
+        ("str(x)", None),
+        ("f'{x}' + '%s' % x + '{}'.format(x)", None),
+        ("x == [x]", None),
+        ("5 in x", None),
+        ("sorted([x, x])", None),
+        ("str(c) + f'{c}'", None),
+        ("c == [c]", None),
+        ("LaunchDescription(c)", None),
+        ("yaml.dump(x)", "main.launch.py:23:9: more than 64 Mi characters of text, the rest is left out"),
+        ("d.append(LaunchDescription(x))", "main.launch.py:23:18: more than 64 Mi characters of text, the rest is left out"),
+        ("d.append(c)", "main.launch.py:16:12: nested too deeply, the rest is left out"),
+        ("d.append(Node(package='here', executable='run', parameters=[{'p': x}]))", "main.launch.py:23:18: more than 64 Mi characters of text, the rest is left out"),
+    ],
+)  # fmt: skip
+def test_lists_that_hold_each_other_and_themselves(
+    tmp_path: Path, use: str, said: str | None, at_most: Callable[[float], AbstractContextManager[None]]
+) -> None:
+    """Unfolded, they would have 2 ** 60 parts, or never end."""
+    before = f"x, c, d = [1], [], []\nc.append(c)\nfor _ in range(60):\n    x = [x, x]\ny = {use}"
+    with at_most(4):
+        composition = described(tmp_path, "node('a'), *d", before)
+    assert names(composition) == ([] if said and "23:9" in said else ["/a"])
+    assert [text.rpartition("/")[2] for text in problems(composition, tmp_path)] == ([said] if said else [])
