@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+_SEAL = hashlib.sha256().digest_size
 CACHE_VARIABLE = "ROSARCH_CACHE_DIR"
 
 
@@ -78,9 +79,11 @@ def known(paths: Sequence[Path], extra: str) -> bool:
 def load(paths: Sequence[Path], extra: str) -> Any | None:
     """The value stored for a program, or None when there is none or a file of it has changed."""
     try:
-        with _entry(paths, extra).open("rb") as stream:
-            digests, value = pickle.load(stream)
-            return value if unchanged(digests) else None
+        content = _entry(paths, extra).read_bytes()
+        if hashlib.sha256(content[_SEAL:]).digest() != content[:_SEAL]:  # what is damaged may still be a program, and another one
+            return None
+        digests, value = pickle.loads(content[_SEAL:])
+        return value if unchanged(digests) else None
     except Exception:
         return None
 
@@ -93,7 +96,8 @@ def store(paths: Sequence[Path], extra: str, digests: dict[str, str], value: Any
         handle, temporary = tempfile.mkstemp(dir=entry.parent, suffix=".tmp")
         try:
             with os.fdopen(handle, "wb") as stream:
-                pickle.dump((digests, value), stream, protocol=pickle.HIGHEST_PROTOCOL)
+                content = pickle.dumps((digests, value), protocol=pickle.HIGHEST_PROTOCOL)
+                stream.write(hashlib.sha256(content).digest() + content)
             os.replace(temporary, entry)
         except BaseException:
             Path(temporary).unlink(missing_ok=True)

@@ -56,7 +56,9 @@ def _version(binary: str) -> str:
     except (OSError, subprocess.TimeoutExpired) as error:
         raise DatalogError(f"{binary}: does not run ({error})") from None
     number = _NUMBER.search(told)
-    if number and (int(number[1]), int(number[2])) < OLDEST:
+    if number is None:
+        raise DatalogError(f"{binary}: does not tell its version, as souffle does")
+    if (int(number[1]), int(number[2])) < OLDEST:
         needed = ".".join(map(str, OLDEST))
         message = f"{binary} is souffle {number[1]}.{number[2]}; {needed} or newer is needed"
         raise DatalogError([Diagnostic(message, hint="the embedded engine needs no installation")])

@@ -57,9 +57,11 @@ def test_folders_of_killed_runs_are_removed_and_no_others(temporary: Path) -> No
     [
         ("Version: 2.3", "is souffle 2.3; 2.4 or newer is needed"),
         ("Souffle: 1.7.1\nVersion: 1.7.1\nCopyright", "is souffle 1.7; 2.4 or newer is needed"),
+        ("", "does not tell its version, as souffle does"),
+        ("\\0\\377", "does not tell its version, as souffle does"),
     ],
 )
-def test_an_older_souffle(
+def test_an_older_souffle_or_another_program(
     rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, version: str, message: str
 ) -> None:
     binary = tmp_path / "bin" / "souffle"
@@ -68,7 +70,7 @@ def test_an_older_souffle(
     binary.chmod(0o755)
     monkeypatch.setenv("PATH", f"{binary.parent}:/bin:/usr/bin")
     done = rosarch("analyze", workspace, "--engine", "souffle")
-    assert (done.code, done.out, done.err) == (2, "", f"rosarch: error: --engine souffle: {binary} {message}\n")
+    assert (done.code, done.out, done.err) == (2, "", f"rosarch: error: --engine souffle: {binary}{':' * ('does' in message)} {message}\n")
 
 
 def test_a_library_that_lacks_a_function_or_is_gone(workspace: Path, tmp_path: Path) -> None:

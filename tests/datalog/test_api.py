@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.datalog import Attribute, DatalogError, Program, load_declarations, load_program
+from rosarch.datalog import Attribute, DatalogError, Program, cache, load_declarations, load_program
 
 TYPED = """.type Node <: symbol
 .type P = [x: number]
@@ -105,6 +105,17 @@ def test_evaluations_are_independent(load: Callable[[str], Program]) -> None:
     assert program.evaluate({"e": [(1,)]}).rows("r") == [(0,), (1,)]
     assert program.evaluate({"e": [(2,)]}).rows("r") == [(0,), (2,)]
     assert pickle.loads(pickle.dumps(program)).evaluate({}).rows("r") == [(0,)]
+
+
+def test_a_damaged_entry_of_the_cache_is_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROSARCH_CACHE_DIR", str(tmp_path / "cache"))
+    cache.store([tmp_path], "", {}, ("program", b"code", [1, 2, 3]))
+    assert cache.load([tmp_path], "") == ("program", b"code", [1, 2, 3])
+    (entry,) = (tmp_path / "cache" / "datalog").iterdir()
+    content = entry.read_bytes()
+    for at in range(len(content)):
+        entry.write_bytes(content[:at] + bytes([content[at] ^ 1]) + content[at + 1 :])
+        assert cache.load([tmp_path], "") is None
 
 
 def test_cache_follows_content(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
