@@ -39,10 +39,10 @@ def query(
                 answers.append((each, table))
             title = heading(components)
     if output_format is ModelFormat.json:
-        import json
-
         values = [{"package": e.package, "component": e.name, "rows": table_values(t)} for e, t in answers]
-        emit(json.dumps(values, indent=2, ensure_ascii=False) + "\n")
+        from rosarch.reports.printable import json_text
+
+        emit(json_text(values))
     else:
         emit_lines("".join(title(e) + table_text(t, program, most=most) for e, t in answers if t.rows or len(answers) == 1))
         if not any(t.rows for _, t in answers) and len(answers) > 1:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from textwrap import fill
 
 from rosarch.models.rule_sets import Option
 from rosarch.models.variants import Decision
+
+from .printable import json_text
 
 WIDTH = 120
 
@@ -51,4 +52,4 @@ def choices_json(decisions: Sequence[Decision], options: Sequence[Option], short
             {"name": option.name, "doc": option.meaning, "default": option.default, "allowed": list(option.allowed)} for option in options
         ],
     }
-    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    return json_text(data)

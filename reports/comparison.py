@@ -15,6 +15,8 @@ from rosarch.models.comparison.changes import HOW, Change, Detail
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
+from .printable import json_text
+
 _MARKS = MappingProxyType({"lost": "-", "gained": "+", "renamed": ">", "changed": "~"})
 WIDEST = 50  # of a column; what is wider pushes the rest of its line
 _SAME = "no differences"
@@ -50,7 +52,7 @@ def changes_json(changes: Sequence[Change]) -> str:
     """All differences, with how many there are."""
     count = Counter(change.how for change in changes)
     data = {"summary": {how: count[how] for how in HOW}, "changes": [_data(change) for change in changes]}
-    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    return json_text(data)
 
 
 def changes_schema() -> Any:

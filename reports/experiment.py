@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from dataclasses import asdict
 from typing import Any
@@ -21,6 +20,8 @@ from rosarch.experiments.results import (
 )
 from rosarch.models.rule_sets import described
 from rosarch.reports.tables import Cell, Table, table_csv, table_latex, table_markdown, table_text, tables_as
+
+from .printable import json_text
 
 _VERDICTS = {HIT: "true", EXTRA: "not true", OPTIONAL: "may be", "": None}
 FORMATS = ("text", "markdown", "latex", "csv", "json")
@@ -182,7 +183,7 @@ def report_json(report: Report) -> str:
         "elements": [asdict(each) for each in report.elements],
         "rows": [asdict(each) for each in report.rows],
     }
-    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    return json_text(data, 1)
 
 
 def report_files(report: Report) -> dict[str, str]:

@@ -11,6 +11,8 @@ from rosarch.models.places import Place
 from rosarch.models.policy import Reported
 from rosarch.reports.findings import Setting, severity_counts, tool_version
 
+from .printable import json_text
+
 
 def findings_text(reported: Reported, setting: Setting) -> str:
     """The document. Its paths are relative to the workspace, `folder` tells where that is."""
@@ -31,7 +33,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
         ],
         "summary": {**severity_counts(reported.shown), "compared": reported.compared, "failed": reported.failed},
     }
-    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    return json_text(data)
 
 
 def findings_schema() -> Any:

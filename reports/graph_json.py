@@ -9,10 +9,12 @@ from typing import Any
 
 from rosarch.models.system.view import View, ViewConnector, ViewEdge, ViewNode
 
+from .printable import json_text
+
 
 def graphs_text(views: Iterable[View]) -> str:
     """An array of graphs."""
-    return json.dumps([graph_data(view) for view in views], indent=2, ensure_ascii=False) + "\n"
+    return json_text([graph_data(view) for view in views])
 
 
 def graph_schema() -> Any:

@@ -13,6 +13,8 @@ from rosarch.reports.graph_dot import quoted
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
+from .printable import json_text
+
 NOT_THERE, CUT = "not there", "not told again"
 
 
@@ -60,7 +62,7 @@ def _node_text(node: SystemNode) -> str:
 
 def trees_json(systems: Iterable[SystemModel]) -> str:
     """An array of systems with their trees."""
-    return json.dumps([tree_data(system) for system in systems], indent=2, ensure_ascii=False) + "\n"
+    return json_text([tree_data(system) for system in systems])
 
 
 def tree_schema() -> Any:

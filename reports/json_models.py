@@ -12,6 +12,8 @@ from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import path_below
 from rosarch.models.component import ComponentModel, to_json
 
+from .printable import json_text
+
 _IDENTITY = ("system", "component", "package", "kind", "node_name", "executable", "ports")
 
 
@@ -54,4 +56,4 @@ def write_document(model: Mapping[str, Any], out: Path) -> None:
 
 def dump(data: object) -> str:
     """A JSON document."""
-    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    return json_text(data)

@@ -11,18 +11,20 @@ from rosarch.extractor.launch import Composition, Condition, NodeStart, ParamSet
 from rosarch.extractor.launch.record import plain
 from rosarch.reports.labels import counted
 
+from .printable import json_text
+
 MAX_VALUE = 60  # characters of a value that are shown
 
 
 def composition_json(composition: Composition) -> str:
     """The record of a composition."""
-    return json.dumps(record(composition), indent=2, ensure_ascii=False) + "\n"
+    return json_text(record(composition))
 
 
 def overview_json(compositions: Mapping[str, Composition]) -> str:
     """The records of several launch files, each started by itself."""
     records = [{"file": path, **record(composition)} for path, composition in compositions.items()]
-    return json.dumps(records, indent=2, ensure_ascii=False) + "\n"
+    return json_text(records)
 
 
 def overview_text(compositions: Mapping[str, Composition], base: Path) -> str:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 from rosarch.reports.labels import counted, kind_label
 from rosarch.reports.printable import printable
 
+from .printable import json_text
+
 if TYPE_CHECKING:
     from rosarch.library import LibraryComponent, LibraryParameter, LibraryPort
 
@@ -28,12 +30,12 @@ def list_text(components: Sequence[LibraryComponent]) -> str:
 
 def list_json(components: Iterable[LibraryComponent]) -> str:
     """All that is known of the components, in an array."""
-    return json.dumps([component.document() for component in components], indent=2, ensure_ascii=False) + "\n"
+    return json_text([component.document() for component in components])
 
 
 def component_json(component: LibraryComponent) -> str:
     """All that is known of a component."""
-    return json.dumps(component.document(), indent=2, ensure_ascii=False) + "\n"
+    return json_text(component.document())
 
 
 def component_text(component: LibraryComponent) -> str:

@@ -12,10 +12,12 @@ from rosarch.models.machine.logic import Any, Formula, Is, Not, without_hidden
 from rosarch.models.machine.reactions import Row
 from rosarch.reports.machine_labels import formula_text
 
+from .printable import json_text
+
 
 def machines_text(machines: Iterable[StateMachine]) -> str:
     """An array of machines."""
-    return json.dumps([machine_data(machine) for machine in machines], indent=2, ensure_ascii=False) + "\n"
+    return json_text([machine_data(machine) for machine in machines])
 
 
 def machine_schema() -> Anything:

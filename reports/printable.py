@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
@@ -25,6 +26,16 @@ def code_span(text: str) -> str:
 def printable_lines(text: str) -> str:
     """A text of lines, tabs within them, each line printable."""
     return re.sub(r"[^\t\n]+", lambda part: printable(part[0]), text)
+
+
+def json_text(data: object, indent: int = 2) -> str:
+    r"""A document of JSON with the same characters as escapes, which mean themselves to a reader: `\u001b`, `\u202e`."""
+    text = json.dumps(data, indent=indent, ensure_ascii=False)
+    return re.sub(r"[^ -~\n]+", lambda part: part[0] if part[0].isprintable() else _json_escapes(part[0]), text) + "\n"
+
+
+def _json_escapes(text: str) -> str:
+    return "".join(c if c.isprintable() else json.dumps(c)[1:-1] if c != "\x7f" else "\\u007f" for c in text)
 
 
 def _escape(character: str) -> str:

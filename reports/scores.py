@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from typing import Any
 
@@ -11,6 +10,8 @@ from rosarch.experiments.scores import Score, misses
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 from rosarch.reports.tables import Table, table_csv, table_latex, table_markdown, table_text, tables_as
+
+from .printable import json_text
 
 _LISTED = {MISSED: "missed", EXTRA: "extra "}
 
@@ -67,7 +68,7 @@ def score_json(score: Score, *, listed: bool = False) -> str:
             {"category": category, "system": truth.system, "component": truth.title, "element": text, "at": at}
             for category, truth, text, at in misses(score, verdict)
         ]
-    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    return json_text(data)
 
 
 def _filled(score: Score) -> list[Table]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
 
 from rosarch.reports.tables import Table, table_csv
 from rosarch.simulation.records import Record, busy, latencies, queues, rates
+
+from .printable import json_text
 
 
 def trace_csv(record: Record) -> str:
@@ -29,4 +30,4 @@ def simulation_json(record: Record) -> str:
         "notes": list(dict.fromkeys(record.notes)),
         "events": [asdict(event) for event in record.events],
     }
-    return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
+    return json_text(document, 1)

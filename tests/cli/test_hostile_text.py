@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import unicodedata
 from collections.abc import Callable
 from pathlib import Path
@@ -34,6 +35,8 @@ READERS = [
     ("analyze",), ("doctor",), ("show", "ports", "--format", "markdown"), ("show", "behavior"), ("show", "behavior", "--format", "markdown"),
     *(("show", "machine", "--format", form) for form in ("text", "dot", "mermaid", "plantuml", "scxml")),
     *(("show", "graph", "--format", form) for form in ("dot", "mermaid", "graphml")),
+    ("check", "--format", "json"), ("check", "--format", "sarif"), ("analyze", "--format", "json"), ("show", "machine", "--format", "json"),
+    ("show", "graph", "--format", "json"), ("query", "port(_)", "--format", "json"),
     ("launch",), ("query", "port(_)"), ("explain", "port(_)"),
 ]  # fmt: skip
 
@@ -60,6 +63,8 @@ def test_reports_show_names_as_escapes(rosarch: Callable, hostile: Path) -> None
             assert not odd, words
         if words[-1] in ("junit", "graphml", "scxml"):
             ElementTree.fromstring(done.out)
+        if words[-1] in ("json", "sarif"):
+            json.loads(done.out)
         if words[-1] == "github":
             assert all(line.startswith("::") for line in done.out.splitlines() if "script" in line)
     assert "``" in rosarch("show", "ports", hostile, "--format", "markdown").out
