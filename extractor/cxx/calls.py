@@ -20,6 +20,7 @@ from rosarch.extractor.cxx.declarations import (
 )
 from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
 from rosarch.extractor.cxx.recover import hide, split
+from rosarch.extractor.cxx.unit import Span
 
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*|new|delete)$")
 _VALUES = frozenset({kinds.STRING, kinds.INTEGER, kinds.FLOATING, kinds.BOOLEAN, kinds.CHARACTER, kinds.NULLPTR, kinds.INIT_LIST})
@@ -90,13 +91,15 @@ def lower_dependent_construction(body: Body, tree: Tree, type_: Type, values: Tr
     unit = body.unit
     name = declare_type(unit, type_)
     class_ = libclang.type_declaration(libclang.canonical_type(type_)) if values and _is_list(body, values) else None
-    if not is_template_parameter(name) and (class_ is None or class_.kind not in kinds.CLASSES):
+    if class_ is not None and class_.kind not in kinds.CLASSES:
+        class_ = None
+    if class_ is None and not is_template_parameter(name):
         return None
     lowered = [_lower(body, argument, text=True) for argument in (expressions(values) if values else ())]
     call, _ = body.node(tree, "call")
     unit.add("call", call, libclang.type_spelling(type_))
     unit.add("call_unresolved", call, "dependent")
-    if class_ is not None and class_.kind in kinds.CLASSES:
+    if class_ is not None:
         unit.add("call_constructs", call, declare_class(unit, class_))
     unit.add("expr_type", call, name)
     for index, argument in enumerate(lowered):
@@ -137,16 +140,17 @@ def lower_base_construction(body: Body, base: Tree, values: list[Tree]) -> str:
 def is_argument_list(body: Body, value: Tree) -> bool:
     """Whether `value` is several values in brackets: in a template, clang gives them without the construction that they are for."""
     span = body.unit.span_of(value)
-    bracketed = value.kind == kinds.UNEXPOSED_EXPR and span.file.data[span.begin : span.begin + 1] == b"("
-    return bracketed and len(list(_pieces(span.file.data, span.begin, span.end - 1))) > 1
+    return _is_bracketed(value, span) and len(list(_pieces(span.file.data, span.begin, span.end - 1))) > 1
 
 
 def _is_list(body: Body, value: Tree) -> bool:
     """Whether `value` is values in brackets, not one expression that begins with a bracket."""
     span = body.unit.span_of(value)
-    if value.kind != kinds.UNEXPOSED_EXPR or span.file.data[span.begin : span.begin + 1] != b"(":
-        return False
-    return all(body.unit.span_of(part).begin > span.begin for part in expressions(value))
+    return _is_bracketed(value, span) and all(body.unit.span_of(part).begin > span.begin for part in expressions(value))
+
+
+def _is_bracketed(value: Tree, span: Span) -> bool:
+    return value.kind == kinds.UNEXPOSED_EXPR and span.file.data[span.begin : span.begin + 1] == b"("
 
 
 def _all(tree: Tree) -> Iterator[Tree]:
