@@ -18,7 +18,8 @@ from rosarch.extractor.cxx.declarations import (
     is_template_parameter,
     is_unknown_type,
 )
-from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
+from rosarch.extractor.cxx.libclang import Tree
+from rosarch.extractor.cxx.libclang_library import Cursor, Type
 from rosarch.extractor.cxx.recover import hide, split
 from rosarch.extractor.cxx.unit import Span
 

@@ -7,7 +7,8 @@ import re
 
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.includes import SHIPPED
-from rosarch.extractor.cxx.libclang import Cursor, Tree, Type
+from rosarch.extractor.cxx.libclang import Tree
+from rosarch.extractor.cxx.libclang_library import Cursor, Type
 from rosarch.extractor.cxx.literals import decode_string
 from rosarch.extractor.cxx.unit import UnitFacts
 

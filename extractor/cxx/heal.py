@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.cxx import libclang
-from rosarch.extractor.cxx.libclang import Cursor
+from rosarch.extractor.cxx.libclang_library import Cursor
 from rosarch.extractor.cxx.unit import Span, UnitFacts
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted, kind_of_member
 from rosarch.extractor.files import read_file

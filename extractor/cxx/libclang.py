@@ -2,67 +2,20 @@
 
 `clang.cindex` wraps every cursor, type and location in an object and costs five times as much per node
 (see also https://clang.llvm.org/doxygen/group__CINDEX.html for the meaning of the functions used here).
-The library itself comes with the `libclang` wheel.
 """
 
 from __future__ import annotations
 
-import ctypes
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from ctypes import POINTER, Structure, byref, c_char_p, c_double, c_int, c_longlong, c_uint, c_void_p
+from collections.abc import Iterable, Iterator, Sequence
+from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_longlong, c_uint, c_void_p
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import clang.native
-
 from rosarch.extractor.cxx import kinds
 
-
-class Cursor(Structure):
-    """CXCursor. `data[1]` tells expressions and statements apart, `data[0]` declarations."""
-
-    _fields_ = [("kind", c_int), ("xdata", c_int), ("d0", c_void_p), ("d1", c_void_p), ("d2", c_void_p)]
-    kind: int
-    d0: int | None
-    d1: int | None
-
-
-class Type(Structure):
-    """CXType."""
-
-    _fields_ = [("kind", c_int), ("d0", c_void_p), ("d1", c_void_p)]
-    kind: int
-    d0: int | None
-
-
-class Location(Structure):
-    """CXSourceLocation. `raw` is clang's own offset over all files; its top bit marks a macro expansion."""
-
-    _fields_ = [("p0", c_void_p), ("p1", c_void_p), ("raw", c_uint)]
-    raw: int
-
-
-class Range(Structure):
-    """CXSourceRange."""
-
-    _fields_ = [("p0", c_void_p), ("p1", c_void_p), ("begin", c_uint), ("end", c_uint)]
-    begin: int
-    end: int
-
-
-class _String(Structure):
-    """CXString."""
-
-    _fields_ = [("data", c_char_p), ("flags", c_uint)]
-    data: bytes | None
-    flags: int
-
-
-class _RangeList(Structure):
-    _fields_ = [("count", c_uint), ("ranges", POINTER(Range))]
-
+from .libclang_library import Cursor, Location, Range, RangeList, String, Type, Visitor, bind
 
 _BUFFERED = 2
 """The flag of a text that `data` is not the address of; the other flag than zero is that of one that has to be disposed of."""
@@ -74,36 +27,11 @@ DETAILED_PREPROCESSING = 0x01
 FATAL = 4
 
 
-def _library() -> ctypes.CDLL:
-    folder = Path(next(iter(clang.native.__path__)))
-    path = next(iter(sorted(folder.glob("libclang.*"))), None)
-    if path is None:
-        raise ImportError(f"{folder}: there is no libclang here")
-    try:
-        return ctypes.CDLL(str(path))
-    except OSError as error:
-        raise ImportError(f"{path}: cannot be loaded ({error})") from None
-
-
-_lib = _library()
-_Visitor = ctypes.CFUNCTYPE(c_int, Cursor, Cursor, c_void_p)
-
-
-def _bind(name: str, result: Any, *arguments: Any) -> Callable[..., Any]:
-    try:
-        function = getattr(_lib, "clang_" + name)
-    except AttributeError:
-        raise ImportError(f"{_lib._name}: this libclang has no clang_{name}") from None
-    function.restype = result
-    function.argtypes = arguments
-    return function  # type: ignore[no-any-return]
-
-
-_get_c_string = _bind("getCString", c_char_p, _String)
-_dispose_string = _bind("disposeString", None, _String)
-_create_index = _bind("createIndex", c_void_p, c_int, c_int)
-_dispose_index = _bind("disposeIndex", None, c_void_p)
-_parse = _bind(
+_get_c_string = bind("getCString", c_char_p, String)
+_dispose_string = bind("disposeString", None, String)
+_create_index = bind("createIndex", c_void_p, c_int, c_int)
+_dispose_index = bind("disposeIndex", None, c_void_p)
+_parse = bind(
     "parseTranslationUnit2",
     c_int,
     c_void_p,
@@ -115,76 +43,76 @@ _parse = _bind(
     c_uint,
     POINTER(c_void_p),
 )
-_dispose_unit = _bind("disposeTranslationUnit", None, c_void_p)
-_save_unit = _bind("saveTranslationUnit", c_int, c_void_p, c_char_p, c_uint)
-_visit = _bind("visitChildren", c_uint, Cursor, _Visitor, c_void_p)
+_dispose_unit = bind("disposeTranslationUnit", None, c_void_p)
+_save_unit = bind("saveTranslationUnit", c_int, c_void_p, c_char_p, c_uint)
+_visit = bind("visitChildren", c_uint, Cursor, Visitor, c_void_p)
 
-unit_cursor = _bind("getTranslationUnitCursor", Cursor, c_void_p)
-extent = _bind("getCursorExtent", Range, Cursor)
-location = _bind("getCursorLocation", Location, Cursor)
-referenced = _bind("getCursorReferenced", Cursor, Cursor)
-canonical = _bind("getCanonicalCursor", Cursor, Cursor)
-definition = _bind("getCursorDefinition", Cursor, Cursor)
-semantic_parent = _bind("getCursorSemanticParent", Cursor, Cursor)
-template_of = _bind("getSpecializedCursorTemplate", Cursor, Cursor)
-is_definition = _bind("isCursorDefinition", c_uint, Cursor)
-linkage = _bind("getCursorLinkage", c_int, Cursor)
-storage_class = _bind("Cursor_getStorageClass", c_int, Cursor)
-is_static_method = _bind("CXXMethod_isStatic", c_uint, Cursor)
-has_attributes = _bind("Cursor_hasAttrs", c_uint, Cursor)
-is_anonymous = _bind("Cursor_isAnonymous", c_uint, Cursor)
-cursor_type = _bind("getCursorType", Type, Cursor)
-result_type = _bind("getCursorResultType", Type, Cursor)
-underlying_typedef = _bind("getTypedefDeclUnderlyingType", Type, Cursor)
-canonical_type = _bind("getCanonicalType", Type, Type)
-pointee = _bind("getPointeeType", Type, Type)
-array_element = _bind("getArrayElementType", Type, Type)
-type_declaration = _bind("getTypeDeclaration", Cursor, Type)
-unqualified_type = _bind("getUnqualifiedType", Type, Type)
-template_kind = _bind("getTemplateCursorKind", c_int, Cursor)
-is_const = _bind("isConstQualifiedType", c_uint, Type)
-template_argument_count = _bind("Type_getNumTemplateArguments", c_int, Type)
-template_argument = _bind("Type_getTemplateArgumentAsType", Type, Type, c_uint)
-argument_count = _bind("Cursor_getNumArguments", c_int, Cursor)
-argument = _bind("Cursor_getArgument", Cursor, Cursor, c_uint)
-overload_count = _bind("getNumOverloadedDecls", c_uint, Cursor)
-_overload = _bind("getOverloadedDecl", Cursor, Cursor, c_uint)
-_unit_of = _bind("Cursor_getTranslationUnit", c_void_p, Cursor)
-_cursor_at = _bind("getCursor", Cursor, c_void_p, Location)
-enum_value = _bind("getEnumConstantDeclValue", c_longlong, Cursor)
-_evaluate = _bind("Cursor_Evaluate", c_void_p, Cursor)
-_result_kind = _bind("EvalResult_getKind", c_int, c_void_p)
-_result_integer = _bind("EvalResult_getAsLongLong", c_longlong, c_void_p)
-_result_double = _bind("EvalResult_getAsDouble", c_double, c_void_p)
-_dispose_result = _bind("EvalResult_dispose", None, c_void_p)
-binary_operator = _bind("getCursorBinaryOperatorKind", c_int, Cursor)
-unary_operator = _bind("getCursorUnaryOperatorKind", c_int, Cursor)
-is_virtual = _bind("CXXMethod_isVirtual", c_uint, Cursor)
-_get_overridden = _bind("getOverriddenCursors", None, Cursor, POINTER(POINTER(Cursor)), POINTER(c_uint))
-_dispose_overridden = _bind("disposeOverriddenCursors", None, POINTER(Cursor))
-_cursor_spelling = _bind("getCursorSpelling", _String, Cursor)
-_type_spelling = _bind("getTypeSpelling", _String, Type)
-_file_location = _bind("getFileLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
-_spelling_location = _bind("getSpellingLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
-_file_name = _bind("getFileName", _String, c_void_p)
-_included_file = _bind("getIncludedFile", c_void_p, Cursor)
-_all_skipped_ranges = _bind("getAllSkippedRanges", POINTER(_RangeList), c_void_p)
-_dispose_ranges = _bind("disposeSourceRangeList", None, POINTER(_RangeList))
-_diagnostic_count = _bind("getNumDiagnostics", c_uint, c_void_p)
-_diagnostic = _bind("getDiagnostic", c_void_p, c_void_p, c_uint)
-_dispose_diagnostic = _bind("disposeDiagnostic", None, c_void_p)
-_diagnostic_severity = _bind("getDiagnosticSeverity", c_int, c_void_p)
-_diagnostic_spelling = _bind("getDiagnosticSpelling", _String, c_void_p)
-_diagnostic_location = _bind("getDiagnosticLocation", Location, c_void_p)
-_binary_spelling = _bind("getBinaryOperatorKindSpelling", _String, c_int)
-_unary_spelling = _bind("getUnaryOperatorKindSpelling", _String, c_int)
+unit_cursor = bind("getTranslationUnitCursor", Cursor, c_void_p)
+extent = bind("getCursorExtent", Range, Cursor)
+location = bind("getCursorLocation", Location, Cursor)
+referenced = bind("getCursorReferenced", Cursor, Cursor)
+canonical = bind("getCanonicalCursor", Cursor, Cursor)
+definition = bind("getCursorDefinition", Cursor, Cursor)
+semantic_parent = bind("getCursorSemanticParent", Cursor, Cursor)
+template_of = bind("getSpecializedCursorTemplate", Cursor, Cursor)
+is_definition = bind("isCursorDefinition", c_uint, Cursor)
+linkage = bind("getCursorLinkage", c_int, Cursor)
+storage_class = bind("Cursor_getStorageClass", c_int, Cursor)
+is_static_method = bind("CXXMethod_isStatic", c_uint, Cursor)
+has_attributes = bind("Cursor_hasAttrs", c_uint, Cursor)
+is_anonymous = bind("Cursor_isAnonymous", c_uint, Cursor)
+cursor_type = bind("getCursorType", Type, Cursor)
+result_type = bind("getCursorResultType", Type, Cursor)
+underlying_typedef = bind("getTypedefDeclUnderlyingType", Type, Cursor)
+canonical_type = bind("getCanonicalType", Type, Type)
+pointee = bind("getPointeeType", Type, Type)
+array_element = bind("getArrayElementType", Type, Type)
+type_declaration = bind("getTypeDeclaration", Cursor, Type)
+unqualified_type = bind("getUnqualifiedType", Type, Type)
+template_kind = bind("getTemplateCursorKind", c_int, Cursor)
+is_const = bind("isConstQualifiedType", c_uint, Type)
+template_argument_count = bind("Type_getNumTemplateArguments", c_int, Type)
+template_argument = bind("Type_getTemplateArgumentAsType", Type, Type, c_uint)
+argument_count = bind("Cursor_getNumArguments", c_int, Cursor)
+argument = bind("Cursor_getArgument", Cursor, Cursor, c_uint)
+overload_count = bind("getNumOverloadedDecls", c_uint, Cursor)
+_overload = bind("getOverloadedDecl", Cursor, Cursor, c_uint)
+_unit_of = bind("Cursor_getTranslationUnit", c_void_p, Cursor)
+_cursor_at = bind("getCursor", Cursor, c_void_p, Location)
+enum_value = bind("getEnumConstantDeclValue", c_longlong, Cursor)
+_evaluate = bind("Cursor_Evaluate", c_void_p, Cursor)
+_result_kind = bind("EvalResult_getKind", c_int, c_void_p)
+_result_integer = bind("EvalResult_getAsLongLong", c_longlong, c_void_p)
+_result_double = bind("EvalResult_getAsDouble", c_double, c_void_p)
+_dispose_result = bind("EvalResult_dispose", None, c_void_p)
+binary_operator = bind("getCursorBinaryOperatorKind", c_int, Cursor)
+unary_operator = bind("getCursorUnaryOperatorKind", c_int, Cursor)
+is_virtual = bind("CXXMethod_isVirtual", c_uint, Cursor)
+_get_overridden = bind("getOverriddenCursors", None, Cursor, POINTER(POINTER(Cursor)), POINTER(c_uint))
+_dispose_overridden = bind("disposeOverriddenCursors", None, POINTER(Cursor))
+_cursor_spelling = bind("getCursorSpelling", String, Cursor)
+_type_spelling = bind("getTypeSpelling", String, Type)
+_file_location = bind("getFileLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
+_spelling_location = bind("getSpellingLocation", None, Location, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint))
+_file_name = bind("getFileName", String, c_void_p)
+_included_file = bind("getIncludedFile", c_void_p, Cursor)
+_all_skipped_ranges = bind("getAllSkippedRanges", POINTER(RangeList), c_void_p)
+_dispose_ranges = bind("disposeSourceRangeList", None, POINTER(RangeList))
+_diagnostic_count = bind("getNumDiagnostics", c_uint, c_void_p)
+_diagnostic = bind("getDiagnostic", c_void_p, c_void_p, c_uint)
+_dispose_diagnostic = bind("disposeDiagnostic", None, c_void_p)
+_diagnostic_severity = bind("getDiagnosticSeverity", c_int, c_void_p)
+_diagnostic_spelling = bind("getDiagnosticSpelling", String, c_void_p)
+_diagnostic_location = bind("getDiagnosticLocation", Location, c_void_p)
+_binary_spelling = bind("getBinaryOperatorKindSpelling", String, c_int)
+_unary_spelling = bind("getUnaryOperatorKindSpelling", String, c_int)
 
 
 class ParseError(Exception):
     """libclang gave no translation unit at all."""
 
 
-def _text(string: _String, errors: str = "replace") -> str:
+def _text(string: String, errors: str = "replace") -> str:
     flags = string.flags
     data = _get_c_string(string) if flags == _BUFFERED else string.data
     result = data.decode("utf-8", errors) if data else ""
@@ -251,7 +179,7 @@ def _collect(child: Cursor, _parent: Cursor, _data: Any) -> int:
     return 1
 
 
-_COLLECT = _Visitor(_collect)
+_COLLECT = Visitor(_collect)
 
 
 def children(cursor: Cursor) -> list[Cursor]:
@@ -267,7 +195,7 @@ def _collect_bases(child: Cursor, _parent: Cursor, _data: Any) -> int:
 
 
 _MEMBERS = frozenset({*kinds.FUNCTIONS, kinds.FIELD, kinds.ACCESS_SPECIFIER, kinds.TYPEDEF, kinds.TYPE_ALIAS})
-_COLLECT_BASES = _Visitor(_collect_bases)
+_COLLECT_BASES = Visitor(_collect_bases)
 
 
 def bases(cursor: Cursor) -> list[Cursor]:
@@ -281,7 +209,7 @@ def _collect_declarations(child: Cursor, _parent: Cursor, _data: Any) -> int:
     return 1
 
 
-_COLLECT_DECLARATIONS = _Visitor(_collect_declarations)
+_COLLECT_DECLARATIONS = Visitor(_collect_declarations)
 
 
 class Tree:
@@ -315,7 +243,7 @@ def _grow(child: Cursor, parent: Cursor, _data: Any) -> int:
     return 2  # CXChildVisit_Recurse
 
 
-_GROW = _Visitor(_grow)
+_GROW = Visitor(_grow)
 
 
 def tree(cursor: Cursor) -> Tree:
@@ -332,7 +260,7 @@ def _descend(child: Cursor, _parent: Cursor, _data: Any) -> int:
     return 2
 
 
-_DESCEND = _Visitor(_descend)
+_DESCEND = Visitor(_descend)
 
 
 def descendants(cursor: Cursor) -> list[Cursor]:
@@ -346,7 +274,7 @@ def _descend_to_calls(child: Cursor, _parent: Cursor, _data: Any) -> int:
     return 2
 
 
-_DESCEND_TO_CALLS = _Visitor(_descend_to_calls)
+_DESCEND_TO_CALLS = Visitor(_descend_to_calls)
 
 
 def calls_below(cursor: Cursor) -> list[Cursor]:

@@ -16,7 +16,7 @@ from rosarch.extractor.cache import extractor_version, hash_of
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.heal import files_with_errors
 from rosarch.extractor.cxx.includes import Folders, HeaderFinder, Includes, is_shipped
-from rosarch.extractor.cxx.libclang import Cursor
+from rosarch.extractor.cxx.libclang_library import Cursor
 from rosarch.extractor.cxx.recover import Names, declared_names, recover
 from rosarch.extractor.cxx.unit import SourceFile, UnitFacts
 from rosarch.extractor.cxx.walk import walk_declaration

@@ -14,7 +14,7 @@ from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.assumed import assumed_classes
 from rosarch.extractor.cxx.heal import OPTIONS, call_places, healed, keeps_calls, without_unknown, worth_healing
 from rosarch.extractor.cxx.includes import CUDA_PRELUDE, Folders, HeaderFinder, Includes, prelude_of, shipped_dirs
-from rosarch.extractor.cxx.libclang import Location
+from rosarch.extractor.cxx.libclang_library import Cursor, Location
 from rosarch.extractor.cxx.recover import declared_names, recover
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.unit import SourceFiles, UnitFacts, file_key
@@ -191,7 +191,7 @@ def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProble
 
 def _declarations(
     sources: SourceFiles, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None
-) -> tuple[UnitFacts, Sequence[libclang.Cursor]]:
+) -> tuple[UnitFacts, Sequence[Cursor]]:
     """The declarations of a parsed unit that it is to read itself, and the facts that are known without reading them."""
     facts, root = UnitFacts(sources), sources.root
     for missing in includes.missing:
@@ -216,7 +216,7 @@ def _declarations(
     return facts, headers.leave_out(facts, parsed, cursors) if headers else cursors
 
 
-def _walk(facts: UnitFacts, declarations: Iterable[libclang.Cursor], headers: SharedHeaders | None) -> None:
+def _walk(facts: UnitFacts, declarations: Iterable[Cursor], headers: SharedHeaders | None) -> None:
     """Add the facts of declarations, and of calls in their text that clang dropped."""
     for cursor in declarations:
         walk_declaration(facts, cursor)

@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rosarch.extractor.cxx import libclang
-from rosarch.extractor.cxx.libclang import MACRO_BIT, Cursor, Location, Range, Tree, Type
+from rosarch.extractor.cxx.libclang import MACRO_BIT, Tree
+from rosarch.extractor.cxx.libclang_library import Cursor, Location, Range, Type
 from rosarch.extractor.files import path_text, read_file
 from rosarch.extractor.messages.parameter_library import made_from
 

@@ -15,7 +15,8 @@ from rosarch.extractor.cxx.declarations import (
     qualified_name,
 )
 from rosarch.extractor.cxx.expressions import lower_expression
-from rosarch.extractor.cxx.libclang import Cursor, Tree
+from rosarch.extractor.cxx.libclang import Tree
+from rosarch.extractor.cxx.libclang_library import Cursor
 from rosarch.extractor.cxx.statements import lower_body, lower_variable
 from rosarch.extractor.cxx.unit import FunctionSpan, UnitFacts
 from rosarch.extractor.flow import Flow
