@@ -41,7 +41,7 @@ def qualified_name(unit: UnitFacts, cursor: Cursor) -> str:
             name = "(anonymous)"
     if cursor.kind in kinds.FUNCTIONS and not name.startswith("operator"):
         name = name.partition("<")[0]  # constructors of class templates carry the parameters
-    parent = libclang.semantic_parent(cursor)
+    parent = _scope(cursor)
     while parent.kind in (kinds.LINKAGE_SPEC, kinds.UNEXPOSED_DECLARATION):
         parent = libclang.semantic_parent(parent)
     if parent.kind == kinds.NAMESPACE or parent.kind in kinds.CLASSES or parent.kind in kinds.FUNCTIONS:
@@ -49,6 +49,14 @@ def qualified_name(unit: UnitFacts, cursor: Cursor) -> str:
     if parent.kind == kinds.ENUM:
         return f"{declare_class(unit, parent)}::{name}"
     return name
+
+
+def _scope(cursor: Cursor) -> Cursor:
+    """What a declaration is in; members of an anonymous union are in the scope around it."""
+    parent = libclang.semantic_parent(cursor)
+    while parent.kind in kinds.CLASSES and libclang.is_anonymous_record(parent):
+        parent = libclang.semantic_parent(parent)
+    return parent
 
 
 def _scope_name(unit: UnitFacts, cursor: Cursor) -> str:
@@ -121,9 +129,11 @@ def declare_variable(unit: UnitFacts, cursor: Cursor, function: str = "") -> str
     if pattern.d0 in unit.declared:
         identifier = unit.declared[cursor.d0 or 0] = unit.declared[pattern.d0]
         return identifier
-    parent = libclang.semantic_parent(pattern)
+    parent = _scope(pattern)
     file, line, column = unit.place(pattern)
     name = libclang.spelling(pattern)
+    if name.endswith(")"):  # an anonymous union is a variable too: its name is where it is
+        name = ""
     where = f"@{file.label}:{line}:{column}"
     if parent.kind in kinds.CLASSES:
         owner = declare_class(unit, parent)

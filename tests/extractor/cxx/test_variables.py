@@ -73,6 +73,19 @@ def test_identities_hold_across_units(extract) -> None:
     assert apart == {"hidden", "anonymous", "s"}
 
 
+def test_members_of_an_anonymous_union_are_in_the_scope_around_it(extract) -> None:
+    code = extract(
+        """static union { int global_; };
+struct C { union { struct { int inner_; }; int field_; }; int other_; };
+void f(C c) { union { int local; }; c.inner_ = c.field_ = global_ = local; C d; }
+"""
+    )
+    names = {row[0]: row[1] for row in code.raw["variable_name"]}
+    assert {"C::inner_", "C::field_", "C::other_"} <= {row[0] for row in code.raw["field_class"] if row[1] == "C"}
+    assert {("global_", "global"), ("local", "local")} <= {(names[row[0]], row[1]) for row in code.raw["variable"]}
+    assert not any("/" in str(value) for value in names), "an identifier would tell where the workspace lies"
+
+
 def test_functions_of_a_header_are_one(extract) -> None:
     files = {"h.h": HEADER}
     one = extract('#include "h.h"\nvoid declared(int other) {} void fa() { both(1); declared(1); }', "a.cpp", files)
