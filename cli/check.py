@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,14 +25,12 @@ from rosarch.cli.check_options import (
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
 from rosarch.cli.inputs import check_sources
 from rosarch.cli.questions import SystemQuestion, asks
-from rosarch.cli.systems import check_systems
+from rosarch.cli.systems import check_systems, text_reader
 from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
-    from rosarch.extractor.suppressions import Suppression
     from rosarch.models.findings import Check
     from rosarch.models.rule_choice import RuleSet
-    from rosarch.models.system.checked import Checked
 
 
 @asks("verbose")
@@ -52,6 +50,7 @@ def check(
     verbose: Talkative = False,
 ) -> None:
     """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
+    from rosarch.extractor.suppressions import find_suppressions
     from rosarch.reports.findings import scope_text
 
     folder = check_sources(question.folder)
@@ -63,18 +62,20 @@ def check(
         configuration, checks, errors=errors, warnings=warnings, notes=notes, ignored=ignored, fail_on=fail_on, exit_zero=exit_zero
     )
     known = baseline or (Path(configuration.baseline) if configuration.baseline and write_baseline is None else None)
-    checked = check_systems(question.inputs(rules), configuration)
+    inputs = question.inputs(rules)
+    checked = check_systems(inputs, configuration)
+    read = text_reader(inputs, configuration)
     show_remaining(checked, folder, verbose)
     reported = judge(
         checked.findings,
         policy,
-        _suppressions(folder, checked),
+        find_suppressions(checked.files, read),
         checks=checks,
         baseline=known,
         new_baseline=write_baseline,
         complete=not question.launches,
     )
-    write_reports(reported, destinations, folder, notes=verbose, scope=scope_text(checked.scope), rules=_description(rules))
+    write_reports(reported, destinations, folder, read, notes=verbose, scope=scope_text(checked.scope), rules=_description(rules))
     if reported.exit_code:
         raise typer.Exit(reported.exit_code)
 
@@ -103,11 +104,3 @@ def _description(rules: RuleSet) -> Mapping[str, Any]:
     from rosarch.models.rule_sets import described
 
     return described(rules)
-
-
-def _suppressions(folder: Path, checked: Checked) -> Iterable[Suppression]:
-    """The comments in all files that the findings rest on."""
-    from rosarch.extractor.files import folder_reader
-    from rosarch.extractor.suppressions import find_suppressions
-
-    return find_suppressions(checked.files, folder_reader(folder))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -81,16 +81,16 @@ def write_reports(
     reported: Reported,
     destinations: Destinations,
     folder: Path,
+    read: Callable[[str], str | None],
     *,
     notes: bool = True,
     scope: str = "",
     rules: Mapping[str, Any] | None = None,
 ) -> None:
-    """Write all reports on the findings of the workspace `folder`; see `Setting` for what those for people show."""
-    from rosarch.extractor.files import folder_reader
+    """Write all reports on the findings of the workspace `folder`; see `Setting` for `read` and for what those for people show."""
     from rosarch.reports.findings import Setting, report_text
 
-    setting = Setting(folder_reader(folder), _seen_from_here(folder), notes=notes, scope=scope, rules=rules or {})
+    setting = Setting(read, _seen_from_here(folder), notes=notes, scope=scope, rules=rules or {})
     for name, file in destinations.files:
         _write(file, report_text(name, reported, setting))
     for name in destinations.stdout:

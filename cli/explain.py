@@ -32,8 +32,9 @@ def explain(
     most: Most = 1,
 ) -> None:
     """Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about."""
-    from rosarch.datalog import Layout, RowStore, SourceLines, explain_all, folder_reader, proof_text
+    from rosarch.datalog import Layout, RowStore, SourceLines, explain_all, proof_text
     from rosarch.datalog.prover import check_goal, has_rows, no_row
+    from rosarch.extractor.files import folder_reader
 
     layout = Layout(depth=depth or None, rules=show_rules, shorten=shorten)
     with datalog_errors():

@@ -38,7 +38,6 @@ def report(
 ) -> None:
     """Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings."""
     from rosarch.extractor.cache import write_whole
-    from rosarch.extractor.files import folder_reader
     from rosarch.reports.html.document import report_document
     from rosarch.reports.html.page import page_text
     from rosarch.reports.labels import counted
@@ -48,7 +47,7 @@ def report(
     if out.is_dir():
         raise InputError(f"{out}: a folder, where a file is to be written")
     subject = load_subject(question, link, chains=chains, proofs=proofs)
-    page = page_text(report_document(subject, folder_reader(question.folder)))
+    page = page_text(report_document(subject))
     try:
         write_whole(out, page.encode("utf-8", "backslashreplace"))
     except OSError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,7 @@ from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.inputs import check_sources
 from rosarch.cli.proven import prove_components
 from rosarch.cli.questions import SystemQuestion
-from rosarch.cli.systems import tell_systems
+from rosarch.cli.systems import tell_systems, text_reader
 
 if TYPE_CHECKING:
     from rosarch.models.configuration import Configuration
@@ -32,11 +33,14 @@ def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, pr
     configuration = load_configuration(folder, None, checks)
     analysis = question.analysis(rules, folder, None)
     followed = replace(rules, flows=chains)
-    composed, told = tell_systems(question.inputs(followed), configuration, shorten if proofs else None)
-    reported = _judged(question, rules, configuration, composed)
+    inputs = question.inputs(followed)
+    composed, told = tell_systems(inputs, configuration, shorten if proofs else None)
+    read = text_reader(inputs, configuration)
+    reported = _judged(question, rules, configuration, composed, read)
     return Subject(
         title=folder.resolve().name,
         folder=folder,
+        read=read,
         models=analysis.models,
         systems=composed.systems,
         reported=reported,
@@ -47,15 +51,16 @@ def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, pr
     )
 
 
-def _judged(question: SystemQuestion, rules: RuleSet, configuration: Configuration, composed: SystemAnalysis) -> Reported:
+def _judged(
+    question: SystemQuestion, rules: RuleSet, configuration: Configuration, composed: SystemAnalysis, read: Callable[[str], str | None]
+) -> Reported:
     """The findings as the configuration wants them, those that comments suppress apart."""
-    from rosarch.extractor.files import folder_reader
     from rosarch.extractor.suppressions import find_suppressions
     from rosarch.models.policy import apply_policy
     from rosarch.models.rule_sets import system_rules
     from rosarch.models.system.checked import checked
 
     checks = system_rules(rules).checks
-    comments = find_suppressions(checked(composed).files, folder_reader(question.folder))
+    comments = find_suppressions(checked(composed).files, read)
     policy = make_policy(configuration, checks)
     return apply_policy(composed.findings, policy, comments, checks=checks, complete=not question.launches)

@@ -64,12 +64,11 @@ def _remake(question: SystemQuestion, link: str | None, chains: bool, proofs: bo
 def _make(question: SystemQuestion, link: str | None, chains: bool, proofs: bool, current: Path) -> None:
     from rosarch.cli.live_server import put_document, put_error
     from rosarch.cli.reported import load_subject
-    from rosarch.extractor.files import folder_reader
     from rosarch.reports.html.document import report_document
 
     try:
         subject = load_subject(question, link, chains=chains, proofs=proofs)
-        put_document(current, report_document(subject, folder_reader(question.folder)))
+        put_document(current, report_document(subject))
     except InputError as error:  # the next save may mend it
         put_error(current, str(error))
         raise SystemExit(f"rosarch: error: {error}") from None

@@ -137,13 +137,24 @@ def tell_systems(
     return analysis, told
 
 
+def text_reader(inputs: SystemInputs, configuration: Configuration | None = None) -> Callable[[str], str | None]:
+    """Reads texts for reports on these systems: from where the analysis may read; None for what cannot be read."""
+    from rosarch.extractor.files import folder_reader
+
+    return folder_reader(inputs.folder, *_readable(inputs, _surroundings(inputs, configuration)))
+
+
 def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:
-    """What may be read: the workspace, the package path, and what else the options name."""
     from rosarch.extractor.boundary import confined, ros_package_path
 
+    return confined([*_readable(inputs, where), *ros_package_path()])
+
+
+def _readable(inputs: SystemInputs, where: Surroundings) -> list[Path]:
+    """What may be read: the workspace, the package path, and what else the options name."""
     named = [*(inputs.library or ()), *(inputs.rules.own if inputs.rules else ())]
     launches = [path for request in _requests(inputs, None) for file in request.files for path in (Path(file), inputs.folder / file)]
-    return confined([*where.package_path, *ros_package_path(), *named, *launches])
+    return [*where.package_path, *named, *launches]
 
 
 def _analyze(

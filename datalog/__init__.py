@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .rows import RowStore, row_store
     from .rule_coverage import Coverage, coverage
     from .rule_tests import run_rule_tests
-    from .source_lines import SourceLines, folder_reader
+    from .source_lines import SourceLines
 
 _LATER = {
     "errors": ("DatalogError", "Diagnostic", "Location"),
@@ -44,7 +44,7 @@ _LATER = {
     "rows": ("RowStore", "row_store"),
     "rule_coverage": ("Coverage", "coverage"),
     "rule_tests": ("run_rule_tests",),
-    "source_lines": ("SourceLines", "folder_reader"),
+    "source_lines": ("SourceLines",),
 }
 _MODULE_OF = {name: module for module, names in _LATER.items() for name in names}
 
@@ -68,7 +68,6 @@ __all__ = [
     "coverage",
     "explain",
     "explain_all",
-    "folder_reader",
     "is_compiled",
     "load_declarations",
     "load_program",

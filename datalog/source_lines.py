@@ -7,7 +7,6 @@ A program does so by the relations `location(node, file, line, column)` and, whe
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .rows import Row, RowStore
@@ -49,18 +48,6 @@ class SourceLines:
             self.texts[path] = [] if text is None else text.splitlines()
         lines = self.texts[path]
         return f"{path}:{line}: {lines[line - 1].strip()}" if 0 < line <= len(lines) else f"{path}:{line}"
-
-
-def folder_reader(root: Path) -> Callable[[str], str | None]:
-    """Reads files below a folder."""
-
-    def read(path: str) -> str | None:
-        try:
-            return (root / path).read_text(encoding="utf-8", errors="replace")
-        except OSError:
-            return None
-
-    return read
 
 
 def _plain(values: Row) -> Iterator[Any]:

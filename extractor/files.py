@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rosarch.extractor import tracing
-from rosarch.extractor.boundary import OUTSIDE, is_inside
+from rosarch.extractor.boundary import OUTSIDE, confined, is_inside, ros_package_path
 
 _LONGEST = 200
 """Bytes of a file's name, with room for a suffix."""
@@ -46,12 +46,16 @@ def read_file(path: str | Path) -> bytes:
         tracing.read(path, status, content)
 
 
-def folder_reader(root: Path) -> Callable[[str], str | None]:
-    r"""Reads texts below a folder, lines ending in `\n`; None for what is no regular file or cannot be read."""
+def folder_reader(root: Path, *others: Path) -> Callable[[str], str | None]:
+    r"""Reads texts below a folder, lines ending in `\n`; None for what is no regular file or cannot be read.
+
+    A path or link that leads out of the folder is followed to `others` and to `ROS_PACKAGE_PATH` only.
+    """
 
     def read(path: str) -> str | None:
         try:
-            data = read_file(root / path)
+            with confined([root, *others, *ros_package_path()]):
+                data = read_file(root / path)
         except (OSError, ValueError):  # a name with a zero byte is a ValueError
             return None
         return data.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r", "\n")

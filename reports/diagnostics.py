@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -54,4 +55,5 @@ def diagnostics_summary(diagnostics: Iterable[Diagnostic], base: Path) -> str:
 
 def diagnostic_line(diagnostic: Diagnostic, base: Path) -> str:
     """The first line of a diagnostic, with a path relative to `base` when it lies there."""
-    return printable(str(diagnostic).removeprefix(f"{base}/").partition("\n")[0])
+    first = replace(diagnostic, message=diagnostic.message.partition("\n")[0])
+    return printable(str(first).removeprefix(f"{base}/"))

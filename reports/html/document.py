@@ -26,11 +26,13 @@ from rosarch.reports.printable import all_printable
 class Subject:
     """What a report is about.
 
-    `told` is by the names of systems, `derivations` by those of components, `link` is the pattern of links to a forge.
+    `read` gives the text of a file of the workspace, or None. `told` is by the names of systems, `derivations` by those of components,
+    `link` is the pattern of links to a forge.
     """
 
     title: str
     folder: Path
+    read: Callable[[str], str | None]
     models: Sequence[ComponentModel]
     systems: Sequence[SystemModel]
     reported: Reported
@@ -40,19 +42,19 @@ class Subject:
     link: str | None = None
 
 
-def report_document(subject: Subject, read: Callable[[str], str | None]) -> dict[str, Any]:
-    """The document; `read` gives the text of a file of the workspace, or None."""
+def report_document(subject: Subject) -> dict[str, Any]:
+    """The document."""
     data = {
         "rosarch": tool_version(),
         "title": subject.title,
         "link": subject.link,
         "components": [component_data(model) for model in subject.models],
         "systems": [system_data(system, subject.told.get(system.name)) for system in subject.systems],
-        "findings": findings_data(subject.reported, read),
+        "findings": findings_data(subject.reported, subject.read),
         "diagnostics": [_diagnostic(diagnostic, subject.folder.absolute()) for diagnostic in subject.diagnostics],
     }
     data["proofs"] = _derivations(subject)
-    data["sources"] = excerpts(places_in(data), read)
+    data["sources"] = excerpts(places_in(data), subject.read)
     return all_printable(data)
 
 

@@ -18,6 +18,7 @@ from rosarch.cli import check_outputs as outputs
 from rosarch.cli.check_options import FailOn, load_configuration, make_policy
 from rosarch.cli.check_outputs import Destinations, judge, parse_destinations, write_reports
 from rosarch.cli.errors import InputError
+from rosarch.extractor.files import folder_reader
 from rosarch.models.configuration import Configuration
 from rosarch.models.policy import THRESHOLDS, Policy, Reported, apply_policy
 
@@ -143,7 +144,7 @@ def test_wrong_destinations(formats: str, outputs: list[str] | None, message: st
 def test_reports_go_where_they_are_sent(ws: Path, capsys: pytest.CaptureFixture[str]) -> None:
     names = ("text", "json", "sarif", "junit", "github", "markdown")
     files = tuple((name, Path(f"out/report.{name}")) for name in names)
-    write_reports(reported(), Destinations(("text", "github"), files), ws)
+    write_reports(reported(), Destinations(("text", "github"), files), ws, folder_reader(ws))
     shown = capsys.readouterr().out
     texts = {name: Path(f"out/report.{name}").read_text() for name in names}
     assert shown == texts["text"] + texts["github"]
@@ -160,7 +161,7 @@ def test_paths_are_those_seen_from_the_current_folder(
     starts = []
     for here, folder in ((base, Path(".")), (base.parent, base), (base / "odom", base), (base / "odom", Path(".."))):
         monkeypatch.chdir(here)
-        write_reports(reported(), Destinations(("github",)), folder)
+        write_reports(reported(), Destinations(("github",)), folder, folder_reader(folder))
         starts.append(capsys.readouterr().out.partition(",")[0].partition("file=")[2])
     absolute = f"{base}/odom/src/odom.cpp"
     assert starts == ["odom/src/odom.cpp", "ws/odom/src/odom.cpp", absolute, absolute]
@@ -168,12 +169,15 @@ def test_paths_are_those_seen_from_the_current_folder(
 
 def test_a_file_that_cannot_be_written(ws: Path) -> None:
     Path("file").write_text("x")
-    assert refused(write_reports, reported(), Destinations((), (("json", Path("file/a.json")),)), ws) == "file: cannot write (file exists)"
+    assert (
+        refused(write_reports, reported(), Destinations((), (("json", Path("file/a.json")),)), ws, folder_reader(ws))
+        == "file: cannot write (file exists)"
+    )
 
 
 def test_a_text_that_is_not_utf_8_is_written_all_the_same(ws: Path) -> None:
     found = apply_policy([finding(message="\udcff")], Policy(), checks=CHECKS)
-    write_reports(found, Destinations((), (("json", Path("a.json")), ("sarif", Path("a.sarif")))), ws)
+    write_reports(found, Destinations((), (("json", Path("a.json")), ("sarif", Path("a.sarif")))), ws, folder_reader(ws))
     assert json.loads(Path("a.json").read_text())["findings"][0]["message"] == "\udcff"
 
 

@@ -255,7 +255,8 @@ def test_errors(load: Callable[[str], Program], goal: str, expected: str) -> Non
 
 def test_a_port_of_an_example(examples: Path) -> None:
     """Down to the source: every leaf is a fact, and the lines of the source tell the story."""
-    from rosarch.datalog import SourceLines, folder_reader
+    from rosarch.datalog import SourceLines
+    from rosarch.extractor.files import folder_reader
     from rosarch.extractor.manifest import rules_folder
     from rosarch.extractor.pipeline import extract
 

@@ -1,0 +1,56 @@
+"""Files of the input that lead elsewhere, or whose names mean something: what is outside is not shown, names are told whole."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+SECRET = "the-secret-line"
+STARTED = '<launch><node name="t" pkg="talker" type="talker"/></launch>\n'
+
+
+READERS = [("check", "-v"), ("check", "--format", "sarif"), ("report", "--no-proofs", "-o", "page.html")]
+
+
+def test_no_report_shows_what_a_link_out_of_the_workspace_leads_to(
+    rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    secret, other = tmp_path / "secret", tmp_path / "other"
+    package = workspace / "talker"
+    for path, names in ((secret, ("t.launch", "more.cpp", "msg/Talk.msg", "p.yaml", "here/package.xml")), (other, ("alone.launch",))):
+        path.write_text(f"{SECRET}\n" * 9)
+        for name in names:
+            (package / name).parent.mkdir(exist_ok=True)
+            (package / name).symlink_to(path)
+    (package / "main.launch").write_text(
+        f'<launch><include file="$(dirname)/t.launch"/><include file="{secret}"/><rosparam file="$(dirname)/p.yaml"/>'
+        '<node name="t" pkg="talker" type="talker"/></launch>\n'
+    )
+    for words in READERS:
+        done = rosarch(words[0], workspace, *words[1:])
+        assert done.code in (0, 1), (words, done.err)
+        page = (tmp_path / "page.html").read_text() if words[0] == "report" else ""
+        assert SECRET not in done.out + done.err + page, words
+    assert (tmp_path / "page.html").stat().st_size
+    assert "alone.launch cannot be read: outside of the workspace" in rosarch("check", workspace).out
+
+
+@pytest.mark.parametrize(
+    "name", ["with  spaces 'and \"quotes", "with\na line break", os.fsdecode(b"not \xff\xfe UTF-8"), "-dash", "$(arg x) ${y}", "#%&"]
+)
+def test_names_that_mean_something(rosarch: Callable, workspace: Path, tmp_path: Path, name: str) -> None:
+    folder = workspace.rename(tmp_path / name)
+    (folder / "talker" / f"{name}.launch").write_text(STARTED)
+    (folder / "talker" / f"{name}.cpp").write_text("int main() {}\n")
+    shown = name.replace("\n", r"\n").replace("\udcff\udcfe", r"\xff\xfe")
+    done = rosarch("check", folder, "-v")
+    assert "/t is started" in done.out
+    assert f"in: talker/{shown}.launch" in done.out.splitlines()[-4]
+    (folder / "talker" / f"{name}.launch").write_text("<launch>")
+    done = rosarch("check", folder, "-v")
+    assert f"{shown}.launch:1:9: broken XML: no element found" in done.err
+    assert done.code == 1
