@@ -28,6 +28,8 @@ class Facts:
     program: Program
     inference: Inference
     rows: dict[str, set[tuple[str | int, ...]]] = field(default_factory=lambda: defaultdict(set))
+    numbers: dict[ast.expr, int | float | None] = field(default_factory=dict)
+    """What operations that were lowered come to, None for what is no arithmetic on literals."""
     _ids: dict[str, int] = field(default_factory=dict)
     _declared: set[object] = field(default_factory=set)
 

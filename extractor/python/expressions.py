@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ast
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from . import calls, strings
@@ -27,6 +28,8 @@ _COMPARED: dict[type[ast.cmpop], str] = {
 _CALCULATED: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.FloorDiv: operator.floordiv,
 }  # fmt: skip
+_LARGEST = 1e15
+"""Numbers as large as this are not calculated with: a float of that size is hardly exact, and products of integers grow without end."""
 
 
 def lower(body: Body, node: ast.expr, *, text: bool = False) -> str:
@@ -220,28 +223,32 @@ def _binary(body: Body, node: ast.expr) -> str:
     if isinstance(node.op, ast.Mod) and isinstance(node.right, ast.Tuple):
         return strings.percent(body, node, [lower(body, part) for part in node.right.elts])
     expr = body.operator(node, _BINARY[type(node.op)], lower(body, node.left), lower(body, node.right))
-    value = calculated(node)
+    value = body.facts.numbers[node] = _calculated(node, body.facts.numbers)
     if value is not None:
         body.facts.add("expr_constant", expr, repr(value))
     return expr
 
 
-def calculated(node: ast.expr) -> int | float | None:
-    """What arithmetic on literals comes to."""
+def _calculated(node: ast.expr, known: Mapping[ast.expr, int | float | None]) -> int | float | None:
+    """What arithmetic on literals comes to, within `_LARGEST`; `known` is what that of its operands does, which were lowered before it."""
     match node:
-        case ast.Constant(value=int() | float() as value) if not isinstance(value, bool) and abs(value) < 1e15:
-            return value
+        case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+            return _bounded(value)
         case ast.UnaryOp(op=ast.USub(), operand=inner):
-            negated = calculated(inner)
+            negated = _calculated(inner, known)
             return -negated if negated is not None else None
+        case ast.BinOp() if node in known:
+            return known[node]
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _CALCULATED:
-            first, second = calculated(left), calculated(right)
+            first, second = _calculated(left, known), _calculated(right, known)
             if first is not None and second is not None:
-                try:
-                    return _CALCULATED[type(op)](first, second)  # type: ignore[no-any-return]
-                except (ArithmeticError, ValueError):
-                    return None
+                with suppress(ArithmeticError, ValueError):
+                    return _bounded(_CALCULATED[type(op)](first, second))
     return None
+
+
+def _bounded(value: int | float) -> int | float | None:
+    return value if abs(value) < _LARGEST else None
 
 
 def _logical(body: Body, node: ast.expr) -> str:

@@ -144,6 +144,8 @@ def test_what_is_not_understood_is_told_and_the_rest_is_read(tmp_path: Path) -> 
         ("super()." * 10_000 + "x", ["1:1: not analysed: nested too deeply"]),
         ("-1" * 10_000, ["1:1: not analysed: nested too deeply"]),
         ("f = " + "-" * 1800 + "1", []),
+        (("1" + "-1" * 1400 + "\n") * 4, []),
+        ("999999999999999" + " * 999999999999999" * 400, []),
         ("if x: pass\n" + "elif x: pass\n" * 5000, ["1:1: not analysed: nested too deeply"]),
         ("x = " + "(" * 100_000, ["1:205: syntax error: too many nested parentheses; what stands from line 1 on is left out"]),
         ("import a" + ".imports" * 1000 + "\nimport " + "rospy" * 500, []),
