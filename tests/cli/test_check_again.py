@@ -372,7 +372,7 @@ def test_all_that_is_read_is_observed(robot: Path, rosarch: Callable, monkeypatc
     sys.addaudithook(hear)
     try:
         with monkeypatch.context() as patch:
-            patch.setattr("rosarch.cli.check._suppressions", lambda *_args: ())
+            patch.setattr("rosarch.extractor.suppressions.find_suppressions", lambda *_args: ())
             patch.setattr("rosarch.cli.check.write_reports", lambda *_args, **_options: None)
             rosarch("check", "ws", "--jobs", "1")
     finally:
