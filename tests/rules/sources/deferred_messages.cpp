@@ -15,7 +15,7 @@
 // expect: deferred /nested -> /looped variable=nested_
 // expect-only: deferred
 // expect: Count = count : { message_argument(P, C, A) }, Count = 6
-// expect: 21 = count : { depends_on(_, _) }
+// expect: 22 = count : { depends_on(_, _) }
 #include <ros/ros.h>
 #include <std_msgs/Float64MultiArray.h>
 #include <std_msgs/Int32.h>
