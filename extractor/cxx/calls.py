@@ -333,9 +333,9 @@ def _written_type(body: Body, callee: Tree, text: str, begin: int, end: int) -> 
                 if child.kind == kinds.TYPE_REFERENCE and span.end == end:
                     return declare_type(body.unit, libclang.cursor_type(target))
                 if child.kind == kinds.TYPE_REFERENCE and (member := _MEMBER_TYPE.fullmatch(text)):
-                    return declare_member_type(body.unit, libclang.cursor_type(target), member.group(1)) or declare_unknown_type(
-                        body.unit, text
-                    )
+                    type_ = declare_member_type(body.unit, libclang.cursor_type(target), member.group(1))
+                    if type_ is not None:
+                        return type_
                 if child.kind == kinds.TEMPLATE_REFERENCE and found is None:
                     found = target
     if found is not None:
