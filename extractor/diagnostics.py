@@ -41,5 +41,6 @@ def unreadable(path: str | Path, error: OSError) -> Diagnostic:
 
 
 def why(error: OSError) -> str:
-    """What the system says is wrong with a file, in lower case."""
-    return (error.strerror or str(error)).lower()
+    """What the system says is wrong with a file, as the rest of a sentence."""
+    text = error.strerror or str(error)
+    return text[:1].lower() + text[1:]

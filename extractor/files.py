@@ -11,6 +11,10 @@ from pathlib import Path
 from rosarch.extractor import tracing
 from rosarch.extractor.boundary import OUTSIDE, confined, is_inside, ros_package_path
 
+LARGEST = 32 << 20
+"""Bytes of a file; of one that has more, nothing is read."""
+LARGEST_PARSED = 4 << 20
+"""Bytes of a file that is parsed outside of worker processes, where no other limit holds: syntax trees are many times as large."""
 _LONGEST = 200
 """Bytes of a file's name, with room for a suffix."""
 
@@ -30,8 +34,11 @@ def path_below(folder: Path, *names: str) -> Path:
     return path
 
 
-def read_file(path: str | Path) -> bytes:
-    """The content of a regular file inside the boundary; OSError for anything else: a pipe would block, a device might never end."""
+def read_file(path: str | Path, most: int = LARGEST) -> bytes:
+    """The content of a regular file inside the boundary, of at most so many bytes.
+
+    OSError for anything else: a pipe would block, a device might never end.
+    """
     status = content = None
     try:
         status = os.stat(path)
@@ -39,6 +46,8 @@ def read_file(path: str | Path) -> bytes:
             raise OSError(errno.EINVAL, "not a regular file", str(path))
         if not is_inside(path):
             raise OSError(errno.EACCES, OUTSIDE, str(path))
+        if status.st_size > most:
+            raise OSError(errno.EFBIG, f"larger than {most >> 20} MiB", str(path))
         with open(path, "rb") as file:
             content = file.read()
         return content

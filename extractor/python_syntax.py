@@ -5,13 +5,17 @@ from __future__ import annotations
 import ast
 import warnings
 
+from rosarch.extractor.files import LARGEST_PARSED
+
 
 def parse_python(text: str | bytes) -> ast.Module:
     """The tree of a source, without Python's warnings about it.
 
     Raises:
-        SyntaxError: it is not Python 3, or nested too deeply for the parser.
+        SyntaxError: it is not Python 3, nested too deeply for the parser, or too large.
     """
+    if len(text) > LARGEST_PARSED:
+        raise SyntaxError(f"larger than {LARGEST_PARSED >> 20} MiB", ("", 1, 1, ""))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from rosarch.extractor import tracing
-from rosarch.extractor.files import read_file
+from rosarch.extractor.files import LARGEST, read_file
 
 from .model import LaunchError, Reference
 from .packages import PackagePath
@@ -25,7 +25,6 @@ from .unknowns import cleaned
 from .xml_reader import read_launch
 from .yaml_values import KeyLines, Loader, RosparamLoader, load_yaml_lines
 
-MAX_BYTES = 32 * 1024 * 1024  # of one file
 MAX_MATCHES = 1000
 _Parsed = TypeVar("_Parsed")
 
@@ -137,9 +136,9 @@ class Files:
             raise LaunchError("file", path, f"{path} is not a regular file")
         if not self._is_allowed(self.real(full)):
             raise LaunchError("outside", path, f"{path} is outside the package path and not read")
-        if status.st_size > MAX_BYTES:
+        if status.st_size > LARGEST:
             tracing.read(full, status, None)
-            raise LaunchError("size", path, f"{path} has more than {MAX_BYTES // 2**20} MiB and is not read")
+            raise LaunchError("size", path, f"{path} has more than {LARGEST >> 20} MiB and is not read")
         try:
             return read_file(full)
         except OSError as error:

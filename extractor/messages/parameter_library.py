@@ -17,7 +17,7 @@ from pathlib import Path
 import yaml
 
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import path_text, read_file
+from rosarch.extractor.files import LARGEST_PARSED, path_text, read_file
 from rosarch.extractor.workspace.model import Package
 from rosarch.extractor.yaml_loader import BoundedLoader
 
@@ -76,7 +76,7 @@ def made_from(header: bytes) -> str | None:
 
 def _body(path: Path, root: Path, problems: list[Diagnostic]) -> str | None:
     try:
-        text = read_file(path).decode("utf-8-sig")
+        text = read_file(path, LARGEST_PARSED).decode("utf-8-sig")
         tree = yaml.compose(text, Loader=BoundedLoader)
     except OSError as error:
         problems.append(unreadable(path, error))

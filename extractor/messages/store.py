@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import path_text, read_file
+from rosarch.extractor.files import LARGEST_PARSED, path_text, read_file
 from rosarch.extractor.workspace.model import ROS1, Package
 
 from .common_interfaces import common_interfaces
@@ -73,7 +73,7 @@ class _Loader:
         files = dict.fromkeys((*declared, *others))
         for path in files:
             try:
-                data = read_file(path)
+                data = read_file(path, LARGEST_PARSED)
             except OSError as error:
                 self.problems.append(unreadable(path, error))
                 continue

@@ -7,13 +7,11 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
+from rosarch.extractor.files import LARGEST_PARSED, read_file
 from rosarch.extractor.python_syntax import parse_python
 
 from .python2 import as_python3
 
-MOST_BYTES = 4 << 20
-"""A larger file is data."""
 _ENCODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
 
@@ -37,9 +35,7 @@ class Parsed:
 
 def read_source(path: Path) -> Parsed | Problem:
     """Parse a source of Python 3 or, converted, of Python 2."""
-    data = read_file(path)
-    if len(data) > MOST_BYTES:
-        return Problem(1, 1, f"not analysed: larger than {MOST_BYTES >> 20} MiB")
+    data = read_file(path, LARGEST_PARSED)
     if b"\0" in data:
         return Problem(data.count(b"\n", 0, data.index(b"\0")) + 1, 1, "not a text file")
     text, problems = _decoded(data)

@@ -17,7 +17,7 @@ from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
 from rosarch.extractor.boundary import is_inside
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import file_name, is_folder, read_file
+from rosarch.extractor.files import LARGEST_PARSED, file_name, is_folder, read_file
 from rosarch.extractor.xml_reader import XmlError, read_tree
 
 from .options import DEFAULT_DISTRO, initial_environment
@@ -92,7 +92,7 @@ class Manifest:
 def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | None, list[Diagnostic]]:
     """Parse a manifest. One that catkin_pkg refuses but that is XML is kept, with the refusal as a diagnostic."""
     try:
-        data = read_file(path)
+        data = read_file(path, LARGEST_PARSED)
         tree = read_tree(data)
     except XmlError as error:
         return None, [Diagnostic("manifest", path, error.line, error.column, error.message)]

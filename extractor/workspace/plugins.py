@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import read_file
+from rosarch.extractor.files import LARGEST_PARSED, read_file
 from rosarch.extractor.xml_reader import XmlError, read_tree
 
 from .manifests import Manifest
@@ -25,7 +25,7 @@ def read_plugins(exports: Iterable[tuple[str, Path]], manifest: Manifest) -> tup
     problems: list[Diagnostic] = []
     for base_package, path in dict.fromkeys(exports):
         try:
-            text = read_file(path).decode(errors="replace")
+            text = read_file(path, LARGEST_PARSED).decode(errors="replace")
         except FileNotFoundError:
             message = f"plug-in description {path.name} for {base_package} does not exist"
             problems.append(Diagnostic("missing-plugin-file", manifest.path, 1, 1, message))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
@@ -54,3 +55,34 @@ def test_names_that_mean_something(rosarch: Callable, workspace: Path, tmp_path:
     done = rosarch("check", folder, "-v")
     assert f"{shown}.launch:1:9: broken XML: no element found" in done.err
     assert done.code == 1
+
+
+def test_files_that_are_too_large_are_not_read(
+    rosarch: Callable, workspace: Path, at_most: Callable[[float], AbstractContextManager[None]]
+) -> None:
+    package = workspace / "talker"
+    (package / "launch").mkdir()
+    (package / "launch" / "main.launch").write_text(
+        STARTED.replace("</launch>", '<rosparam file="$(dirname)/p.yaml"/><include file="$(dirname)/other.launch"/></launch>')
+    )
+    sizes = {
+        "launch/p.yaml": 32, "launch/other.launch": 32, "msg/Talk.msg": 4, "setup.py": 4, "../here/package.xml": 4, "there/CMakeLists.txt": 32,
+    }  # fmt: skip
+    for name, size in sizes.items():
+        (package / name).parent.mkdir(exist_ok=True)
+        (package / name).touch()
+        os.truncate(package / name, (size << 20) + 1)
+    with (package / "CMakeLists.txt").open("a") as file:
+        file.write("catkin_python_setup()\nadd_message_files(FILES Talk.msg)\nadd_subdirectory(there)\n")
+    with at_most(5):
+        done = rosarch("check", workspace, "-v")
+    lines = [line.replace(f"{workspace.parent}/", "") for line in done.err.splitlines()]
+    assert [line for line in lines if line.startswith("  ")] == [
+        "  ws/talker/launch/main.launch:1:52: ws/talker/launch/p.yaml has more than 32 MiB and is not read",
+        "  ws/talker/launch/main.launch:1:88: ws/talker/launch/other.launch has more than 32 MiB and is not read",
+        "  ws/talker/setup.py:1:1: not read: larger than 4 MiB",
+        "  ws/here/package.xml:1:1: cannot be read: larger than 4 MiB",
+        "  ws/talker/msg/Talk.msg:1:1: cannot be read: larger than 4 MiB",
+        "  ws/talker/there/CMakeLists.txt:1:1: cannot be read: larger than 32 MiB",
+    ]
+    assert (done.code, done.out.splitlines()[-1]) == (0, "checked 1 system with 1 node")
