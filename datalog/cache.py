@@ -1,4 +1,4 @@
-"""Compiled programs on disk, found by the paths of their root files and checked by the content of every file."""
+"""Compiled programs and the parser's tables on disk, found by the paths of their root files and checked by the content of every file."""
 
 from __future__ import annotations
 
@@ -59,16 +59,6 @@ def _entry(paths: Sequence[Path], extra: str) -> Path:
         key.update(f"{path}\0{path.resolve()}\0".encode("utf-8", "surrogateescape"))
     key.update(extra.encode("utf-8", "surrogateescape"))
     return cache_folder() / "datalog" / f"{key.hexdigest()[:32]}.pickle"
-
-
-def table_file() -> Path | None:
-    """Where the parser keeps its tables, made from the grammar; None when it cannot."""
-    folder = cache_folder() / "datalog"
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError:
-        return None
-    return folder / f"{engine_version()}.lark" if os.access(folder, os.W_OK) else None
 
 
 def known(paths: Sequence[Path], extra: str) -> bool:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import io
+import pickle
 import re
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+import lark
 from lark import Lark, Token
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
-from .cache import table_file
+from . import cache as entries
 from .errors import Location, Report
 from .preprocess import LINE_MARK, Origins
 from .tree import Item, TreeBuilder
@@ -29,13 +32,21 @@ def _parser() -> tuple[Lark, TreeBuilder, list[Token]]:
         return token
 
     builder = TreeBuilder()
-    callbacks: dict[str, Callable[[Token], Token]] = {"DOC": keep}
-    grammar = Path(__file__).with_name("grammar.lark").read_text(encoding="utf-8")
-    lark = Lark(
-        grammar, parser="lalr", lexer="basic", transformer=builder, lexer_callbacks=callbacks, maybe_placeholders=True,
-        cache=str(tables) if (tables := table_file()) else False,
-    )  # fmt: skip
-    return lark, builder, docs
+    return _lark({"transformer": builder, "lexer_callbacks": {"DOC": keep}}), builder, docs
+
+
+def _lark(actions: dict[str, Any]) -> Lark:
+    """The parser; its tables are made once. Lark's own cache would take damaged tables for those of another language."""
+    path = Path(__file__).with_name("grammar.lark")
+    version = f"tables of lark {lark.__version__}"
+    kept = entries.load([path], version)
+    if kept is not None:
+        return Lark._load_from_dict(**pickle.loads(kept), **actions)
+    made = Lark(path.read_text(encoding="utf-8"), parser="lalr", lexer="basic", maybe_placeholders=True, **actions)
+    tables = io.BytesIO()
+    made.save(tables, exclude_options=actions)
+    entries.store([path], version, {str(path): entries.digest(str(path))}, tables.getvalue())
+    return made
 
 
 class _DocLookup(dict[int, str]):
@@ -60,13 +71,13 @@ def parse_text(text: str, path: str, report: Report, texts: dict[str, str] | Non
 
     A text with `#line` marks is one that the preprocessor has expanded; `texts` are the files as written.
     """
-    lark, builder, docs = _parser()
+    parser, builder, docs = _parser()
     builder.origins = Origins(text, path, texts or {}) if "#line " in text and LINE_MARK.search(text) else None
     for _ in range(MAX_SYNTAX_ERRORS):
         docs.clear()
         builder.path, builder.report, builder.docs = path, report, _DocLookup(docs)
         try:
-            items: Any = lark.parse(text)
+            items: Any = parser.parse(text)
             return list(items)
         except UnexpectedInput as error:
             position = _record(error, text, builder.at, report)
@@ -83,11 +94,11 @@ def is_word(name: str) -> bool:
 
 def tokens(text: str) -> tuple[list[Token], list[Token]]:
     """The tokens of a text, and its `///` lines; characters that begin no token are left out."""
-    lark, _, docs = _parser()
+    parser, _, docs = _parser()
     while True:
         docs.clear()
         try:
-            return list(lark.lex(text)), list(docs)
+            return list(parser.lex(text)), list(docs)
         except UnexpectedCharacters as error:
             at = error.pos_in_stream or 0
             text = f"{text[:at]} {text[at + 1 :]}"

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.datalog import Attribute, DatalogError, Program, cache, load_declarations, load_program
+from rosarch.datalog import Attribute, DatalogError, Program, cache, load_declarations, load_program, parser
+from rosarch.datalog.errors import Report
 
 TYPED = """.type Node <: symbol
 .type P = [x: number]
@@ -116,6 +117,25 @@ def test_a_damaged_entry_of_the_cache_is_none(tmp_path: Path, monkeypatch: pytes
     for at in range(len(content)):
         entry.write_bytes(content[:at] + bytes([content[at] ^ 1]) + content[at + 1 :])
         assert cache.load([tmp_path], "") is None
+
+
+def test_damaged_tables_of_the_parser_are_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROSARCH_CACHE_DIR", str(tmp_path / "cache"))
+    text = ".decl r(x: number)\nr(1) :- r(2), !r(3)."
+
+    def parsed() -> str:
+        parser._parser.cache_clear()
+        return repr(parser.parse_text(text, "", report := Report({}))) + repr(report.errors)
+
+    expected = parsed()
+    (entry,) = (tmp_path / "cache" / "datalog").iterdir()
+    content = entry.read_bytes()
+    assert parsed() == expected
+    for at in range(40, len(content), len(content) // 8):
+        entry.write_bytes(damaged := content[:at] + bytes([content[at] ^ 1]) + content[at + 1 :])
+        assert parsed() == expected
+        assert entry.read_bytes() != damaged
+    parser._parser.cache_clear()
 
 
 def test_cache_follows_content(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
