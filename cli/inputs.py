@@ -12,6 +12,9 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.options import Engine
 from rosarch.cli.terminal import progress
 
+_NOT_DERIVED = ("component", "launch")
+"""Kinds of diagnostics about a component or a system that the engine has derived nothing of."""
+
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
     from rosarch.extractor.diagnostics import Diagnostic
@@ -69,6 +72,7 @@ def unwritable(out: Path, error: OSError) -> InputError:
 
 def read_input(path: Path) -> str:
     """The text of a file that was given."""
+    from rosarch.extractor.diagnostics import why
     from rosarch.extractor.files import read_file
 
     try:
@@ -78,7 +82,7 @@ def read_input(path: Path) -> str:
         column = error.start - error.object.rfind(b"\n", 0, error.start)
         raise InputError(f"{path}:{line}:{column}: not UTF-8 text: byte 0x{error.object[error.start]:02x}") from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({(error.strerror or str(error)).lower()})") from None
+        raise InputError(f"{path}: cannot be read ({why(error)})") from None
 
 
 def extraction_cache(wanted: bool) -> Cache | None:
@@ -92,8 +96,13 @@ def extraction_cache(wanted: bool) -> Cache | None:
 
 
 def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic]) -> None:
-    """Refuse input that gave nothing to work on: no package, an unknown package, only broken packages."""
+    """Refuse input that gave nothing to work on: no package, an unknown package, only broken packages, rules that fail on all of it."""
+    from rosarch.extractor.diagnostics import shortened
+
     diagnostics = list(diagnostics)
+    failed = [diagnostic for diagnostic in diagnostics if diagnostic.kind in _NOT_DERIVED]
+    if failed and not found:
+        raise InputError(f"{folder}: {shortened(failed[0].message, 300)}{f' (and {len(failed) - 1} more)' if failed[1:] else ''}")
     for diagnostic in diagnostics:
         if diagnostic.kind == "workspace":
             raise InputError(f"{folder}: {diagnostic.message}")

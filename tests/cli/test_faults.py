@@ -73,6 +73,19 @@ def test_an_older_souffle_or_another_program(
     assert (done.code, done.out, done.err) == (2, "", f"rosarch: error: --engine souffle: {binary}{':' * ('does' in message)} {message}\n")
 
 
+def test_a_souffle_that_fails_on_everything(rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    binary = tmp_path / "bin" / "souffle"
+    binary.parent.mkdir()
+    binary.write_text('#!/bin/sh\n[ "$1" = --version ] && echo "Version: 2.5" && exit\necho no more >&2\nexit 3\n')
+    binary.chmod(0o755)
+    (workspace / "talker" / "t.launch").write_text('<launch><node name="t" pkg="talker" type="talker"/></launch>\n')
+    monkeypatch.setenv("PATH", f"{binary.parent}:/bin:/usr/bin")
+    for words in (("analyze",), ("check",), ("check", "--no-cache")):
+        done = rosarch(words[0], workspace, "--engine", "souffle", *words[1:])
+        assert (done.code, done.out) == (2, ""), words
+        assert "talker/talker not analysed: error (DatalogError: souffle failed with exit code 3: no more, in souffle.py:" in done.err
+
+
 def test_a_library_that_lacks_a_function_or_is_gone(workspace: Path, tmp_path: Path) -> None:
     native = tmp_path / "path" / "clang" / "native"
     native.mkdir(parents=True)
