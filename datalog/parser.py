@@ -41,7 +41,8 @@ def _lark(actions: dict[str, Any]) -> Lark:
     version = f"tables of lark {lark.__version__}"
     kept = entries.load([path], version)
     if kept is not None:
-        return Lark._load_from_dict(**pickle.loads(kept), **actions)
+        loaded: Lark = Lark._load_from_dict(**pickle.loads(kept), **actions)  # type: ignore[no-untyped-call]
+        return loaded
     made = Lark(path.read_text(encoding="utf-8"), parser="lalr", lexer="basic", maybe_placeholders=True, **actions)
     tables = io.BytesIO()
     made.save(tables, exclude_options=actions)
