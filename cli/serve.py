@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import socket
 import tempfile
-from collections.abc import Callable
-from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Annotated
 
@@ -27,13 +24,14 @@ LOOPBACK = "127.0.0.1"
 def serve(question: SystemQuestion, port: Port = 8750, source_url: SourceUrl = None, chains: Chains = False, proofs: Proofs = True) -> None:
     """Serve the report on this machine only, and make it anew whenever sources or rules are saved. Ends with Ctrl-C."""
     from rosarch.cli.live_server import serve_live
+    from rosarch.extractor.pool import alongside
 
     link = check_link(source_url)
     folder = check_sources(question.folder)
     saved = saves([folder, *(question.own or ())])
     with _listening(port) as listener, tempfile.TemporaryDirectory(prefix="rosarch-") as name:
         current = Path(name)
-        server = _started(lambda: serve_live(listener, folder.resolve().name, current), daemon=True)
+        server = alongside(lambda: serve_live(listener, folder.resolve().name, current))
         emit(f"http://{LOOPBACK}:{listener.getsockname()[1]}/\n")
         try:
             _remake(question, link, chains, proofs, current)
@@ -50,15 +48,16 @@ def _listening(port: int) -> socket.socket:
         raise InputError(f"--port {port}: cannot listen there ({(error.strerror or str(error)).lower()})") from None
 
 
-def _started(work: Callable[[], None], *, daemon: bool) -> BaseProcess:
-    process = multiprocessing.get_context("fork").Process(target=work, daemon=daemon)
-    process.start()
-    return process
-
-
 def _remake(question: SystemQuestion, link: str | None, chains: bool, proofs: bool, current: Path) -> None:
     """Analyse in a process of its own, which loads the rules as they are now."""
-    _started(lambda: _make(question, link, chains, proofs, current), daemon=False).join()
+    from rosarch.extractor.pool import alongside
+
+    process = alongside(lambda: _make(question, link, chains, proofs, current), daemon=False)
+    try:
+        process.join()
+    finally:
+        process.kill()
+        process.join()
 
 
 def _make(question: SystemQuestion, link: str | None, chains: bool, proofs: bool, current: Path) -> None:

@@ -15,6 +15,7 @@ import traceback
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from pathlib import Path
@@ -98,13 +99,19 @@ def meanwhile(function: Callable[[], object]) -> Iterator[Callable[[], None]]:
 
     Whether it succeeds is not told: it must be work that the caller does itself where it finds it undone.
     """
-    process = _context().Process(target=_alone, args=(function, os.getpid()), daemon=True)
-    _launch(process)
+    process = alongside(partial(_quietly, function))
     try:
         yield process.join
     finally:
         process.kill()
         process.join()
+
+
+def alongside(function: Callable[[], object], *, daemon: bool = True) -> BaseProcess:
+    """Call a function in a process of its own. Ctrl-C is not for that process: who started it ends it, or it ends when they do."""
+    process: BaseProcess = _context().Process(target=_alone, args=(function, os.getpid()), daemon=daemon)
+    _launch(process)
+    return process
 
 
 def _launch(process: BaseProcess) -> None:
@@ -128,6 +135,10 @@ def _heed_signals() -> None:
 def _alone(function: Callable[[], object], parent: int) -> None:
     _heed_signals()
     end_with_parent(parent)
+    function()
+
+
+def _quietly(function: Callable[[], object]) -> None:
     with suppress(Exception):
         function()
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -139,6 +140,23 @@ def test_a_cache_that_is_read_only_damaged_or_no_folder(
     shutil.rmtree(cache)
     cache.write_text("a file where the folder should be")
     assert rosarch("check", workspace, "--format", "json") == expected
+
+
+@pytest.mark.parametrize("after", [0.0, 1.0])
+def test_serve_ends_with_one_line(workspace: Path, after: float) -> None:
+    command = [sys.executable, "-m", "rosarch.cli", "serve", str(workspace), "--port", "0"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    assert process.stdout
+    assert process.stdout.readline().startswith("http://127.0.0.1:")
+    time.sleep(after)  # into the first analysis
+    os.killpg(process.pid, signal.SIGINT)
+    _, errors = process.communicate(timeout=30)
+    assert (process.returncode, errors) == (130, "rosarch: interrupted\n")
+    until = time.monotonic() + 10
+    with pytest.raises(ProcessLookupError):
+        while time.monotonic() < until:
+            os.killpg(process.pid, 0)
+            time.sleep(0.05)
 
 
 def test_runs_that_are_ended_at_random_are_no_harm(tmp_path: Path) -> None:
