@@ -1,8 +1,8 @@
-// The callback that is told of a port is what a lambda passes on what it is given to; a lambda that does more is told itself. What is left to a library: the depth of a filter's
+// The callback that is told of a port is what a lambda calls with what it is given; a lambda that keeps what that gives is told itself. What is left to a library: the depth of a filter's
 // subscriber, the message that a name of a library stands for.
 //
 // expect: subscriber image callback=Viewer::show
-// expect: subscriber limit callback=lambda
+// expect: subscriber limit callback=Viewer::scale
 // expect: service_server add callback=lambda
 // expect: subscriber points queue=10
 // expect: publisher times autoware_internal_debug_msgs/ProcessingTimeTree
