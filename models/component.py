@@ -169,6 +169,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
     latched = {port for (port,) in relations["port_latched"]}
     relative, qualities = _first(relations["port_in_namespace"]), _qualities(relations)
     functions = {row[0]: _short_name(row[1], row[2]) for row in relations["function_display"]}
+    functions |= {function: f"lambda in {functions[outer]}" for function, outer in relations["lambda_within"]}
     callbacks = _first((port, functions[function]) for port, function in relations["port_handler"])
     inner = _first((port, functions[function]) for port, function in relations["implicit_port_callback"])
     calls = defaultdict(list)

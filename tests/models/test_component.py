@@ -14,7 +14,7 @@ from rosarch.models.component import ComponentModel, build_model, build_models, 
 NAMES = (
     "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_handler", "port_queue", "port_latched", "port_quality", "port_unknown", "port_made_through", "port_via",
     "implicit_port", "implicit_port_callback", "node_location",
-    "function_display", "parameter_access", "parameter_access_default", "parameter_access_type",
+    "function_display", "lambda_within", "parameter_access", "parameter_access_default", "parameter_access_type",
     "reconfigure_parameter", "node_name", "node_element", "component_middleware", "managed_node",
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
     "transition", "done_for_others", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
@@ -182,6 +182,17 @@ def test_callbacks(via: str, function: str, display: tuple[str, str], callback: 
         node_location=place("c2"),
     ).ports
     assert (port.callback, port.via) == (callback, shown)
+
+
+def test_a_callback_without_a_name_is_told_by_the_function_that_it_is_written_in() -> None:
+    (port,) = model(
+        port=[(IN,)],
+        port_handler=[(IN, "lambda@n.cpp:1:2")],
+        function_display=[("lambda@n.cpp:1:2", "", "lambda"), ("N::N@n.cpp:1", "ns::N", "ns::N::N")],
+        lambda_within=[("lambda@n.cpp:1:2", "N::N@n.cpp:1")],
+        node_location=place("c2"),
+    ).ports
+    assert port.callback == "lambda in N::N"
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 //
 // expect: subscriber image callback=Viewer::show
 // expect: subscriber limit callback=Viewer::scale
-// expect: service_server add callback=lambda
+// expect: service_server add callback="lambda in Viewer::Viewer"
 // expect: subscriber points queue=10
 // expect: publisher times autoware_internal_debug_msgs/ProcessingTimeTree
 #include <autoware_utils_debug/time_keeper.hpp>
