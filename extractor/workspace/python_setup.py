@@ -1,7 +1,8 @@
 """What the `setup.py` and `setup.cfg` of a package install: commands, scripts, the folders that modules are imported from.
 
-A `setup.py` is never run. Keyword arguments of its calls are read, of `setup` as well as of catkin's `generate_distutils_setup`, as far as
-they can be evaluated from the module's own assignments. Sources: setuptools on entry points, `package_dir` and declarative configuration.
+A `setup.py` is never run. Keyword arguments of its calls are read, of `setup` as well as of catkin's `generate_distutils_setup`, and what
+is put into a dictionary of them (`d['package_dir'] = ...`), as far as they can be evaluated from the module's own assignments. Sources:
+setuptools on entry points, `package_dir` and declarative configuration.
 """
 
 from __future__ import annotations
@@ -39,13 +40,13 @@ def read_setup(folder: Path) -> tuple[Setup, list[Diagnostic]]:
     programs: list[Program] = []
     roots: list[Path] = []
     script, declared = folder / "setup.py", folder / "setup.cfg"
-    for keyword, names in _keywords(script, problems):
-        if keyword.arg == "entry_points":
-            points.extend(_entry_points(keyword.value, names, script))
-        elif keyword.arg == "scripts":
-            programs.extend(Program(text.rpartition("/")[2], folder / text) for text, _ in _texts(keyword.value, names))
-        elif keyword.arg == "package_dir":
-            found = _value(keyword.value, names)
+    for keyword, value, names in _keywords(script, problems):
+        if keyword == "entry_points":
+            points.extend(_entry_points(value, names, script))
+        elif keyword == "scripts":
+            programs.extend(Program(text.rpartition("/")[2], folder / text) for text, _ in _texts(value, names))
+        elif keyword == "package_dir":
+            found = _value(value, names)
             roots.extend(_roots(folder, found) if isinstance(found, dict) else ())
     points.extend(_declared(declared, problems))
     if os.path.isfile(script) and not roots:
@@ -54,8 +55,8 @@ def read_setup(folder: Path) -> tuple[Setup, list[Diagnostic]]:
     return setup, problems
 
 
-def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[ast.keyword, Mapping[str, ast.expr]]]:
-    """The keyword arguments of all calls in a `setup.py`, and the module's assignments."""
+def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[str | None, ast.expr, Mapping[str, ast.expr]]]:
+    """The keyword arguments of all calls in a `setup.py` and the entries given to its dictionaries, each with the module's assignments."""
     try:
         tree = parse_python(read_file(path))
     except FileNotFoundError:
@@ -70,10 +71,12 @@ def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[ast.keyw
     for node in tree.body:
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
             names[node.targets[0].id] = node.value
-    for call in ast.walk(tree):
-        if isinstance(call, ast.Call):
-            for keyword in call.keywords:
-                yield keyword, names
+    for node in ast.walk(tree):
+        match node:
+            case ast.Call(keywords=keywords):
+                yield from ((keyword.arg, keyword.value, names) for keyword in keywords)
+            case ast.Assign(targets=[ast.Subscript(slice=ast.Constant(value=str(key)))], value=value):
+                yield key, value, names
 
 
 def _value(node: ast.expr, names: Mapping[str, ast.expr], depth: int = 0) -> Any:

@@ -119,6 +119,21 @@ def test_scripts_that_rosrun_finds(tmp_path: Path) -> None:
     assert [path.name for path in found["run"].sources] == ["run.py", "core.py", "beside.py"]
 
 
+def test_what_is_put_into_the_dictionary_of_a_setup_file(tmp_path: Path) -> None:
+    package(
+        tmp_path,
+        "demo",
+        "catkin_python_setup()",
+        {
+            "setup.py": "d = generate_distutils_setup()\nd['packages'] = ['lib']\nd['package_dir'] = {'': 'src'}\nsetup(**d)\n",
+            "nodes/run.py": f"{NODE}import lib.core\n",
+            "src/lib/__init__.py": "",
+            "src/lib/core.py": "import rospy\n",
+        },
+    )
+    assert [path.name for path in nodes(tmp_path)["run"].sources] == ["run.py", "core.py"]
+
+
 def test_nothing_is_run_without_being_installed_in_ros_2(tmp_path: Path) -> None:
     files = {"scripts/a.py": NODE.replace("rospy", "rclpy"), "scripts/b.py": NODE.replace("rospy", "rclpy")}
     cmake = "project(demo)\nament_python_install_package(lib PACKAGE_DIR python/lib)\ninstall(PROGRAMS scripts/a.py DESTINATION lib/demo)\n"
