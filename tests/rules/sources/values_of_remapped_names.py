@@ -5,6 +5,6 @@
 import rospy
 from sensor_msgs.srv import SetCameraInfo
 
-rospy.init_node('calibrator')
-camera = rospy.remap_name('camera')
-info = rospy.ServiceProxy(camera + '/set_camera_info', SetCameraInfo)
+rospy.init_node("calibrator")
+camera = rospy.remap_name("camera")
+info = rospy.ServiceProxy(camera + "/set_camera_info", SetCameraInfo)
