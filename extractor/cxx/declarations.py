@@ -53,7 +53,7 @@ def qualified_name(unit: UnitFacts, cursor: Cursor) -> str:
 
 def _scope(cursor: Cursor) -> Cursor:
     """What a declaration is in; members of an anonymous union are in the scope around it."""
-    parent = libclang.semantic_parent(cursor)
+    parent: Cursor = libclang.semantic_parent(cursor)
     while parent.kind in kinds.CLASSES and libclang.is_anonymous_record(parent):
         parent = libclang.semantic_parent(parent)
     return parent

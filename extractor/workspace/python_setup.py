@@ -71,8 +71,8 @@ def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[str | No
     for node in tree.body:
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
             names[node.targets[0].id] = node.value
-    for node in ast.walk(tree):
-        match node:
+    for part in ast.walk(tree):
+        match part:
             case ast.Call(keywords=keywords):
                 yield from ((keyword.arg, keyword.value, names) for keyword in keywords)
             case ast.Assign(targets=[ast.Subscript(slice=ast.Constant(value=str(key)))], value=value):
