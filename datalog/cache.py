@@ -12,7 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-_SEAL = hashlib.sha256().digest_size
+from .seal import sealed, unsealed
+
 CACHE_VARIABLE = "ROSARCH_CACHE_DIR"
 
 
@@ -69,10 +70,10 @@ def known(paths: Sequence[Path], extra: str) -> bool:
 def load(paths: Sequence[Path], extra: str) -> Any | None:
     """The value stored for a program, or None when there is none or a file of it has changed."""
     try:
-        content = _entry(paths, extra).read_bytes()
-        if hashlib.sha256(content[_SEAL:]).digest() != content[:_SEAL]:  # what is damaged may still be a program, and another one
+        content = unsealed(_entry(paths, extra).read_bytes())
+        if content is None:  # what is damaged may still be a program, and another one
             return None
-        digests, value = pickle.loads(content[_SEAL:])
+        digests, value = pickle.loads(content)
         return value if unchanged(digests) else None
     except Exception:
         return None
@@ -86,8 +87,7 @@ def store(paths: Sequence[Path], extra: str, digests: dict[str, str], value: Any
         handle, temporary = tempfile.mkstemp(dir=entry.parent, suffix=".tmp")
         try:
             with os.fdopen(handle, "wb") as stream:
-                content = pickle.dumps((digests, value), protocol=pickle.HIGHEST_PROTOCOL)
-                stream.write(hashlib.sha256(content).digest() + content)
+                stream.write(sealed(pickle.dumps((digests, value), protocol=pickle.HIGHEST_PROTOCOL)))
             os.replace(temporary, entry)
         except BaseException:
             Path(temporary).unlink(missing_ok=True)

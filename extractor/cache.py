@@ -18,11 +18,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, TypeVar
 
+from rosarch.datalog.seal import sealed, unsealed
+
 Value = TypeVar("Value")
 LIMIT = 1 << 30
 """Bytes beyond which the entries that were not used for longest are removed."""
-
-_DIGEST_SIZE = hashlib.sha256().digest_size
 
 
 @lru_cache(maxsize=1)
@@ -131,22 +131,6 @@ class Cache:
 
     def _path(self, key: str) -> Path:
         return self.folder / key[:2] / key[2:]
-
-
-def sealed(data: bytes) -> bytes:
-    """The content of a file that tells whether it is damaged."""
-    return hashlib.sha256(data).digest() + data
-
-
-def unsealed(content: bytes) -> bytes | None:
-    """What was sealed; None when it is damaged."""
-    digest, data = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
-    return data if hashlib.sha256(data).digest() == digest else None
-
-
-def below_seal(content: bytes) -> memoryview:
-    """What was sealed, in a file that is known to be whole."""
-    return memoryview(content)[_DIGEST_SIZE:]
 
 
 def hash_of(parts: Iterable[str | bytes]) -> str:

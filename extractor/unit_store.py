@@ -15,7 +15,8 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.cache import Cache, below_seal, sealed, write_whole
+from rosarch.datalog.seal import below_seal, sealed
+from rosarch.extractor.cache import Cache, write_whole
 from rosarch.extractor.live_code import Mentions, by_function, live_functions, mentions_of
 
 Row = tuple[str | int, ...]
