@@ -43,12 +43,13 @@ def analyze(
     if out:
         from rosarch.extractor.cache import write_whole
         from rosarch.models.rule_sets import described
-        from rosarch.reports.json_models import dump, write_models
+        from rosarch.reports.json_models import write_models
+        from rosarch.reports.printable import json_text
 
         try:
             write_models(analysis.models, out)
             if told := described(rules):
-                write_whole(out / "rules.json", dump(told).encode())
+                write_whole(out / "rules.json", json_text(told).encode())
         except OSError as error:
             raise unwritable(out, error) from None
     show_diagnostics(analysis.diagnostics, question.verbose)

@@ -125,10 +125,10 @@ def _named(folders: Sequence[Path]) -> dict[str, Path]:
 
 
 def _write(folder: Path, reports: Mapping[str, Any]) -> None:
-    from rosarch.reports.json_models import dump
+    from rosarch.reports.printable import json_text
 
     for name, document in reports.items():
-        _write_text(folder / f"{name}.json", dump(document))
+        _write_text(folder / f"{name}.json", json_text(document))
 
 
 def _write_text(path: Path, text: str) -> None:

@@ -12,15 +12,15 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.options import Engine
 from rosarch.cli.terminal import progress
 
-_NOT_DERIVED = ("component", "launch")
-"""Kinds of diagnostics about a component or a system that the engine has derived nothing of."""
-
 if TYPE_CHECKING:
     from rosarch.extractor.cache import Cache
     from rosarch.extractor.diagnostics import Diagnostic
     from rosarch.models.analysis import Analysis
     from rosarch.models.rule_choice import RuleSet
     from rosarch.models.system.reading import Reading
+
+_NOT_DERIVED = ("component", "launch")
+"""Kinds of diagnostics about a component or a system that the engine has derived nothing of."""
 
 
 def check_folder(folder: Path) -> Path:

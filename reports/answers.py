@@ -7,7 +7,7 @@ from typing import Any
 
 from rosarch.models.system.chains import ChainAnswer, PortShown, Step
 from rosarch.models.system.rates import TopicRate
-from rosarch.reports.json_models import dump
+from rosarch.reports.printable import json_text
 
 _SIDES = {
     "publisher": "publishes", "subscriber": "reads", "tf_broadcaster": "sends transforms on", "tf_listener": "looks transforms up on",
@@ -86,7 +86,7 @@ def _seconds(value: float | None) -> str:
 
 def chain_json(answers: Sequence[ChainAnswer]) -> str:
     """Answers as JSON."""
-    return dump([_document(answer) for answer in answers])
+    return json_text([_document(answer) for answer in answers])
 
 
 def _document(answer: ChainAnswer) -> dict[str, Any]:
@@ -136,4 +136,4 @@ def rates_json(found: Sequence[tuple[str, Sequence[TopicRate]]]) -> str:
         {"system": system, "rates": [{**vars(rate), "senders": list(rate.senders), "reasons": list(rate.reasons)} for rate in rates]}
         for system, rates in found
     ]
-    return dump(documents)
+    return json_text(documents)

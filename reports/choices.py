@@ -7,8 +7,7 @@ from textwrap import fill
 
 from rosarch.models.rule_sets import Option
 from rosarch.models.variants import Decision
-
-from .printable import json_text
+from rosarch.reports.printable import json_text
 
 WIDTH = 120
 

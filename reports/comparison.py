@@ -13,9 +13,7 @@ from typing import Any
 
 from rosarch.models.comparison.changes import HOW, Change, Detail
 from rosarch.reports.labels import counted
-from rosarch.reports.printable import printable
-
-from .printable import json_text
+from rosarch.reports.printable import json_text, printable
 
 _MARKS = MappingProxyType({"lost": "-", "gained": "+", "renamed": ">", "changed": "~"})
 WIDEST = 50  # of a column; what is wider pushes the rest of its line

@@ -7,9 +7,8 @@ from typing import Any
 
 from rosarch.corpus.task import Done, Failed
 from rosarch.models.findings import SEVERITIES
-from rosarch.reports.json_models import dump
 from rosarch.reports.labels import counted
-from rosarch.reports.printable import printable
+from rosarch.reports.printable import json_text, printable
 from rosarch.reports.tables import Table, table_markdown, table_text
 
 
@@ -39,7 +38,7 @@ def _text(summaries: Sequence[Mapping[str, Any]], table: Callable[[Table], str])
 Outcomes = Mapping[str, tuple[str, Done | Failed]]
 """Folder and outcome of workspaces by name."""
 WRITERS: Mapping[str, Callable[[Outcomes], str]] = {
-    "json": lambda outcomes: dump(_summaries(outcomes)),
+    "json": lambda outcomes: json_text(_summaries(outcomes)),
     "table": lambda outcomes: _text(_summaries(outcomes), table_text),
     "markdown": lambda outcomes: _text(_summaries(outcomes), table_markdown),
 }

@@ -19,9 +19,8 @@ from rosarch.experiments.results import (
     tests,
 )
 from rosarch.models.rule_sets import described
+from rosarch.reports.printable import json_text
 from rosarch.reports.tables import Cell, Table, table_csv, table_latex, table_markdown, table_text, tables_as
-
-from .printable import json_text
 
 _VERDICTS = {HIT: "true", EXTRA: "not true", OPTIONAL: "may be", "": None}
 FORMATS = ("text", "markdown", "latex", "csv", "json")

@@ -10,8 +10,7 @@ from rosarch.models.findings import Finding
 from rosarch.models.places import Place
 from rosarch.models.policy import Reported
 from rosarch.reports.findings import Setting, severity_counts, tool_version
-
-from .printable import json_text
+from rosarch.reports.printable import json_text
 
 
 def findings_text(reported: Reported, setting: Setting) -> str:

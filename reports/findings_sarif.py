@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections import Counter
@@ -16,7 +15,7 @@ from rosarch.models.places import Place
 from rosarch.models.policy import Reported
 from rosarch.models.suppressed import Suppressed
 from rosarch.reports.findings import Setting, tool_version
-from rosarch.reports.printable import printable
+from rosarch.reports.printable import json_text, printable
 
 SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 ROOT = "%SRCROOT%"
@@ -35,7 +34,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
         "columnKind": "unicodeCodePoints",
         "results": _Results(reported, setting).all(),
     }
-    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2, ensure_ascii=False) + "\n"
+    return json_text({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]})
 
 
 class _Results:

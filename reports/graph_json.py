@@ -8,8 +8,7 @@ from importlib.resources import files
 from typing import Any
 
 from rosarch.models.system.view import View, ViewConnector, ViewEdge, ViewNode
-
-from .printable import json_text
+from rosarch.reports.printable import json_text
 
 
 def graphs_text(views: Iterable[View]) -> str:

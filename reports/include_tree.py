@@ -11,9 +11,7 @@ from rosarch.models.system.inclusions import LaunchFile, include_tree
 from rosarch.models.system.model import SystemModel, SystemNode
 from rosarch.reports.graph_dot import quoted
 from rosarch.reports.labels import counted
-from rosarch.reports.printable import printable
-
-from .printable import json_text
+from rosarch.reports.printable import json_text, printable
 
 NOT_THERE, CUT = "not there", "not told again"
 

@@ -11,30 +11,29 @@ from typing import Any
 from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import path_below
 from rosarch.models.component import ComponentModel, to_json
-
-from .printable import json_text
+from rosarch.reports.printable import json_text
 
 _IDENTITY = ("system", "component", "package", "kind", "node_name", "executable", "ports")
 
 
 def model_text(model: ComponentModel) -> str:
     """One component's document."""
-    return dump(to_json(model))
+    return json_text(to_json(model))
 
 
 def models_text(models: Iterable[ComponentModel]) -> str:
     """All documents in one array."""
-    return dump([to_json(model) for model in models])
+    return json_text([to_json(model) for model in models])
 
 
 def ports_text(models: Iterable[ComponentModel]) -> str:
     """An array of the components with nothing but their identity and ports."""
-    return dump([{key: value for key, value in to_json(model).items() if key in _IDENTITY} for model in models])
+    return json_text([{key: value for key, value in to_json(model).items() if key in _IDENTITY} for model in models])
 
 
 def behaviors_text(models: Iterable[ComponentModel]) -> str:
     """An array of the components with nothing but their identity, ports and behaviour."""
-    return dump([{key: value for key, value in to_json(model).items() if key not in ("sources", "params")} for model in models])
+    return json_text([{key: value for key, value in to_json(model).items() if key not in ("sources", "params")} for model in models])
 
 
 def component_schema() -> Any:
@@ -51,9 +50,4 @@ def write_models(models: Iterable[ComponentModel], out: Path) -> None:
 def write_document(model: Mapping[str, Any], out: Path) -> None:
     """Write the document of a component, as above."""
     path = path_below(out, model["package"], f"{model['component']}.json")
-    write_whole(path, dump(model).encode("utf-8", "backslashreplace"))
-
-
-def dump(data: object) -> str:
-    """A JSON document."""
-    return json_text(data)
+    write_whole(path, json_text(model).encode("utf-8", "backslashreplace"))

@@ -10,8 +10,7 @@ from pathlib import Path
 from rosarch.extractor.launch import Composition, Condition, NodeStart, ParamSetting, Place, record
 from rosarch.extractor.launch.record import plain
 from rosarch.reports.labels import counted
-
-from .printable import json_text
+from rosarch.reports.printable import json_text
 
 MAX_VALUE = 60  # characters of a value that are shown
 

@@ -8,9 +8,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from rosarch.reports.labels import counted, kind_label
-from rosarch.reports.printable import printable
-
-from .printable import json_text
+from rosarch.reports.printable import json_text, printable
 
 if TYPE_CHECKING:
     from rosarch.library import LibraryComponent, LibraryParameter, LibraryPort

@@ -11,8 +11,7 @@ from rosarch.models.machine.build import Region, StateMachine, Transition
 from rosarch.models.machine.logic import Any, Formula, Is, Not, without_hidden
 from rosarch.models.machine.reactions import Row
 from rosarch.reports.machine_labels import formula_text
-
-from .printable import json_text
+from rosarch.reports.printable import json_text
 
 
 def machines_text(machines: Iterable[StateMachine]) -> str:

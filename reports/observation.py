@@ -13,8 +13,7 @@ from rosarch.observation.graph import Snapshot
 from rosarch.observation.observed import Recorded, Watched, delays
 from rosarch.observation.statistics import Distribution
 from rosarch.observation.summary import Stream, Summary
-from rosarch.reports.json_models import dump
-from rosarch.reports.printable import printable
+from rosarch.reports.printable import json_text, printable
 from rosarch.reports.tables import Table, table_markdown, table_text, tables_as
 
 _MILLI = 1000
@@ -41,7 +40,7 @@ def observation_json(seen: Seen, comparison: Comparison) -> str:
     """All of it."""
     what = _recorded(seen.summary) if isinstance(seen, Recorded) else {"snapshots": list(map(_snapshot, seen.snapshots))}
     source = {"recording": seen.name} if isinstance(seen, Recorded) else {"graph": seen.uri}
-    return dump({**source, **what, "problems": list(seen.problems), "comparison": _compared(comparison)})
+    return json_text({**source, **what, "problems": list(seen.problems), "comparison": _compared(comparison)})
 
 
 def comparison_text(comparison: Comparison) -> str:
@@ -56,7 +55,7 @@ def comparison_markdown(comparison: Comparison) -> str:
 
 def comparison_json(comparison: Comparison) -> str:
     """The same, with all elements."""
-    return dump(_compared(comparison))
+    return json_text(_compared(comparison))
 
 
 def _headline(seen: Seen) -> str:

@@ -12,7 +12,7 @@ from rosarch.models.machine.reactions import Row
 from rosarch.observation.plan import Plan, Stimulus
 from rosarch.observation.probe import CONFIRMED, REFUTED, UNREACHED, Results
 from rosarch.observation.subject import Subject
-from rosarch.reports.json_models import dump
+from rosarch.reports.printable import json_text
 from rosarch.reports.tables import Table, table_markdown, table_text, tables_as
 
 _MILLI = 1000
@@ -123,7 +123,7 @@ def results_json(subject: Subject, results: Results) -> str:
         ],
         "names": [{"of": each.subject, "name": each.value, "provenance": each.provenance} for each in results.names],
     }
-    return dump(document)
+    return json_text(document)
 
 
 def scenario_text(subject: Subject, results: Results) -> str:

@@ -8,10 +8,8 @@ from typing import Any
 from rosarch.experiments.comparison import CATEGORIES, EXTRA, MISSED
 from rosarch.experiments.scores import Score, misses
 from rosarch.reports.labels import counted
-from rosarch.reports.printable import printable
+from rosarch.reports.printable import json_text, printable
 from rosarch.reports.tables import Table, table_csv, table_latex, table_markdown, table_text, tables_as
-
-from .printable import json_text
 
 _LISTED = {MISSED: "missed", EXTRA: "extra "}
 

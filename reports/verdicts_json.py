@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import asdict
 
-from rosarch.reports.json_models import dump
+from rosarch.reports.printable import json_text
 from rosarch.verification.check import Verdict
 
 
@@ -24,4 +24,4 @@ def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str
         }
         for found in verdicts
     ]
-    return dump({"system": system, "checker": checker, "properties": rows})
+    return json_text({"system": system, "checker": checker, "properties": rows})
