@@ -60,10 +60,11 @@ def folder_reader(root: Path, *others: Path) -> Callable[[str], str | None]:
 
     A path or link that leads out of the folder is followed to `others` and to `ROS_PACKAGE_PATH` only.
     """
+    readable = [root, *others, *ros_package_path()]
 
     def read(path: str) -> str | None:
         try:
-            with confined([root, *others, *ros_package_path()]):
+            with confined(readable):
                 data = read_file(root / path)
         except (OSError, ValueError):  # a name with a zero byte is a ValueError
             return None
