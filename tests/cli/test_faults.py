@@ -145,7 +145,10 @@ def test_a_cache_that_is_read_only_damaged_or_no_folder(
 @pytest.mark.parametrize("after", [0.0, 1.0])
 def test_serve_ends_with_one_line(workspace: Path, after: float) -> None:
     command = [sys.executable, "-m", "rosarch.cli", "serve", str(workspace), "--port", "0"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # what is started in the background may ignore it
+    )  # fmt: skip
     assert process.stdout
     assert process.stdout.readline().startswith("http://127.0.0.1:")
     time.sleep(after)  # into the first analysis
