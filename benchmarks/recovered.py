@@ -39,9 +39,10 @@ ZEROS = bytes(512)
 
 @dataclass(frozen=True)
 class Node:
-    """A node of a Debian package; `source` is its source package, "" where the model is that of the library.
+    """A node of Debian packages; `source` is their source package, "" where the model is that of the library.
 
     `inputs` are topics that something is sent on, with types; `outputs` are topics that are read, for nodes that do nothing otherwise.
+    `loads` is the description of the plug-ins that the program loads: without it the program runs and does nothing.
     """
 
     debian: str
@@ -53,10 +54,13 @@ class Node:
     outputs: tuple[str, ...] = ()
     remappings: dict[str, str] = field(default_factory=dict)
     globals: dict[str, Any] = field(default_factory=dict)
+    loads: Path | None = None
 
     @property
     def program(self) -> Path | None:
-        """The executable, if it is installed."""
+        """The executable, if it is installed and can load what it loads."""
+        if self.loads and not self.loads.exists():
+            return None
         found = [PROGRAMS[0] / self.package / self.type, PROGRAMS[1] / self.type]
         return next((path for path in found if path.exists()), None)
 
@@ -81,7 +85,10 @@ NODES = (
     ),
     Node("libdiagnostic-aggregator-tools", "ros-diagnostics", "diagnostic_aggregator", "aggregator_node"),
     Node("libself-test-tools", "ros-diagnostics", "self_test", "selftest_example"),
-    Node("ros-image-rotate", "ros-image-pipeline", "image_rotate", "image_rotate", (), (("/image", IMAGE),), ("/rotated/image",)),
+    Node(
+        "ros-image-rotate libimage-rotate-dev", "ros-image-pipeline", "image_rotate", "image_rotate",
+        inputs=(("/image", IMAGE),), outputs=("/rotated/image",), loads=Path("/usr/share/image_rotate/nodelet_plugins.xml"),
+    ),
 )  # fmt: skip
 # their topics are named on the command line, which the sources alone do not tell
 OF_THE_LIBRARY = (
