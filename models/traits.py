@@ -18,6 +18,7 @@ FLOW_TRAITS = {
 }
 # relations of components and what their columns are; of systems they are called `interface_...` and begin with the component
 TRAITS = {
+    "open": ("text",),
     "sent_at_start": ("port", "place"),
     "sent_in_a_row": ("port", "place"),
     "serves_callbacks": ("place",),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable
 from contextlib import AbstractContextManager
@@ -38,6 +39,25 @@ def test_no_report_shows_what_a_link_out_of_the_workspace_leads_to(
         assert SECRET not in done.out + done.err + page, words
     assert (tmp_path / "page.html").stat().st_size
     assert "alone.launch cannot be read: outside of the workspace" in rosarch("check", workspace).out
+
+
+def test_a_node_with_a_source_that_cannot_be_read_may_have_more_than_is_seen(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    package = workspace / "talker"
+    (package / "CMakeLists.txt").write_text("project(talker)\nadd_executable(talker talker.cpp more.cpp)\n")
+    (package / "t.launch").write_text(
+        '<launch><node name="t" pkg="talker" type="talker"><param name="unread" value="1"/><remap from="unmade" to="x"/></node></launch>\n'
+    )
+    ignored = {"parameter-not-read", "remap-without-effect"}
+    (package / "more.cpp").write_text("void more() {}\n")
+    assert _checks(rosarch, workspace) & ignored == ignored
+    (package / "more.cpp").rename(tmp_path / "more.cpp")
+    (package / "more.cpp").symlink_to(tmp_path / "more.cpp")
+    assert _checks(rosarch, workspace) & ignored == set()
+
+
+def _checks(rosarch: Callable, workspace: Path) -> set[str]:
+    """The checks that find something."""
+    return {finding["check"] for finding in json.loads(rosarch("check", workspace, "--format", "json").out)["findings"]}
 
 
 @pytest.mark.parametrize(
