@@ -213,6 +213,14 @@ def _subscript(body: Body, node: ast.expr) -> str:
     return body.operator(node, "[]", value, index)
 
 
+def _slice(body: Body, node: ast.Slice) -> str:
+    """`first:end`, where `first` is 0 when it is left out; one with a step is not told."""
+    if node.step is not None:
+        return unknown(body, node)
+    first = lower(body, node.lower) if node.lower is not None else literal(body, node, 0)
+    return body.operator(node, "[:]", first, *([lower(body, node.upper)] if node.upper is not None else []))
+
+
 def _unary(body: Body, node: ast.expr) -> str:
     assert isinstance(node, ast.UnaryOp)
     return body.operator(node, _UNARY[type(node.op)], lower(body, node.operand))
@@ -331,6 +339,7 @@ _FORMS: dict[type[ast.AST], Callable[[Body, Any], str]] = {
     ast.Name: _name,
     ast.Attribute: _attribute,
     ast.Subscript: _subscript,
+    ast.Slice: _slice,
     ast.Call: calls.lower_call,
     ast.UnaryOp: _unary,
     ast.BinOp: _binary,
