@@ -34,6 +34,7 @@ _CLASS_HEAD = re.compile(rb"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?([\w:]+)[^;{}()]
 _TEMPLATE = re.compile(rb"\s*<((?:[\w\s:,*&.]|<[\w\s:,*&.]*>)*)>\s*(.?)")
 _FOLLOWING = re.compile(rb"\s*(?:\[[^\]\n]*\]\s*|\([^()\n]*\)\s*)*(?:\.|->)\s*(\w+)")
 _DECLARATOR = re.compile(rb"\s*(?:const\s*)?[*&]*\s*[A-Za-z_]\w*\s*[;=,(){\[:]")
+_USING = re.compile(rb"\busing\s+(?:(\w+)\s*=\s*)?(?:::\s*)?(?:\w+\s*::\s*)*$")
 _GLOBAL = re.compile(rb"(?<![\w>])\s*::\s*$")
 """A name is looked for outside of all namespaces."""
 _MACRO = re.compile(r"__\w+__|[A-Z][A-Z0-9_]{2,}")
@@ -142,12 +143,25 @@ def without_unknown(rows: dict[str, set[tuple[str | int, ...]]]) -> None:
     rows["expr_type"] = {row for row in rows["expr_type"] if UNKNOWN not in str(row[1])}
 
 
+@dataclass(frozen=True)
+class Healed:
+    """A source with declarations for what it lacks; `interfaces` are the headers of those interfaces that are declared for it."""
+
+    unit: libclang.Unit
+    interfaces: frozenset[str]
+
+
 @contextmanager
-def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch: Path) -> Iterator[libclang.Unit | None]:
-    """Parse `source` again with declarations for what `first` lacks; yield None when that leaves no fewer errors."""
+def healed(
+    source: Path, arguments: Sequence[str], first: libclang.Unit, scratch: Path, interfaces_by_scope: bool = False
+) -> Iterator[Healed | None]:
+    """Parse `source` again with declarations for what `first` lacks; yield None when that leaves no fewer errors.
+
+    `interfaces_by_scope` tells that `package::msg::Name` is a message, and so on for services and actions, as in ROS 2.
+    """
     errors = _errors(first)
     fewest, best = len(errors), None
-    wanted, clashes = Wanted(scratch), False
+    wanted, clashes = Wanted(scratch, interfaces_by_scope), False
     with ExitStack() as units:
         for number in range(ROUNDS if fewest <= ERROR_LIMIT else 0):
             wanted.changed = clashes
@@ -163,7 +177,7 @@ def healed(source: Path, arguments: Sequence[str], first: libclang.Unit, scratch
             if not clashes or len(found) < fewest:
                 errors = found  # else most follow from what is now banned
             if len(found) < fewest:
-                best, fewest = unit, len(found)
+                best, fewest = Healed(unit, frozenset(wanted.interfaces)), len(found)
         yield best
 
 
@@ -205,13 +219,15 @@ def _collect(wanted: Wanted, errors: Sequence[_Error], variables: bool) -> None:
             wanted.read.add(file)
             wanted.members_in(sources.text(file))
     plain: list[tuple[str, str, str]] = []
+    brought = _brought(errors, sources)
     for error in errors:
         quoted = _QUOTED.findall(error.message)
         place = sources.place(error)
         if error.message.startswith(_NAME_ERRORS):
             _collect_name(wanted, error.message, quoted, place, plain)
         elif error.message.startswith(("no member named", *_NO_TYPE)) and quoted:
-            _collect_member(wanted, error.message, quoted, place)
+            if quoted[0] not in brought or _USING.search(place.before):
+                _collect_member(wanted, error.message, quoted, place)
         else:
             _collect_correction(wanted, error.message, quoted, place)
     for name, kind, parameters in plain:
@@ -221,6 +237,16 @@ def _collect(wanted: Wanted, errors: Sequence[_Error], variables: bool) -> None:
         for name, kind, _ in plain:
             if kind == "value":
                 wanted.name([name], kind)
+
+
+def _brought(errors: Iterable[_Error], sources: _Sources) -> set[str]:
+    """The names that `using` would bring into a namespace, if what it names were declared."""
+    found = set()
+    for place in map(sources.place, errors):
+        if match := _USING.search(place.before):
+            path = place.chain()[0]
+            found |= {match.group(1).decode()} if match.group(1) else set(path[-1:])
+    return found
 
 
 def _collect_name(wanted: Wanted, message: str, quoted: list[str], place: _Place, plain: list[tuple[str, str, str]]) -> None:

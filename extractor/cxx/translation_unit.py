@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 
 from rosarch.extractor.cache import extractor_version, hash_of
@@ -22,7 +23,7 @@ from rosarch.extractor.cxx.walk import walk_declaration
 from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import path_text
 from rosarch.extractor.limits import deep_recursion
-from rosarch.extractor.workspace.model import ROS1
+from rosarch.extractor.workspace.model import ROS1, ROS2
 
 # gnu++17: the shipped headers need deduction guides; a fixed target: the same types on every host;
 # no access control: a private member is a fact like any other
@@ -154,13 +155,15 @@ def parsed_unit(
     with deep_recursion(), libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts, declarations = _declarations(sources, includes, parsed, headers)
         if heal and unit.language != "c" and worth_healing(facts, parsed):
-            with healed(unit.source, arguments, parsed, finder.scratch) as better:
+            with healed(unit.source, arguments, parsed, finder.scratch, unit.middleware == ROS2) as better:
                 if better:
-                    again, found = _declarations(sources, includes, better, headers)
+                    again, found = _declarations(sources, includes, better.unit, headers)
+                    for row in chain.from_iterable(map(assumed_classes, sorted(better.interfaces))):
+                        again.add("message_class", *row)
                     if keeps_calls(call_places(facts, declarations), call_places(again, found)):
                         _walk(again, found, headers)
                         without_unknown(again.rows)
-                        yield better, again
+                        yield better.unit, again
                         return
         _walk(facts, declarations, headers)
         yield parsed, facts

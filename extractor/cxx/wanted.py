@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosarch.extractor.cxx.assumed import assumed_struct
+from rosarch.extractor.cxx.assumed import assumed_struct, assumed_text
 from rosarch.extractor.cxx.includes import SHIPPED
 
 UNKNOWN = "rosarch_healed::unknown"
@@ -109,10 +109,13 @@ class Wanted:
     """All that is to be declared; `changed` tells of additions.
 
     `messages` holds, by header and struct, the members of messages of which only the name is known, each with its kind (`type` for one of
-    a field's type); `bases` the absent base classes of a class of the workspace; `read` the files whose members are wanted.
+    a field's type); `interfaces` the headers of those that the source does not include, where `interfaces_by_scope` tells that such names
+    are those of interfaces; `bases` the absent base classes of a class of the workspace; `read` the files whose members are wanted.
     """
 
     scratch: Path
+    interfaces_by_scope: bool = False
+    interfaces: set[str] = field(default_factory=set)
     top: dict[str, Node] = field(default_factory=dict)
     macros: dict[str, str] = field(default_factory=dict)
     members: dict[str, str] = field(default_factory=dict)
@@ -124,7 +127,7 @@ class Wanted:
 
     def name(self, path: Sequence[str], kind: str, parameters: str = "") -> None:
         """Want the qualified name `path`; what encloses it is a namespace, or a class by its capital letter."""
-        if path[-1] in self.banned or any(part in _KEYWORDS or not _NAME.fullmatch(part) for part in path):
+        if path[-1] in self.banned or any(part in _KEYWORDS or not _NAME.fullmatch(part) for part in path) or self._interface(path):
             return
         scope, inside = self.top, False
         for part in path[:-1]:
@@ -133,6 +136,20 @@ class Wanted:
         node = self._put(scope, path[-1], kind)
         if parameters and parameters != node.parameters == "typename...":
             node.parameters, self.changed = parameters, True
+
+    def _interface(self, path: Sequence[str]) -> bool:
+        """Want the interface that `path` names, `package::msg::Name`, which no header declares that the source includes."""
+        struct = assumed_struct(path[:3])
+        if struct is None or len(path) < 3 or not self.interfaces_by_scope:
+            return False
+        text = assumed_text(struct[0])
+        if not re.search(rf"\b{path[2]}\b", text):
+            return False
+        _write(self._message(struct[0]), text)
+        self.changed |= struct[0] not in self.interfaces
+        self.interfaces.add(struct[0])
+        self.messages.setdefault(struct, {})
+        return True
 
     def namespace(self, path: Sequence[str]) -> None:
         """Take `path` for namespaces, however they are spelled."""
@@ -248,6 +265,7 @@ class Wanted:
         )
         lines = ["#pragma once", f"#define ROSARCH_UNKNOWN_MEMBERS {unknown}", f'#include "{SHIPPED / "healing.h"}"']
         lines += ["#include <boost/shared_ptr.hpp>", *_render_all(self.top, False)]
+        lines += [f'#include "{header}"' for header in sorted(self.interfaces)]
         lines += [f"#define {name}{body}" for name, body in sorted(self.macros.items())]
         files = {header: self._message_text(header) for header, _ in sorted(self.messages)}
         files["healed.h"] = "\n".join(lines) + "\n"

@@ -288,4 +288,4 @@ def test_fewer_errors_or_nothing(tmp_path: Path) -> None:
         assert better is None
     source.write_text("void f() { far::go(); }")
     with libclang.Unit(source, arguments) as first, healed(source, arguments, first, tmp_path) as better:
-        assert better is not None and not [severity for severity, *_ in better.diagnostics if severity >= 3]
+        assert better is not None and not [severity for severity, *_ in better.unit.diagnostics if severity >= 3]
