@@ -36,7 +36,7 @@ _DEATH_SIGNAL = 1
 
 @dataclass(frozen=True)
 class Failure:
-    """Why a task has no result: `crash`, `time limit`, `memory`, `disk full` or `error`, with a detail for the reader."""
+    """Why a task has no result: `crash`, `time limit`, `memory`, `disk full`, `not readable` or `error`, with a detail for the reader."""
 
     reason: str
     detail: str
@@ -198,14 +198,21 @@ def _work(function: Callable[[Any], Any], connection: Connection, inherited: Seq
         except MemoryError:
             result = Failure("memory", f"more than {memory >> 20} MiB")
         except OSError as error:
-            full = error.errno in (errno.ENOSPC, errno.EDQUOT)  # of what is written on the way; to read needs no space
-            result = Failure("disk full", str(error.filename or tempfile.gettempdir())) if full else _failure(error)
+            result = _failure_of_file(error)
         except Exception as error:  # the boundary of a worker: whatever goes wrong belongs to this task
             result = _failure(error)
         connection.send(result)
         if gc.get_count()[0] > _GARBAGE:
             gc.collect()
             gc.freeze()  # what outlives a task is kept for the next ones: it is not looked through again
+
+
+def _failure_of_file(error: OSError) -> Failure:
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):  # of what is written on the way; to read needs no space
+        return Failure("disk full", str(error.filename or tempfile.gettempdir()))
+    if isinstance(error, (FileNotFoundError, PermissionError)) and error.filename:
+        return Failure("not readable", f"{error.filename}: {error.strerror}")
+    return _failure(error)
 
 
 def _failure(error: Exception) -> Failure:

@@ -170,7 +170,7 @@ def healed(
                 break
             try:
                 unit = units.enter_context(libclang.Unit(source, _with(arguments, wanted.write()), OPTIONS))
-            except libclang.ParseError:
+            except (libclang.ParseError, OSError):
                 break
             found = _errors(unit)
             clashes = wanted.ban(_clashes(found, scratch))

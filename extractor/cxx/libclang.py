@@ -327,7 +327,7 @@ def included_file(inclusion: Cursor) -> str:
 
 
 class Unit:
-    """A parsed translation unit; use as a context manager."""
+    """A parsed translation unit; use as a context manager. Raises `OSError` for a source that cannot be read, `ParseError` otherwise."""
 
     def __init__(self, path: Path, arguments: Sequence[str], options: int = KEEP_GOING) -> None:
         # declarations from a precompiled header are not visited: what it declares is declared on first reference
@@ -337,6 +337,7 @@ class Unit:
         code = _parse(self._index, os.fsencode(path), array, len(arguments), None, 0, options, byref(self._handle))
         if code or not self._handle:
             _dispose_index(self._index)
+            path.open("rb").close()  # clang does not tell that a file is gone
             raise ParseError(f"libclang error {code}")
 
     def __enter__(self) -> Unit:

@@ -31,6 +31,8 @@ def work(task: object) -> object:
         return len(bytearray(LIMITS.memory))
     if task == "full disk":
         raise OSError(errno.ENOSPC, "No space left on device", "/tmp/x")
+    if task == "gone":
+        raise FileNotFoundError(errno.ENOENT, "No such file or directory", "/tmp/x")
     if task == "pipes":
         time.sleep(0.2)  # so that all workers take part
         kinds = [os.readlink(f"/proc/self/fd/{name}") for name in os.listdir("/proc/self/fd") if os.path.lexists(f"/proc/self/fd/{name}")]
@@ -120,9 +122,10 @@ def test_memory_is_limited_as_asked_for() -> None:
     assert found[1] == Failure("memory", "more than 3072 MiB")
 
 
-def test_memory_and_disk_have_reasons_of_their_own() -> None:
-    assert outcomes(["memory", "full disk", "a"], jobs=1) == {
-        0: Failure("memory", "more than 4096 MiB"), 1: Failure("disk full", "/tmp/x"), 2: "done a",
+def test_memory_and_files_have_reasons_of_their_own() -> None:
+    assert outcomes(["memory", "full disk", "gone", "a"], jobs=1) == {
+        0: Failure("memory", "more than 4096 MiB"), 1: Failure("disk full", "/tmp/x"),
+        2: Failure("not readable", "/tmp/x: No such file or directory"), 3: "done a",
     }  # fmt: skip
 
 
