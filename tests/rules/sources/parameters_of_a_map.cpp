@@ -1,9 +1,12 @@
-// Parameters that a map declares, each below a common name.
+// Parameters that a map declares, each below a common name, and that are read together.
 //
 // expect: param wheels.left = 3 op=declare
 // expect: param wheels.right = -1 op=declare
 // expect: param speed = 0.5 op=declare
 // expect-only: param * op=declare
+// expect: param wheels.left op=read
+// expect: param wheels.right op=read
+// expect-only: param * op=read
 #include <map>
 #include <rclcpp/rclcpp.hpp>
 #include <string>
@@ -17,5 +20,7 @@ int main(int argc, char ** argv) {
   };
   node->declare_parameters("wheels", wheels);
   node->declare_parameters<double>("", {{"speed", 0.5}});
+  std::map<std::string, int64_t> found;
+  node->get_parameters("wheels", found);
   rclcpp::spin(node);
 }
