@@ -1,10 +1,11 @@
-"""Numbers as the rules leave them: literals, or bracketed numbers joined by `*` and `/`."""
+"""Numbers as the rules leave them: literals, or bracketed numbers joined by `*`, `/`, `>` (the greater of the two) and `<` (the lesser)."""
 
 from __future__ import annotations
 
 import re
 
 _INTEGER = re.compile(r"-?[0-9]+")
+_OPERATORS = frozenset({"*", "/", "<", ">"})
 
 
 def calculated(text: str) -> float | None:
@@ -14,11 +15,13 @@ def calculated(text: str) -> float | None:
     except ValueError:
         pass
     left, operator, right = _split(text)
-    first, second = (calculated(left), calculated(right)) if operator in ("*", "/") else (None, None)
+    first, second = (calculated(left), calculated(right)) if operator in _OPERATORS else (None, None)
     if first is None or second is None:
         return None
     if operator == "*":
         return first * second
+    if operator in ("<", ">"):
+        return min(first, second) if operator == "<" else max(first, second)
     if second == 0:
         return None
     whole = _INTEGER.fullmatch(left) and _INTEGER.fullmatch(right)
