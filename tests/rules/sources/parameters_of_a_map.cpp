@@ -4,8 +4,8 @@
 // expect: param wheels.right = -1 op=declare
 // expect: param speed = 0.5 op=declare
 // expect-only: param * op=declare
-// expect: param wheels.left op=read
-// expect: param wheels.right op=read
+// expect: param wheels.left = 3 op=read
+// expect: param wheels.right = -1 op=read
 // expect-only: param * op=read
 #include <map>
 #include <rclcpp/rclcpp.hpp>
