@@ -241,7 +241,7 @@ def _collect(wanted: Wanted, errors: Sequence[_Error], variables: bool) -> None:
 
 def _brought(errors: Iterable[_Error], sources: _Sources) -> set[str]:
     """The names that `using` would bring into a namespace, if what it names were declared."""
-    found = set()
+    found: set[str] = set()
     for place in map(sources.place, errors):
         if match := _USING.search(place.before):
             path = place.chain()[0]
