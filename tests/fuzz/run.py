@@ -34,6 +34,9 @@ MEMORY = 1 << 30
 """Bytes that a worker may have beyond those that it begins with."""
 _BATCH = 50
 _HANG = 30.0
+"""Seconds for a batch; one that is not done by then is tried again input by input."""
+_HANG_ALONE = 120.0
+"""Seconds for one input: beside other work, what takes a second of processor time takes long."""
 OWN_PROCESS = frozenset({"cxx"})
 """Targets that may end their process, or be ended: a unit that does costs itself."""
 
@@ -89,7 +92,7 @@ def defects(target: Target, given: Sequence[bytes], jobs: int, costs: Costs) -> 
             else:
                 costs.include(outcome[1])
                 yield from (Defect(target.name, batches[index][at], reason) for at, reason in outcome[0])
-        for index, outcome in run_tasks(work, [[data] for data in again], jobs=jobs, timeout=_HANG, memory=memory):
+        for index, outcome in run_tasks(work, [[data] for data in again], jobs=jobs, timeout=_HANG_ALONE, memory=memory):
             if isinstance(outcome, Failure):
                 costs.ended += 1
                 if target.name not in OWN_PROCESS:

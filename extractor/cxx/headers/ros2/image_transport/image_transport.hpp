@@ -18,6 +18,8 @@ template <class N, class T, class... A> CameraPublisher create_camera_publisher(
 template <class N, class T, class F, class... A> CameraSubscriber create_camera_subscription(const N& node, const T& topic, const F& callback, const A&...);
 class ImageTransport { public: template <class N> explicit ImageTransport(const N& node);
   template <class T, class Q, class... A> Publisher advertise(const T& topic, const Q& queue, const A&...); template <class T, class Q, class F, class... A> Subscriber subscribe(const T& topic, const Q& queue, const F& callback, const A&...);
+  // (topic, queue, callback, {}, &hints)
+  template <class T, class Q, class F> Subscriber subscribe(const T& topic, const Q& queue, const F& callback, const std::shared_ptr<void>& tracked, const TransportHints* hints = nullptr);
   template <class T, class Q, class... A> CameraPublisher advertiseCamera(const T& topic, const Q& queue, const A&...); template <class T, class Q, class F, class... A> CameraSubscriber subscribeCamera(const T& topic, const Q& queue, const F& callback, const A&...);
   std::vector<std::string> getDeclaredTransports() const; std::vector<std::string> getLoadableTransports() const; };
 class SubscriberFilter : public message_filters::SimpleFilter<sensor_msgs::msg::Image> { public: SubscriberFilter(); template <class N, class T, class... A> SubscriberFilter(const N& node, const T& topic, const A&... transport_qos);
