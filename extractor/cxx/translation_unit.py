@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from itertools import chain
 from pathlib import Path
 
 from rosarch.extractor.cache import extractor_version, hash_of
@@ -157,9 +156,7 @@ def parsed_unit(
         if heal and unit.language != "c" and worth_healing(facts, parsed):
             with healed(unit.source, arguments, parsed, finder.scratch, unit.middleware == ROS2) as better:
                 if better:
-                    again, found = _declarations(sources, includes, better.unit, headers)
-                    for row in chain.from_iterable(map(assumed_classes, sorted(better.interfaces))):
-                        again.add("message_class", *row)
+                    again, found = _declarations(sources, includes, better.unit, headers, better.interfaces)
                     if keeps_calls(call_places(facts, declarations), call_places(again, found)):
                         _walk(again, found, headers)
                         without_unknown(again.rows)
@@ -193,16 +190,20 @@ def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProble
 
 
 def _declarations(
-    sources: SourceFiles, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None
+    sources: SourceFiles, includes: Includes, parsed: libclang.Unit, headers: SharedHeaders | None, interfaces: Iterable[str] = ()
 ) -> tuple[UnitFacts, Sequence[Cursor]]:
-    """The declarations of a parsed unit that it is to read itself, and the facts that are known without reading them."""
+    """The declarations of a parsed unit that it is to read itself, and the facts that are known without reading them.
+
+    `interfaces` are the headers of interfaces that are declared for it (see `healed`).
+    """
     facts, root = UnitFacts(sources), sources.root
     for missing in includes.missing:
         if missing.file.is_relative_to(root):
             relative = path_text(missing.file.relative_to(root))
             facts.add("source_file", file_key(relative), relative)
             facts.add("include_missing", file_key(relative), missing.line, path_text(missing.header))
-        for class_, kind, type_ in assumed_classes(missing.header):
+    for header in (*(missing.header for missing in includes.missing), *interfaces):
+        for class_, kind, type_ in assumed_classes(header):
             facts.add("message_class", class_, kind, type_)
     for skipped in parsed.skipped_ranges():
         file, begin = facts.locate(Location(skipped.p0, skipped.p1, skipped.begin))

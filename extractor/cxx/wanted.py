@@ -139,15 +139,16 @@ class Wanted:
 
     def _interface(self, path: Sequence[str]) -> bool:
         """Want the interface that `path` names, `package::msg::Name`, which no header declares that the source includes."""
-        struct = assumed_struct(path[:3])
-        if struct is None or len(path) < 3 or not self.interfaces_by_scope:
+        struct = assumed_struct(path[:3]) if self.interfaces_by_scope and len(path) > 2 else None
+        if struct is None:
             return False
-        text = assumed_text(struct[0])
-        if not re.search(rf"\b{path[2]}\b", text):
+        header = struct[0]
+        text = assumed_text(header)
+        if not re.search(rf"\b{path[2]}\b", text):  # the name of the header does not tell that of the message
             return False
-        _write(self._message(struct[0]), text)
-        self.changed |= struct[0] not in self.interfaces
-        self.interfaces.add(struct[0])
+        _write(self._message(header), text)
+        self.changed |= header not in self.interfaces
+        self.interfaces.add(header)
         self.messages.setdefault(struct, {})
         return True
 
