@@ -6,6 +6,7 @@ purpose: an argument is one token, and references inside it are expanded by `cma
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
@@ -18,10 +19,9 @@ from rosarch.extractor.diagnostics import Diagnostic
 
 GRAMMAR = r"""
 start: command* UNCLOSED?
-command: IDENTIFIER _open argument* ")"
+command: IDENTIFIER "(" argument* ")"
 ?argument: BRACKET | QUOTED | UNQUOTED | UNCLOSED | group
-group: _open argument* ")"
-_open: "("
+!group: "(" argument* ")"
 
 IDENTIFIER: /[A-Za-z_][A-Za-z0-9_]*/
 BRACKET.3: /\[(?P<eq>=*)\[(?:.|\n)*?\](?P=eq)\]/
@@ -103,24 +103,27 @@ class _Build(Transformer[Token, None]):
         assert isinstance(name, Token)
         self.commands.append(Command(name.lower(), str(name), tuple(_flatten(arguments)), name.line or 0, name.column or 0))
 
-    def group(self, children: list[object]) -> list[Argument]:
-        inner = _flatten(children)
-        line, column = (inner[0].line, inner[0].column) if inner else (0, 0)
-        return [Argument("(", line, column, plain=True), *inner, Argument(")", line, column, plain=True)]
+    def group(self, children: list[object]) -> list[object]:
+        return children  # flat only as a part of its command: groups may nest deeply, and to copy each would be quadratic
 
 
-def _flatten(children: list[object]) -> list[Argument]:
-    result: list[Argument] = []
-    for child in children:
-        if isinstance(child, Token):
-            result.append(_argument(child))
-        elif isinstance(child, list):
-            result.extend(child)
-    return result
+def _flatten(children: list[object]) -> Iterator[Argument]:
+    rest = [iter(children)]
+    while rest:
+        for child in rest[-1]:
+            if isinstance(child, list):
+                rest.append(iter(child))
+                break
+            assert isinstance(child, Token)
+            yield _argument(child)
+        else:
+            rest.pop()
 
 
 def _argument(token: Token) -> Argument:
     line, column = token.line or 0, token.column or 0
+    if token.type in {"LPAR", "RPAR"}:
+        return Argument(str(token), line, column, plain=True)
     if token.type == "UNQUOTED":
         plain = "$" not in token and "\\" not in token and ";" not in token
         return Argument(str(token), line, column, plain=plain)
