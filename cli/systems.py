@@ -196,7 +196,7 @@ def _launches(inputs: SystemInputs, configuration: Configuration | None, where: 
 
     requests = _requests(inputs, configuration)
     try:
-        return given(requests, where) if requests else unincluded(where)
+        return given(requests, where) if requests else unincluded(where, inputs.jobs)
     except LaunchWordError as error:
         raise InputError(str(error)) from None
 

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
+from rosarch.extractor.limits import LIMITS
 from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
+from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.xml_reader import XmlError
 
 from .files import Files
-from .model import Composition, LaunchError
+from .model import Composition, LaunchError, Place, Problem
 from .versions import compose
 from .xml_reader import read_launch
 
@@ -49,21 +51,24 @@ def _is_ros2(top: Path | str, folder: str, name: str) -> bool:
         return False
 
 
-def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str] | None = None) -> dict[str, Composition]:
+def top_level(
+    paths: Iterable[str], files: Files, environment: Mapping[str, str] | None = None, jobs: int | None = None
+) -> dict[str, Composition]:
     """Those of `paths` that none of them includes, composed: not with its default arguments, and not in a branch these leave out either.
 
-    An unknown part of an included name (`$(arg base)/base.launch`) stands for any one name of a folder or file.
+    An unknown part of an included name (`$(arg base)/base.launch`) stands for any one name of a folder or file. Python launch files are
+    composed in `jobs` processes, one for each processor by default.
     """
     paths = list(paths)
+    composed = _composed(paths, files, environment, jobs or default_jobs())
     real = {path: files.real(path) for path in paths}
     called: dict[str, list[str]] = {}
     for path in paths:
         called.setdefault(os.path.basename(path), []).append(path)
     included: dict[str, set[str]] = {}
     matches: dict[str, set[str]] = {}
-    compositions: dict[str, Composition] = {}
     for path in paths:
-        composition = compositions[path] = compose([path], files=files, environment=environment)
+        composition = composed[path]
         said = _said(path, called) if path.endswith((".py", ".yaml", ".yml")) else _written(path, files)
         written = {*(include.file or include.text for include in composition.includes), *said}
         included[real[path]] = {files.real(name) for name in written if "$(" not in name} - {real[path]}
@@ -80,7 +85,29 @@ def top_level(paths: Iterable[str], files: Files, environment: Mapping[str, str]
         if real[path] not in reached:
             found.add(real[path])
             reached |= _reached([real[path]], included)
-    return {path: compositions[path] for path in paths if real[path] in found}
+    return {path: composed[path] for path in paths if real[path] in found}
+
+
+def _composed(paths: Sequence[str], files: Files, environment: Mapping[str, str] | None, jobs: int) -> dict[str, Composition]:
+    """What each of `paths` starts and sets by itself. Those in Python are programs, which may take their time."""
+    for path in paths:
+        files.allow_beside(path)  # all, so that it does not matter which are composed in one process
+    programs = [path for path in paths if path.endswith(".py")]
+    found: dict[str, Composition] = {}
+    if jobs > 1 and len(programs) > 1:
+
+        def work(path: str) -> Composition:
+            return compose([path], files=files, environment=environment)
+
+        for index, outcome in run_tasks(work, programs, jobs=jobs, timeout=LIMITS.evaluation):
+            path = programs[index]
+            found[path] = _left_out(path, outcome) if isinstance(outcome, Failure) else outcome
+    return {path: found.get(path) or compose([path], files=files, environment=environment) for path in paths}
+
+
+def _left_out(path: str, failure: Failure) -> Composition:
+    problem = Problem("size", path, f"left out: {failure.detail}", Place(path, 1))
+    return Composition((), (), (), (), (problem,), (path,), ros=2)
 
 
 def _reached(names: Iterable[str], included: Mapping[str, set[str]]) -> set[str]:

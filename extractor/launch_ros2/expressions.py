@@ -47,6 +47,7 @@ class Expressions:
     def __init__(self) -> None:
         self.steps = 0
         self.path: list[Condition] = []
+        self._method: dict[type[ast.AST], Callable[[Any, Frame], Any] | None] = {}
 
     def place(self, node: ast.AST, frame: Frame) -> Place:
         """Where a piece of source is."""
@@ -55,6 +56,13 @@ class Expressions:
     def unknown(self, node: ast.expr, frame: Frame, reason: str = "") -> Unknown:
         """The value of an expression that cannot be told."""
         return Unknown(_source(node), self.place(node, frame), reason)
+
+    def method_for(self, node: ast.expr | ast.stmt) -> Callable[[Any, Frame], Any] | None:
+        """What interprets nodes of this kind, if anything does."""
+        kind = type(node)
+        if kind not in self._method:
+            self._method[kind] = getattr(self, f"{'_do_' if issubclass(kind, ast.stmt) else '_'}{kind.__name__.lower()}", None)
+        return self._method[kind]
 
     def step(self, count: int = 1) -> None:
         """Count work that was done."""
@@ -65,7 +73,7 @@ class Expressions:
     def value(self, node: ast.expr, frame: Frame) -> Any:
         """The value of any expression."""
         self.step()
-        method = getattr(self, "_" + type(node).__name__.lower(), None)
+        method = self.method_for(node)
         if method is None:
             return self.unknown(node, frame, f"{type(node).__name__} is not interpreted")
         try:

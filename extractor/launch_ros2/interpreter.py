@@ -7,7 +7,7 @@ one of them adds to a list or launch description is an `Either` there. A branch 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from rosarch.extractor.launch.model import Condition
@@ -61,7 +61,7 @@ class Interpreter(Calls):
         """Run statements."""
         for statement in body:
             self.step()
-            method: Callable[[Any, Frame], None] | None = getattr(self, "_do_" + type(statement).__name__.lower(), None)
+            method = self.method_for(statement)
             if method is None:
                 self.misunderstood(self.place(statement, frame), f"{type(statement).__name__} is not interpreted")
             else:

@@ -5,6 +5,7 @@ Source: launch.frontend's grammar: arguments are separated by spaces, may be quo
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from rosarch.extractor.diagnostics import shortened
@@ -43,6 +44,8 @@ _NAMED: dict[str, tuple[str, tuple[str, ...]]] = {
     "log_dir": ("LaunchLogDir", ()),
 }
 _LISTS = {"any": "AnySubstitution", "all": "AllSubstitution"}
+_PLAIN = {ends: re.compile(rf"[^\\${re.escape(ends)}]+") for ends in ("", '"', "'", " \t\r\n)")}
+"""What ends before a character that may mean something, in a text that some characters end."""
 _PATHS = {"path-join": ("PathJoinSubstitution", "substitutions"), "string-join": ("StringJoinSubstitution", "substitutions")}
 
 
@@ -63,9 +66,12 @@ class _Parser:
         """Texts and substitutions up to one of the characters `ends`, or to the end of the text."""
         found: list[Any] = []
         plain: list[str] = []
-        text = self.source
+        text, run = self.source, _PLAIN[ends]
         while index < len(text) and not (ends and text[index] in ends):
-            if text[index] == "\\" and index + 1 < len(text) and text[index + 1] in "$\"'\\)":
+            if match := run.match(text, index):
+                plain.append(match.group())
+                index = match.end()
+            elif text[index] == "\\" and index + 1 < len(text) and text[index + 1] in "$\"'\\)":
                 plain.append(text[index + 1])
                 index += 2
             elif text.startswith("$(", index):

@@ -32,10 +32,10 @@ def given(requests: Iterable[Request], where: Surroundings) -> list[Launch]:
     return found
 
 
-def unincluded(where: Surroundings) -> list[Launch]:
-    """A launch for each launch file of the workspace that no other includes."""
+def unincluded(where: Surroundings, jobs: int | None = None) -> list[Launch]:
+    """A launch for each launch file of the workspace that no other includes; see `top_level`."""
     files = where.files()
-    found = top_level(launch_files(os.path.abspath(where.root)), files, where.variables())
+    found = top_level(launch_files(os.path.abspath(where.root)), files, where.variables(), jobs)
     return [Launch(_shown(path, where.root), (_shown(path, where.root),), composed, files.packages) for path, composed in found.items()]
 
 

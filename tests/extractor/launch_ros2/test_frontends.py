@@ -8,6 +8,7 @@ import pytest
 from ros2_launch_builder import HEAD, MANIFEST, composed, names, params, problems, xml
 
 from rosarch.extractor.launch import Files, PackagePath, launch_files, ros_version, top_level
+from rosarch.extractor.limits import Limits
 
 _TENFOLD = [f"x{i}: &x{i} [{', '.join([f'*x{i - 1}'] * 10)}]\n" for i in range(1, 8)]
 UNFOLDING = f"x0: &x0 [a]\n{''.join(_TENFOLD)}launch:\n- arg: {{name: a, default: *x7}}\n"
@@ -133,3 +134,23 @@ def test_files_that_no_other_includes(tmp_path: Path) -> None:
     assert found == ["launch/main_launch.py", "launch/part.launch.py", "launch/z.launch.xml"]
     top = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])))
     assert [path.rpartition("/")[2] for path in top] == ["main_launch.py", "z.launch.xml"]
+
+
+NODES = HEAD + "def generate_launch_description():\n    return LaunchDescription([Node(package='here', executable='{}')])\n"
+
+
+def test_how_many_processes_compose_does_not_matter(tmp_path: Path) -> None:
+    files = {f"launch/{name}.launch.py": NODES.format(name) for name in "abcd"}
+    composed(tmp_path, {**files, "launch/e.launch.xml": '<launch><node pkg="here" exec="e"/></launch>'})
+    alone, together = (top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])), jobs=jobs) for jobs in (1, 3))
+    assert list(alone.items()) == list(together.items())
+    assert [node.type for composition in together.values() for node in composition.nodes] == ["a", "b", "c", "d", "e"]
+
+
+def test_a_launch_file_that_takes_too_long_is_left_out(tmp_path: Path, limits: Limits) -> None:
+    limits.evaluation = 0.5
+    forever = HEAD + f"def generate_launch_description():\n    for i in range(10000):\n        '{'x' * 1000}' * 100000\n"
+    composed(tmp_path, {"launch/a.launch.py": forever, "launch/b.launch.py": NODES.format("b")})
+    top = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])), jobs=2)
+    assert [problem.message for composition in top.values() for problem in composition.problems] == ["left out: not done after 0.5 s"]
+    assert [node.type for composition in top.values() for node in composition.nodes] == ["b"]
