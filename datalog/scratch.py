@@ -17,19 +17,21 @@ PREFIX = "rosarch.run-"
 def scratch_folder() -> Iterator[Path]:
     """A folder of this process and those that it starts; a lock that ends with the last of them tells that it is in use."""
     remove_abandoned()
-    made = Path(tempfile.mkdtemp(prefix=f".{PREFIX}"))
-    lock = _locked(made)
-    folder = made.with_name(made.name[1:])
+    folder = made = Path(tempfile.mkdtemp(prefix=f".{PREFIX}"))
+    lock = None
     try:
-        if lock is None or folder.exists():
-            folder = made
-        else:
-            made.rename(folder)  # under a name that others look for, now that it is locked
+        lock = _locked(made)
+        found = made.with_name(made.name[1:])
+        if lock is not None and not found.exists():
+            folder = made.rename(found)  # under a name that others look for, now that it is locked
         yield folder
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
-        if lock is not None:
-            os.close(lock)
+        try:
+            shutil.rmtree(folder, ignore_errors=True)
+        finally:  # again: a signal whose handler raises may have ended the first
+            shutil.rmtree(folder, ignore_errors=True)
+            if lock is not None:
+                os.close(lock)
 
 
 def remove_abandoned() -> None:

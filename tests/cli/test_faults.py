@@ -53,6 +53,25 @@ def test_folders_of_killed_runs_are_removed_and_no_others(temporary: Path) -> No
     assert sorted(path.name for path in temporary.iterdir()) == ["rosarch-other", f"{PREFIX}link"]
 
 
+def test_a_signal_during_the_removal_of_a_folder_leaves_nothing(temporary: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    rmdir, ended = os.rmdir, []
+
+    def end_once(*arguments: object, **options: object) -> None:
+        if not ended:
+            ended.append(True)
+            signal.raise_signal(signal.SIGTERM)
+        rmdir(*arguments, **options)  # type: ignore[arg-type]
+
+    before = signal.signal(signal.SIGTERM, lambda number, _frame: sys.exit(128 + number))
+    try:
+        with pytest.raises(SystemExit), scratch_folder() as folder:
+            (folder / "below").mkdir()
+            monkeypatch.setattr(os, "rmdir", end_once)
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert (ended, list(temporary.iterdir())) == ([True], [])
+
+
 @pytest.mark.parametrize(
     ("version", "message"),
     [
