@@ -1,5 +1,5 @@
 // Parameters of ROS 2 have one type.
-// expect: 8 = count : { parameter_access_default(_, _, _) }, 15 = count : { parameter_access_type(_, _, _) }
+// expect: 10 = count : { parameter_access_default(_, _, _) }, 15 = count : { parameter_access_type(_, _, _) }
 // expect: 1 = count : { parameter_of_any_type(_) }, 6 = count : { value_source(_, _) }
 #include <rclcpp/rclcpp.hpp>
 
