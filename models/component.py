@@ -238,6 +238,8 @@ def _short_name(owner: str, name: str) -> str:
 _PARAMETER_TYPES = {
     "std::string": "string", "std::basic_string<char>": "string", "float": "double", "boolean": "bool", "integer": "int", "char": "string",
     "XmlRpc::XmlRpcValue": "XmlRpcValue",
+    "signed char": "int", "unsigned char": "int", "short": "int", "unsigned short": "int", "unsigned int": "int",
+    "long": "int", "unsigned long": "int", "long long": "int", "unsigned long long": "int",
 }  # fmt: skip
 
 

@@ -256,6 +256,8 @@ def test_a_string_parameter_keeps_its_text(text: str) -> None:
         ("int", "int"),
         ("boolean", "bool"),
         ("std::vector<int>", "std::vector<int>"),
+        ("unsigned char", "int"),
+        ("long", "int"),
     ],
 )
 def test_parameter_types(cxx: str, shown: str) -> None:
