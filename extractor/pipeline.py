@@ -143,7 +143,7 @@ def extract(
     key, may have no rows. Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below
     `root`.
     """
-    with ExitStack() as confinement:
+    with ExitStack() as confinement, ExitStack() as unfinished:
         confinement.enter_context(confined([root, *ros_package_path()]))
         asked = [repr(packages and sorted(packages)), repr(sorted((defines or {}).items())), repr(timeout)]
         with _recorded(root) if cache and known and not workspace else nullcontext() as rests_on:
@@ -155,6 +155,7 @@ def extract(
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
         built = programs(workspace)
         extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace))
+        unfinished.push(extraction)  # its temporary files go also when this ends early
         scratch = extraction._stack.enter_context(scratch_folder())
         tracing.ignore(scratch)
         found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
@@ -179,6 +180,7 @@ def extract(
             made.update((one, make(one, reading.of(units_of[one]))) for one in wanted)
         if units:
             extraction.diagnostics = sorted([*extraction.diagnostics, *diagnostics(reading)], key=str)
+        unfinished.pop_all()
     extraction.seconds = reading.seconds
     extraction.components = tuple(made[one] for one in sorted(found, key=lambda each: (each.package, each.name)))
     return extraction

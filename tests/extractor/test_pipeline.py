@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -259,3 +260,16 @@ def test_temporary_files_go(root: Path, tmp_path: Path, monkeypatch: pytest.Monk
 def test_an_empty_folder_has_no_components(tmp_path: Path) -> None:
     with extract(tmp_path, jobs=1) as extraction:
         assert extraction.components == ()
+
+
+def test_an_extraction_that_is_interrupted_leaves_no_temporary_files(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_arguments: object) -> None:
+        assert list(temporary.iterdir())
+        raise KeyboardInterrupt
+
+    (temporary := tmp_path / "temporary").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(temporary))
+    monkeypatch.setattr("rosarch.extractor.pipeline.Sources.read", interrupted)
+    with pytest.raises(KeyboardInterrupt) as caught:
+        extract(root)
+    assert list(temporary.iterdir()) == [], caught  # whose traceback keeps what is not closed
