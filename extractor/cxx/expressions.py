@@ -10,6 +10,7 @@ from rosarch.extractor.cxx.body import Body, expressions, strip
 from rosarch.extractor.cxx.calls import lower_call, lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_function, declare_template_member, declare_type, declare_variable, qualified_name
 from rosarch.extractor.cxx.libclang import Tree
+from rosarch.extractor.cxx.unit import DEEPEST
 
 _ASSIGNMENTS = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
 _ARITHMETIC = frozenset({"+", "-", "*", "/", "%", "<<", ">>"})
@@ -21,11 +22,23 @@ _VARIABLES = frozenset({kinds.VARIABLE, kinds.PARAMETER, kinds.FIELD})
 
 def lower_expression(body: Body, tree: Tree, *, text: bool = False) -> str:
     """Record the expression at `tree` and return its identifier; with `text`, its source text too."""
-    tree = strip(tree)
+    tree, unit = strip(tree), body.unit
+    if unit.depth == DEEPEST:
+        return _left_out(body, tree)
+    unit.depth += 1
     lower = _FORMS.get(tree.kind, _lower_unknown)
     expr = lower(body, tree)
+    unit.depth -= 1
     if text:
-        body.unit.add("expr_text", expr, body.unit.text(body.unit.span_of(tree)))
+        unit.add("expr_text", expr, unit.text(unit.span_of(tree)))
+    return expr
+
+
+def _left_out(body: Body, tree: Tree) -> str:
+    """An expression that is nested too deeply to be read."""
+    expr, span = body.node(tree, "unknown")
+    body.unit.deep.append(span)
+    body.unit.add("expr_unknown", expr, "form")
     return expr
 
 

@@ -10,6 +10,7 @@ from rosarch.extractor.cxx.calls import lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_parameter, declare_variable
 from rosarch.extractor.cxx.expressions import lower_expression
 from rosarch.extractor.cxx.libclang import Tree
+from rosarch.extractor.cxx.unit import DEEPEST
 from rosarch.extractor.flow import Flow
 
 
@@ -18,12 +19,18 @@ def lower_statement(body: Body, tree: Tree) -> None:
     if kinds.is_expression(tree.kind):
         lower_expression(body, tree, text=True)
         return
+    unit = body.unit
+    if unit.depth == DEEPEST:
+        unit.deep.append(unit.span_of(tree))
+        return
+    unit.depth += 1
     lower = _STATEMENTS.get(tree.kind)
     if lower is not None:
         lower(body, tree)
     elif tree.kind >= kinds.UNEXPOSED_STATEMENT:
         for child in tree.children:
             lower_statement(body, child)
+    unit.depth -= 1
 
 
 def lower_lambda(body: Body, tree: Tree) -> str:

@@ -173,10 +173,18 @@ _LOSING = re.compile(
 
 
 def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProblem]:
-    """The first error of each file that makes clang pass over what follows: braces that do not match, comments that do not end.
+    """The first error of each file that makes clang pass over what follows, and where code is nested too deeply, once per line.
 
-    Other errors cost a declaration or an expression, and without third-party headers most sources have some.
+    Errors that lose code are braces that do not match and comments that do not end. Others cost a declaration or an expression, and
+    without third-party headers most sources have some.
     """
+    deep: dict[tuple[str, int], int] = {}
+    for span in facts.deep:
+        line, column = span.file.line_column(span.begin)
+        place = str(span.file.path), line
+        deep[place] = min(column, deep.get(place, column))
+    for (path, line), column in deep.items():
+        yield path, line, column, "nested too deeply, left out"
     found: dict[str, list[tuple[int, int, str]]] = {}
     for severity, message, place in parsed.diagnostics:
         if severity >= libclang.FATAL or _LOSING.fullmatch(message):

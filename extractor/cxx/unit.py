@@ -93,6 +93,10 @@ class FunctionSpan:
     end: int
 
 
+DEEPEST = 2500
+"""Statements and expressions within each other: each takes several calls, of which there is room for `deep_recursion`."""
+
+
 @dataclass
 class UnitFacts:
     """Rows and identifiers of one translation unit.
@@ -100,7 +104,8 @@ class UnitFacts:
     `call_sites` holds, per file, the offsets at which the names of the calls met so far end; `remnants`
     are names of methods whose calls clang dropped, with the offset at which the name ends; `marks`, per function, tell which
     block and index in it what stands after an offset belongs to; `skipped`, per path, the
-    ranges that conditional compilation leaves out. `sees` tells which definitions of declared classes count.
+    ranges that conditional compilation leaves out. `sees` tells which definitions of declared classes count. `depth` statements and
+    expressions are being read, each within the one before; `deep` are those left out because these would be more than `DEEPEST`.
     """
 
     sources: SourceFiles
@@ -117,6 +122,8 @@ class UnitFacts:
     marks: dict[str, list[tuple[int, str, int]]] = field(default_factory=dict)
     skipped: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
     sees: Callable[[Cursor], bool] = lambda _definition: True
+    depth: int = 0
+    deep: list[Span] = field(default_factory=list)
     _ids: dict[str, int] = field(default_factory=dict)
     _files: dict[str, SourceFile] = field(default_factory=dict)
     _bases: list[int] = field(default_factory=list)

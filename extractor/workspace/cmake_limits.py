@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from rosarch.extractor import tracing
 
 MAX_WORDS = 600_000
-"""Commands and arguments that are evaluated."""
+"""Commands, arguments and words of conditions that are evaluated."""
 MAX_DEPTH = 60
 MAX_ROUNDS = 10_000
 MAX_VALUE = 4 << 20

@@ -182,10 +182,10 @@ class Evaluator:
             self.give_up(f"more than {MAX_TEXT} characters of values")
 
     def count(self, words: int) -> None:
-        """Count commands and arguments that are evaluated; give up when these are too many."""
+        """Count commands, arguments and words of conditions that are evaluated; give up when these are too many."""
         self.words += words
         if self.words > MAX_WORDS:
-            self.give_up(f"more than {MAX_WORDS} commands and arguments")
+            self.give_up(f"more than {MAX_WORDS} conditions, commands and arguments")
 
     def give_up(self, reason: str) -> NoReturn:
         """Record a limit that was reached at the current command, and stop the evaluation."""
@@ -289,6 +289,7 @@ class Evaluator:
                 words.append(Word(argument.text, False))
             else:
                 words.extend(Word(text, False) for text in self.expanded_list(argument))
+        self.count(2 * len(words) + 1)  # to decide about a word of a condition costs more than to pass an argument
         try:
             return condition_holds(words, self.around)
         except ConditionError as error:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -10,16 +10,18 @@ import pytest
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit
 from rosarch.extractor.cxx.unit import file_key
+from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.facts import validate
 
 Row = tuple[str | int, ...]
 
 
 class Snippet:
-    """The rows of one source; identifiers lose their file, `n.cpp#1a2b:3:5:call` reads `3:5:call`."""
+    """The rows of one source; identifiers lose their file, `n.cpp#1a2b:3:5:call` reads `3:5:call`. `problems` tell what was lost."""
 
-    def __init__(self, rows: Mapping[str, set[Row]], path: str) -> None:
+    def __init__(self, rows: Mapping[str, set[Row]], path: str, problems: Sequence[SourceProblem] = ()) -> None:
         self.raw = rows
+        self.problems = problems
         self.key = file_key(path)
         self.path = path
 
@@ -176,9 +178,10 @@ def extract(tmp_path: Path, prelude: Path) -> Callable[..., Snippet]:
             target = root / name
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(text if isinstance(text, bytes) else text.encode())
-        rows = extract_unit(CompileUnit(root / path, **options), root, finder, prelude)
+        problems: list[SourceProblem] = []
+        rows = extract_unit(CompileUnit(root / path, **options), root, finder, prelude, problems=problems)
         validate(rows)
-        return Snippet(rows, path)
+        return Snippet(rows, path, problems)
 
     return extract_one
 

@@ -112,6 +112,22 @@ def test_a_chain_of_five_hundred_else_ifs(facts_of) -> None:
     assert len(facts["block_condition"]) == 500
 
 
+@pytest.mark.parametrize(
+    "deep",
+    [
+        "int f(int x) { return x" + " + 1" * 9000 + "; }",
+        "struct G { G & operator()(); }; void f(G g) { g" + "()" * 7000 + "; }",
+        "bool f(bool x) { if (x" + " && x" * 7000 + ") return true; return false; }",
+        "void f(int x) { " + "".join(f"if (x == {i}) " for i in range(3000)) + "; }",
+    ],
+    ids=["sum", "calls", "condition", "statements"],
+)
+def test_what_is_nested_too_deeply_is_told_once_and_costs_nothing_else(facts_of, deep: str) -> None:
+    facts = facts_of(f"void g();\n{deep}\nvoid h() {{ g(); }}")
+    assert facts.callees()[-1] == "g"
+    assert [(line, message) for _, line, _, message in facts.problems] == [(2, "nested too deeply, left out")]
+
+
 def test_a_table_of_twenty_thousand_lines(facts_of) -> None:
     facts = facts_of("const int table[] = {\n" + "".join(f"  {i},\n" for i in range(20_000)) + "};\nvoid g(); void f() { g(); }")
     assert facts.callees() == ["g"]
