@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.inputs import check_output, unwritable
 from rosarch.cli.options import ModelFormat, path_argument
+from rosarch.cli.outputs import check_output, output_folder
 from rosarch.cli.questions import Question, asks
 from rosarch.cli.terminal import emit, is_terminal, show_diagnostics
 
@@ -41,17 +41,15 @@ def analyze(
     rules = question.rules()
     analysis = question.analysis(rules, question.folder, question.packages)
     if out:
-        from rosarch.extractor.cache import write_whole
+        from rosarch.datalog.whole import write_whole
         from rosarch.models.rule_sets import described
         from rosarch.reports.json_models import write_models
         from rosarch.reports.printable import json_text
 
-        try:
-            write_models(analysis.models, out)
+        with output_folder(out) as written:
+            write_models(analysis.models, written)
             if told := described(rules):
-                write_whole(out / "rules.json", json_text(told).encode())
-        except OSError as error:
-            raise unwritable(out, error) from None
+                write_whole(written / "rules.json", json_text(told).encode())
     show_diagnostics(analysis.diagnostics, question.verbose)
     if output_format is ModelFormat.json:
         from rosarch.reports.json_models import models_text

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import read_input, unwritable
+from rosarch.cli.inputs import read_input
+from rosarch.cli.outputs import write_output
 from rosarch.cli.terminal import emit, is_terminal
 
 if TYPE_CHECKING:
@@ -73,7 +74,7 @@ def judge(
     reported = apply_policy(findings, policy, suppressions, _load(baseline), checks=checks, complete=complete)
     if new_baseline is None:
         return reported
-    _write(new_baseline, baseline_text(reported.baseline))
+    write_output(new_baseline, baseline_text(reported.baseline))
     return apply_policy(findings, policy, suppressions, reported.baseline, checks=checks, complete=complete)
 
 
@@ -92,7 +93,7 @@ def write_reports(
 
     setting = Setting(read, _seen_from_here(folder), notes=notes, scope=scope, rules=rules or {})
     for name, file in destinations.files:
-        _write(file, report_text(name, reported, setting))
+        write_output(file, report_text(name, reported, setting))
     for name in destinations.stdout:
         emit(report_text(name, reported, replace(setting, terminal=is_terminal())))
 
@@ -114,15 +115,6 @@ def _load(path: Path | None) -> Baseline | None:
         return None if path is None else read_baseline(read_input(path), str(path))
     except BaselineError as error:
         raise InputError(str(error)) from None
-
-
-def _write(path: Path, text: str) -> None:
-    from rosarch.extractor.cache import write_whole
-
-    try:
-        write_whole(path, text.encode("utf-8", "backslashreplace"))
-    except OSError as error:
-        raise unwritable(path, error) from None
 
 
 def _seen_from_here(folder: Path) -> str:

@@ -10,11 +10,11 @@ from typing import Annotated, Any
 import typer
 
 from rosarch.cli.errors import FINDINGS, USAGE, InputError
-from rosarch.cli.inputs import check_folder, check_output, read_input, unwritable
+from rosarch.cli.inputs import check_folder, read_input
 from rosarch.cli.options import Format, path_argument
+from rosarch.cli.outputs import check_output, write_output
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.terminal import emit, progress
-from rosarch.extractor.cache import write_whole
 from rosarch.extractor.files import file_name
 
 Words = Annotated[
@@ -89,7 +89,7 @@ def corpus(
                     report("workspaces", len(outcomes), len(tasks))
     except NoCluster as error:
         raise InputError(str(error)) from None
-    _write_text(out / "corpus.json", WRITERS["json"](outcomes))
+    write_output(out / "corpus.json", WRITERS["json"](outcomes))
     emit(WRITERS[output_format.value](outcomes))
     if any(isinstance(outcome, Failed) for _, outcome in outcomes.values()):
         raise typer.Exit(USAGE)
@@ -128,11 +128,4 @@ def _write(folder: Path, reports: Mapping[str, Any]) -> None:
     from rosarch.reports.printable import json_text
 
     for name, document in reports.items():
-        _write_text(folder / f"{name}.json", json_text(document))
-
-
-def _write_text(path: Path, text: str) -> None:
-    try:
-        write_whole(path, text.encode("utf-8", "backslashreplace"))
-    except OSError as error:
-        raise unwritable(path, error) from None
+        write_output(folder / f"{name}.json", json_text(document))

@@ -8,8 +8,9 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_diagnostics, check_folder, check_output, extraction_cache, unwritable
+from rosarch.cli.inputs import check_diagnostics, check_folder, extraction_cache
 from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines, path_argument
+from rosarch.cli.outputs import check_output, output_folder, unwritable
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 from rosarch.extractor.limits import SOURCE_SECONDS
 
@@ -55,13 +56,14 @@ def extract(
         )
     with extraction:
         check_diagnostics(folder, len(extraction.components), extraction.diagnostics)
-        try:
-            if text:
+        if text:
+            try:
                 extraction.write_text(out)
-            else:
-                extraction.write(out)
-        except OSError as error:
-            raise unwritable(out, error) from None
+            except OSError as error:
+                raise unwritable(out, error) from None
+        else:
+            with output_folder(out) as folder_of_facts:
+                extraction.write(folder_of_facts)
         show_diagnostics(extraction.diagnostics, verbose)
         from rosarch.reports.labels import counted
 

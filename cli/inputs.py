@@ -52,24 +52,6 @@ def check_input(path: Path) -> Path:
     return path if path.is_file() else check_folder(path)
 
 
-def check_output(out: Path) -> Path:
-    """`out`, made if need be: better refused before a long analysis than after it."""
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except FileExistsError:
-        raise InputError(f"{out}: not a folder") from None
-    except OSError as error:
-        raise unwritable(out, error) from None
-    if not os.access(out, os.W_OK | os.X_OK):
-        raise InputError(f"{out}: cannot write to this folder")
-    return out
-
-
-def unwritable(out: Path, error: OSError) -> InputError:
-    """The error for an output folder that refuses what is written to it."""
-    return InputError(f"{error.filename or out}: cannot write ({(error.strerror or str(error)).lower()})")
-
-
 def read_input(path: Path) -> str:
     """The text of a file that was given."""
     from rosarch.extractor.diagnostics import why

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_folder, check_output, unwritable
+from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import Input, Libraries, ModelFormat, Packages, path_argument
+from rosarch.cli.outputs import check_output, output_folder
 from rosarch.cli.questions import Reading, asks
 from rosarch.cli.terminal import emit, show_diagnostics
 
@@ -75,12 +76,10 @@ def build(
     check_output(out)
     analysis = reading.analysis(reading.rules(), folder, packages)
     chosen = [model for model in analysis.models if not packages or model.package in packages]
-    try:
-        paths = write_library(library_documents(chosen, origin, revision), out)
-    except OSError as error:
-        raise unwritable(out, error) from None
+    with output_folder(out) as written:
+        paths = write_library(library_documents(chosen, origin, revision), written)
     show_diagnostics(analysis.diagnostics, reading.verbose)
-    emit("".join(f"{path}\n" for path in paths))
+    emit("".join(f"{out / path.relative_to(written)}\n" for path in paths))
 
 
 def _library(folders: list[Path] | None) -> Library:

@@ -10,7 +10,8 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.cache import hash_of, write_whole
+from rosarch.datalog.whole import write_whole
+from rosarch.extractor.cache import hash_of
 
 _DOCUMENT, _STATE = "document.json", "state.json"
 _HEADERS = {

@@ -8,8 +8,9 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.derivations import datalog_errors
-from rosarch.cli.inputs import check_folder, unwritable
+from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import path_argument
+from rosarch.cli.outputs import unwritable
 from rosarch.cli.terminal import emit
 
 app = typer.Typer(help="Begin a check, a relation or the API of a library: rules, docs and a test that passes.", no_args_is_help=False)

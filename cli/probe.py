@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.errors import FINDINGS, InputError
-from rosarch.cli.inputs import unwritable
 from rosarch.cli.options import Format, path_argument
+from rosarch.cli.outputs import write_output
 from rosarch.cli.questions import Question, asks
 from rosarch.cli.show import asked_models
 from rosarch.cli.terminal import emit, emit_lines
@@ -71,10 +71,7 @@ def probe(
             names = settle(model, subject.name, command, system_rules(question.rules()), question.engine.value)
             results = replace(results, names=names)
     if scenario is not None:
-        try:
-            scenario.write_text(scenario_text(subject, results), encoding="utf-8")
-        except OSError as error:
-            raise unwritable(scenario, error) from None
+        write_output(scenario, scenario_text(subject, results))
     if output_format is Format.json:
         emit(results_json(subject, results))
     else:

@@ -9,8 +9,8 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import unwritable
 from rosarch.cli.options import path_argument
+from rosarch.cli.outputs import write_output
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.reported import load_subject
 from rosarch.cli.terminal import emit
@@ -37,7 +37,6 @@ def report(
     question: SystemQuestion, out: Page = Path("report.html"), source_url: SourceUrl = None, chains: Chains = False, proofs: Proofs = True
 ) -> None:
     """Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings."""
-    from rosarch.extractor.cache import write_whole
     from rosarch.reports.html.document import report_document
     from rosarch.reports.html.page import page_text
     from rosarch.reports.labels import counted
@@ -48,10 +47,7 @@ def report(
         raise InputError(f"{out}: a folder, where a file is to be written")
     subject = load_subject(question, link, chains=chains, proofs=proofs)
     page = page_text(report_document(subject))
-    try:
-        write_whole(out, page.encode("utf-8", "backslashreplace"))
-    except OSError as error:
-        raise unwritable(out, error) from None
+    write_output(out, page)
     numbers = {"component": len(subject.models), "system": len(subject.systems), "finding": len(subject.reported.shown)}
     emit(f"{printable(str(out))}: {', '.join(counted(number, noun) for noun, number in numbers.items())}\n")
 

@@ -12,7 +12,7 @@ import typer
 from rosarch.cli.checks import checks
 from rosarch.cli.derivations import Profiled, check_profile, chosen_relations, datalog_errors, evaluate, heading, load_rules, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import unwritable
+from rosarch.cli.outputs import write_output
 from rosarch.cli.questions import Question, asks
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.rules_mutate import mutate
@@ -130,10 +130,7 @@ def doc(
     if out is None:
         emit(text)
         return
-    try:
-        out.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise unwritable(out, error) from None
+    write_output(out, text)
 
 
 app.command("test")(test)

@@ -11,8 +11,9 @@ import typer
 
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_engine, check_folder, check_input, check_output, extraction_cache, unwritable
+from rosarch.cli.inputs import check_engine, check_folder, check_input, extraction_cache
 from rosarch.cli.options import path_argument
+from rosarch.cli.outputs import check_output, output_folder
 from rosarch.cli.questions import Reading, asks
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 from rosarch.extractor.files import file_name
@@ -122,8 +123,6 @@ def _analyzed(truths: Sequence[Truth], folder: Path, reading: Reading, absent: b
 def _write(single: SingleRun, out: Path) -> None:
     from rosarch.reports.json_models import write_document
 
-    try:
+    with output_folder(out) as folder:
         for (system, _, _), model in single.models.items():
-            write_document(model, out / file_name(system))
-    except OSError as error:
-        raise unwritable(out, error) from None
+            write_document(model, folder / file_name(system))

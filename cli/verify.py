@@ -11,8 +11,9 @@ import typer
 
 from rosarch.cli.composed import ScenarioFile, load_composed, load_scenario
 from rosarch.cli.errors import FINDINGS, InputError
-from rosarch.cli.inputs import check_output, read_input
+from rosarch.cli.inputs import read_input
 from rosarch.cli.options import path_argument
+from rosarch.cli.outputs import check_output, output_folder
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines
 
@@ -134,7 +135,7 @@ def _check(
 
 def _export(system: System, wanted: list[Property], given: Inputs, language: Language, bound: int, out: Path | None) -> None:
     from rosarch.composition.reactions import TooManyCases
-    from rosarch.extractor.cache import write_whole
+    from rosarch.datalog.whole import write_whole
     from rosarch.verification.check import model_for
     from rosarch.verification.jani import UnsupportedError
     from rosarch.verification.languages import files
@@ -145,8 +146,9 @@ def _export(system: System, wanted: list[Property], given: Inputs, language: Lan
         raise InputError(str(error)) from None
     if out is not None:
         check_output(out)
-        for name, text in written:
-            write_whole(out / name, text.encode("utf-8", "backslashreplace"))
+        with output_folder(out) as folder:
+            for name, text in written:
+                write_whole(folder / name, text.encode("utf-8", "backslashreplace"))
     elif len(wanted) == 1:
         emit(written[0][1])
     else:

@@ -6,13 +6,14 @@ import hashlib
 import os
 import pickle
 import sys
-import tempfile
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from .seal import sealed, unsealed
+from .whole import write_whole
 
 CACHE_VARIABLE = "ROSARCH_CACHE_DIR"
 
@@ -80,17 +81,7 @@ def load(paths: Sequence[Path], extra: str) -> Any | None:
 
 
 def store(paths: Sequence[Path], extra: str, digests: dict[str, str], value: Any) -> None:
-    """Store a value; written to a temporary file first, so that readers never see half of it."""
+    """Store a value; readers never see half of it."""
     entry = _entry(paths, extra)
-    try:
-        entry.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=entry.parent, suffix=".tmp")
-        try:
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(sealed(pickle.dumps((digests, value), protocol=pickle.HIGHEST_PROTOCOL)))
-            os.replace(temporary, entry)
-        except BaseException:
-            Path(temporary).unlink(missing_ok=True)
-            raise
-    except OSError:
-        return  # a cache that cannot be written is only slower
+    with suppress(OSError):  # a cache that cannot be written is only slower
+        write_whole(entry, sealed(pickle.dumps((digests, value), protocol=pickle.HIGHEST_PROTOCOL)))

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from rosarch.datalog.seal import sealed, unsealed
+from rosarch.datalog.whole import write_whole
 
 Value = TypeVar("Value")
 LIMIT = 1 << 30
@@ -50,19 +51,6 @@ def version_of(folders: Iterable[Path]) -> str:
                 stat = os.stat(path)
                 parts.append(f"{path} {stat.st_size} {stat.st_mtime_ns}")
     return hash_of(parts)
-
-
-def write_whole(path: Path, data: bytes) -> None:
-    """Write a file so that no reader ever sees half of it; OSError, and no trace, when it cannot be written."""
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    try:
-        temporary.write_bytes(data)
-        temporary.replace(path)
-    except OSError as error:
-        with suppress(OSError):
-            temporary.unlink(missing_ok=True)
-        raise OSError(error.errno, error.strerror, str(path)) from None
 
 
 @dataclass(frozen=True)

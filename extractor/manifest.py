@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import rosarch.rules
-from rosarch.extractor.cache import write_whole
+from rosarch.datalog.whole import write_whole
 from rosarch.extractor.files import file_name, read_file
 
 if TYPE_CHECKING:

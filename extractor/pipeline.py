@@ -14,9 +14,10 @@ from functools import partial
 from pathlib import Path
 
 from rosarch.datalog.scratch import scratch_folder
+from rosarch.datalog.whole import write_whole
 from rosarch.extractor import tracing
 from rosarch.extractor.boundary import confined, ros_package_path
-from rosarch.extractor.cache import Cache, hash_of, write_whole
+from rosarch.extractor.cache import Cache, hash_of
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
 from rosarch.extractor.cxx.unit import file_key

@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.datalog.seal import below_seal, sealed
-from rosarch.extractor.cache import Cache, write_whole
+from rosarch.datalog.whole import write_whole
+from rosarch.extractor.cache import Cache
 from rosarch.extractor.live_code import Mentions, by_function, live_functions, mentions_of
 
 Row = tuple[str | int, ...]

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.cache import write_whole
+from rosarch.datalog.whole import write_whole
 from rosarch.extractor.files import path_below
 from rosarch.library.model import GENERATED
 from rosarch.library.reading import COMPONENT_KINDS

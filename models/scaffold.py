@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rosarch.datalog import load_declarations
 from rosarch.datalog.parser import is_word
-from rosarch.extractor.cache import write_whole
+from rosarch.datalog.whole import write_whole
 from rosarch.extractor.manifest import rules_folder
 from rosarch.models.checks import check_files, read_check
 from rosarch.models.variants import RuleSetError

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
+from rosarch.datalog.whole import write_whole
 from rosarch.extractor import tracing
 from rosarch.extractor.boundary import folders as inside
 from rosarch.extractor.boundary import is_inside
@@ -335,10 +336,7 @@ class HeaderFinder:
             if not path.resolve().is_relative_to(self.scratch.resolve()):  # a name with ../ in it, or an absolute one
                 path = self.scratch / folder / path.name
             if not path.is_file() and path.name != ".." and name.count("/") < _DEEPEST:
-                path.parent.mkdir(parents=True, exist_ok=True)
-                temporary = path.with_name(f"{path.name}.{os.getpid()}")
-                temporary.write_text(text, encoding="utf-8", errors="surrogateescape")
-                temporary.replace(path)
+                write_whole(path, text.encode("utf-8", "surrogateescape"))
         except (OSError, ValueError) as error:
             if isinstance(error, OSError) and error.errno not in _NO_NAME:
                 raise

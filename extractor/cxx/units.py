@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from rosarch.extractor.cache import Cache, extractor_version, hash_of, write_whole
+from rosarch.datalog.whole import write_whole
+from rosarch.extractor.cache import Cache, extractor_version, hash_of
 from rosarch.extractor.cxx.includes import HeaderFinder, Includes
 from rosarch.extractor.cxx.recover import Names
 from rosarch.extractor.cxx.shared import SharedHeaders

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosarch.datalog.whole import write_whole
 from rosarch.extractor.cxx.assumed import assumed_struct, assumed_text
 from rosarch.extractor.cxx.includes import SHIPPED
 
@@ -300,7 +301,4 @@ def _with_fields(text: str, struct: str, fields: Mapping[str, str]) -> str:
 
 def _write(path: Path, text: str) -> None:
     if not path.is_file():
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary = path.with_name(f"{path.name}.{os.getpid()}")
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(path)
+        write_whole(path, text.encode())

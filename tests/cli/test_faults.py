@@ -137,6 +137,30 @@ def test_a_cache_without_room(rosarch: Callable, workspace: Path, tmp_path: Path
         assert done.stderr.splitlines()[-1].startswith("rosarch: error: ")  # clang may have said something before
 
 
+@pytest.mark.parametrize("words", [("analyze",), ("extract",), ("extract", "--text")])
+def test_outputs_without_room(rosarch: Callable, workspace: Path, tmp_path: Path, words: tuple[str, ...]) -> None:
+    """A limit of the size of files, from when they are written, stands for a full disk below them."""
+    code = (
+        "import resource, signal, sys; from rosarch.cli.main import main; from rosarch.datalog import whole; from rosarch.extractor import facts_text\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN); write = whole._missing\n"
+        "def limited(folder):\n    resource.setrlimit(resource.RLIMIT_FSIZE, (150, 150))\n    return write(folder)\n"
+        f"whole._missing = lambda folder: (limited if 'out' in folder.parts else write)(folder)\n"
+        f"sys.exit(main({[words[0], str(workspace), *words[1:], '-o', 'out/deep']!r}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("rosarch: error: out/deep")
+    assert done.stderr.endswith(": cannot write (file too large)\n")
+    assert not (tmp_path / "out").exists()
+
+
+def test_an_analysis_that_fails_leaves_no_output_folder(rosarch: Callable, tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    for words in (("analyze",), ("extract",), ("extract", "--text")):
+        assert rosarch(words[0], "empty", *words[1:], "-o", tmp_path / "out" / "deep").code == 2
+        assert not (tmp_path / "out").exists()
+
+
 def test_a_cache_that_is_read_only_damaged_or_no_folder(
     rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
