@@ -349,7 +349,7 @@ def is_shipped(path: str) -> bool:
 
 
 def _links_out(root: Path) -> set[str]:
-    """The links below a folder that lead beyond the boundary."""
+    """The links below a folder that lead beyond the boundary, and what is neither file nor folder: to open a pipe would block."""
     found = set()
     stack = [str(root)]
     while stack:
@@ -363,6 +363,8 @@ def _links_out(root: Path) -> set[str]:
                     found.add(entry.path)
             elif entry.is_dir():
                 stack.append(entry.path)
+            elif not entry.is_file():
+                found.add(entry.path)
     return found
 
 

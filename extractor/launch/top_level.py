@@ -26,7 +26,7 @@ _TESTS = frozenset({"test", "tests"})
 _DESCRIBES = {".py": b"generate_launch_description", ".xml": b"<launch", ".yaml": b"launch:", ".yml": b"launch:"}
 _UNKNOWN = re.compile(r"\$\([^()]*\)")
 _FIND = re.compile(r"\$\((?:find|find-pkg-share) ([^()$]+)\)")
-_FILE_NAME = re.compile(r"[\w.-]+\.(?:py|xml|ya?ml|launch)\b")
+_NAME = re.compile(r"[\w.-]+")
 
 
 def launch_files(folder: Path | str) -> list[str]:
@@ -140,8 +140,8 @@ def _said(path: str, called: Mapping[str, list[str]]) -> Iterator[str]:
         text = read_file(path).decode(errors="replace")
     except OSError:
         return
-    for name in sorted(set(_FILE_NAME.findall(text))):
-        others = [other for other in called.get(name, ()) if other != path]
+    for name in sorted({found.strip(".-") for found in _NAME.findall(text)} & called.keys()):
+        others = [other for other in called[name] if other != path]
         beside = [other for other in others if os.path.dirname(other) == os.path.dirname(path)]
         yield from beside or [other for other in others if any(part in text for part in _package_folder(other))]
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import gc
+import os
 import time
 from pathlib import Path
 
 import pytest
 
+from rosarch.extractor.boundary import confined
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, extract_unit
 
@@ -62,6 +64,15 @@ def test_missing_includes_are_rows(extract) -> None:
     assert found == {("n.cpp", 1, "gone/there.h"), ("n.cpp", 3, "pkg_msgs/Thing.h"), ("h.h", 2, "also.h")}
     assert ("pkg_msgs::Thing_", "message", "pkg_msgs/Thing") in facts["message_class"]
     assert facts.callees() == ["g"]
+
+
+def test_a_header_that_is_a_pipe_is_not_opened(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.h")
+    (tmp_path / "n.cpp").write_text('#include "pipe.h"\nvoid g(); void f() { g(); }')
+    with confined([tmp_path]):
+        finder = HeaderFinder(tmp_path, tmp_path / "scratch", lambda _name: None)
+        rows = extract_unit(CompileUnit(tmp_path / "n.cpp"), tmp_path, finder, None)
+    assert len(rows["call_function"]) == 1
 
 
 def test_a_source_that_is_not_there(tmp_path: Path, prelude: Path) -> None:

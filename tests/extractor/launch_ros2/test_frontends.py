@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
@@ -149,8 +151,22 @@ def test_how_many_processes_compose_does_not_matter(tmp_path: Path) -> None:
 
 def test_a_launch_file_that_takes_too_long_is_left_out(tmp_path: Path, limits: Limits) -> None:
     limits.evaluation = 0.5
-    forever = HEAD + f"def generate_launch_description():\n    for i in range(10000):\n        '{'x' * 1000}' * 100000\n"
-    composed(tmp_path, {"launch/a.launch.py": forever, "launch/b.launch.py": NODES.format("b")})
+    forever = (
+        HEAD + "def generate_launch_description():\n    for i in range(10000):\n        for j in range(10000):\n            k = [i, j]\n"
+    )
+    composed(tmp_path, {"launch/b.launch.py": NODES.format("b"), "launch/a.launch.py": forever})
     top = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])), jobs=2)
     assert [problem.message for composition in top.values() for problem in composition.problems] == ["left out: not done after 0.5 s"]
     assert [node.type for composition in top.values() for node in composition.nodes] == ["b"]
+
+
+@pytest.mark.parametrize("name", ["a.launch.py", "a.launch.yaml"])
+def test_a_long_line_is_read_in_linear_time(tmp_path: Path, name: str, at_most: Callable[[float], AbstractContextManager[None]]) -> None:
+    files = {
+        f"launch/{name}": f"# {'x' * 1_000_000}\n# generate_launch_description of b.launch.py.\nlaunch: 1\n",
+        "launch/b.launch.py": NODES.format("b"),
+    }
+    composed(tmp_path, files)
+    with at_most(5):
+        top = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])))
+    assert [path.rpartition("/")[2] for path in top] == [name]
