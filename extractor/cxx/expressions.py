@@ -10,7 +10,7 @@ from rosarch.extractor.cxx.body import Body, expressions, strip
 from rosarch.extractor.cxx.calls import lower_call, lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_function, declare_template_member, declare_type, declare_variable, qualified_name
 from rosarch.extractor.cxx.libclang import Tree
-from rosarch.extractor.cxx.unit import DEEPEST
+from rosarch.extractor.cxx.unit import DEEPEST, StructuredBinding
 
 _ASSIGNMENTS = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
 _ARITHMETIC = frozenset({"+", "-", "*", "/", "%", "<<", ">>"})
@@ -80,6 +80,9 @@ def _lower_reference(body: Body, tree: Tree) -> str:
         body.unit.add("variable_use", expr, declare_variable(body.unit, target))
         body.flow.read(expr)
         return expr
+    binding = body.unit.bindings.get(target.d0 or 0) if target.kind == kinds.UNEXPOSED_DECLARATION else None
+    if binding is not None:
+        return _lower_binding(body, tree, binding)
     if target.kind == kinds.ENUM_CONSTANT:
         expr, _ = body.node(tree, "enum")
         body.unit.add("literal", expr, "enum", qualified_name(body.unit, target))
@@ -90,6 +93,27 @@ def _lower_reference(body: Body, tree: Tree) -> str:
         body.unit.add("function_use", expr, declare_function(body.unit, target))
         return expr
     return _lower_overloaded(body, tree, [tree, *tree.children])
+
+
+def _lower_binding(body: Body, tree: Tree, binding: StructuredBinding) -> str:
+    """A name in `auto [a, b] = value` stands for a part of the value: `value.first`, or `value[1]` where the parts have no names."""
+    unit = body.unit
+    whole, _ = body.node(tree, "use")
+    unit.add("variable_use", whole, binding.variable)
+    body.flow.read(whole)
+    if binding.field is None:
+        index, _ = body.node(tree, "num")
+        unit.add("literal", index, "integer", str(binding.index))
+        expr, _ = body.node(tree, "op")
+        unit.add("operator", expr, "[]")
+        unit.add("operand", expr, 0, whole)
+        unit.add("operand", expr, 1, index)
+        return expr
+    expr, _ = body.node(tree, "use")
+    unit.add("variable_use", expr, declare_variable(unit, binding.field))
+    unit.add("field_object", expr, whole)
+    body.flow.read(expr)
+    return expr
 
 
 def _lower_overloaded(body: Body, tree: Tree, references: list[Tree]) -> str:
@@ -213,6 +237,14 @@ def _lower_statements(body: Body, tree: Tree) -> str:
     return _lower_unknown(body, Tree(tree.cursor))
 
 
+def _lower_list(body: Body, tree: Tree) -> str:
+    expr = operator_expression(body, tree, "list", "{}", expressions(tree))
+    type_ = libclang.canonical_type(libclang.cursor_type(tree.cursor))
+    if type_.kind == kinds.TYPE_RECORD:
+        body.unit.add("expr_type", expr, declare_type(body.unit, type_))
+    return expr
+
+
 def _lower_unknown(body: Body, tree: Tree) -> str:
     """A form without facts of its own: its parts are read, so that no call is lost."""
     expr, span = body.node(tree, "unknown")
@@ -247,7 +279,7 @@ _FORMS: dict[int, Callable[[Body, Tree], str]] = {
     kinds.COMPOUND_ASSIGNMENT: _lower_binary,
     kinds.CONDITIONAL: _lower_conditional,
     kinds.SUBSCRIPT: _operator("op", "[]"),
-    kinds.INIT_LIST: _operator("list", "{}"),
+    kinds.INIT_LIST: _lower_list,
     kinds.SIZEOF: _operator("op", "sizeof"),
     kinds.DELETE: _operator("op", "delete"),
     kinds.THROW: _lower_throw,

@@ -15,7 +15,7 @@ from typing import Any
 
 from rosarch.extractor.cxx import kinds
 
-from .libclang_library import Cursor, Location, Range, RangeList, String, Type, Visitor, bind
+from .libclang_library import Cursor, FieldVisitor, Location, Range, RangeList, String, Type, Visitor, bind
 
 _BUFFERED = 2
 """The flag of a text that `data` is not the address of; the other flag than zero is that of one that has to be disposed of."""
@@ -72,6 +72,7 @@ type_declaration = bind("getTypeDeclaration", Cursor, Type)
 unqualified_type = bind("getUnqualifiedType", Type, Type)
 template_kind = bind("getTemplateCursorKind", c_int, Cursor)
 is_const = bind("isConstQualifiedType", c_uint, Type)
+_visit_fields = bind("Type_visitFields", c_uint, Type, FieldVisitor, c_void_p)
 template_argument_count = bind("Type_getNumTemplateArguments", c_int, Type)
 template_argument = bind("Type_getTemplateArgumentAsType", Type, Type, c_uint)
 argument_count = bind("Cursor_getNumArguments", c_int, Cursor)
@@ -202,6 +203,22 @@ _COLLECT_BASES = Visitor(_collect_bases)
 def bases(cursor: Cursor) -> list[Cursor]:
     """The base specifiers of the class at `cursor`: clang visits them before its members, of which it may have many."""
     return [child for child in _visited(cursor, _COLLECT_BASES) if child.kind == kinds.BASE_SPECIFIER]
+
+
+def _collect_fields(field: Cursor, _data: Any) -> int:
+    _found.append(field)
+    return 1
+
+
+_COLLECT_FIELDS = FieldVisitor(_collect_fields)
+
+
+def fields(type_: Type) -> list[Cursor]:
+    """The data members of objects of `type_`, in order; also of an instance of a template, whose declaration has no children."""
+    _visit_fields(type_, _COLLECT_FIELDS, None)
+    found = _found[:]
+    _found.clear()
+    return found
 
 
 def _collect_declarations(child: Cursor, _parent: Cursor, _data: Any) -> int:

@@ -73,6 +73,7 @@ def _library() -> ctypes.CDLL:
 
 _lib = _library()
 Visitor = ctypes.CFUNCTYPE(c_int, Cursor, Cursor, c_void_p)
+FieldVisitor = ctypes.CFUNCTYPE(c_int, Cursor, c_void_p)
 
 
 def bind(name: str, result: Any, *arguments: Any) -> Callable[..., Any]:

@@ -10,7 +10,7 @@ from rosarch.extractor.cxx.calls import lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_parameter, declare_variable
 from rosarch.extractor.cxx.expressions import lower_expression
 from rosarch.extractor.cxx.libclang import Tree
-from rosarch.extractor.cxx.unit import DEEPEST
+from rosarch.extractor.cxx.unit import DEEPEST, StructuredBinding
 from rosarch.extractor.flow import Flow
 
 
@@ -63,7 +63,7 @@ def lower_body(body: Body, tree: Tree) -> None:
 
 def lower_variable(body: Body, tree: Tree) -> None:
     """Record a variable's declaration with its initial value."""
-    variable = declare_variable(body.unit, tree.cursor, body.function)
+    variable = _declare(body, tree)
     values = expressions(tree)
     if libclang.cursor_type(tree.cursor).kind in kinds.TYPE_ARRAYS:
         values = [value for value in values if strip(value).kind in (kinds.INIT_LIST, kinds.STRING)]
@@ -73,6 +73,31 @@ def lower_variable(body: Body, tree: Tree) -> None:
         value = made or lower_expression(body, values[-1], text=True)
         body.unit.add("variable_initializer", variable, value)
         body.flow.evaluate(value)
+
+
+def _declare(body: Body, tree: Tree) -> str:
+    """The variable at `tree`; of `auto [a, b] = value` the one without a name that holds the value."""
+    variable = declare_variable(body.unit, tree.cursor, body.function)
+    names = _bound(tree)
+    if names:
+        type_ = libclang.canonical_type(libclang.cursor_type(tree.cursor))
+        fields = libclang.fields(libclang.pointee(type_) if type_.kind in _REFERENCES else type_)
+        for index, name in enumerate(names):
+            field = fields[index] if len(fields) == len(names) else None
+            body.unit.bindings[name.cursor.d0 or 0] = StructuredBinding(variable, index, field)
+    return variable
+
+
+_REFERENCES = frozenset({kinds.TYPE_REFERENCE_LVALUE, kinds.TYPE_REFERENCE_RVALUE})
+
+
+def _bound(tree: Tree) -> list[Tree]:
+    """The names that a structured binding declares."""
+    return [child for child in tree.children if child.kind == tree.kind == kinds.UNEXPOSED_DECLARATION]
+
+
+def _is_variable(tree: Tree) -> bool:
+    return tree.kind == kinds.VARIABLE or bool(_bound(tree))
 
 
 def _lower_each(body: Body, tree: Tree) -> None:
@@ -98,7 +123,7 @@ def _lower_declaration(body: Body, tree: Tree) -> None:
     from rosarch.extractor.cxx.walk import walk_class  # a class in a function has functions of its own
 
     for child in tree.children:
-        if child.kind == kinds.VARIABLE:
+        if _is_variable(child):
             lower_variable(body, child)
         elif child.kind in kinds.CLASSES:
             walk_class(body.unit, child.cursor)
@@ -231,11 +256,11 @@ def _for_parts(body: Body, tree: Tree) -> tuple[list[Tree], list[Tree], list[Tre
 
 
 def _lower_range_for(body: Body, tree: Tree) -> None:
-    variable = next((child for child in tree.children if child.kind == kinds.VARIABLE), None)
+    variable = next((child for child in tree.children if _is_variable(child)), None)
     ranges = [child for child in tree.children[:-1] if kinds.is_expression(child.kind)]
     values = [lower_expression(body, child, text=True) for child in ranges]
     if variable is not None:
-        name = declare_variable(body.unit, variable.cursor, body.function)
+        name = _declare(body, variable)
         if values:
             body.unit.add("range_variable", name, values[-1])
             body.flow.evaluate(values[-1])

@@ -93,6 +93,15 @@ class FunctionSpan:
     end: int
 
 
+@dataclass(frozen=True)
+class StructuredBinding:
+    """A name in `auto [a, b] = value`: the data member `field` of `variable`, which has no name, or else its part at `index`."""
+
+    variable: str
+    index: int
+    field: Cursor | None
+
+
 DEEPEST = 2500
 """Statements and expressions within each other: each takes several calls, of which there is room for `deep_recursion`."""
 
@@ -104,8 +113,9 @@ class UnitFacts:
     `call_sites` holds, per file, the offsets at which the names of the calls met so far end; `remnants`
     are names of methods whose calls clang dropped, with the offset at which the name ends; `marks`, per function, tell which
     block and index in it what stands after an offset belongs to; `skipped`, per path, the
-    ranges that conditional compilation leaves out. `sees` tells which definitions of declared classes count. `depth` statements and
-    expressions are being read, each within the one before; `deep` are those left out because these would be more than `DEEPEST`.
+    ranges that conditional compilation leaves out; `bindings`, by clang's address of its declaration, what a structured binding
+    names. `sees` tells which definitions of declared classes count. `depth` statements and expressions are being read, each within
+    the one before; `deep` are those left out because these would be more than `DEEPEST`.
     """
 
     sources: SourceFiles
@@ -121,6 +131,7 @@ class UnitFacts:
     remnants: list[tuple[str, SourceFile, int]] = field(default_factory=list)
     marks: dict[str, list[tuple[int, str, int]]] = field(default_factory=dict)
     skipped: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
+    bindings: dict[int, StructuredBinding] = field(default_factory=dict)
     sees: Callable[[Cursor], bool] = lambda _definition: True
     depth: int = 0
     deep: list[Span] = field(default_factory=list)

@@ -98,6 +98,12 @@ def test_braced_lists(facts_of) -> None:
     assert '"x"' in values["v"] and '"y"' in values["v"]
 
 
+def test_braced_lists_that_make_structures_have_a_type(facts_of) -> None:
+    facts = facts_of("struct S { int a; int b; }; void g(const S &); void f() { S s{1, 2}; g({3, 4}); int a[]{5}; }")
+    lists = {facts.show(expr): facts.all("expr_type", expr) for expr, name in facts["operator"] if name == "{}"}
+    assert lists == {"{}(1, 2)": [("S",)], "{}(3, 4)": [("const S",)], "{}(5)": []}
+
+
 def test_range_for(facts_of) -> None:
     facts = facts_of(
         "#include <vector>\n#include <string>\nvoid g(const std::string&);\n"

@@ -31,6 +31,39 @@ def test_initial_values(facts_of) -> None:
     assert values == {"g": "1", "f_": "2", "s_": "3", "k": "4", "l": "{}(5)", "m": "6", "i": "7"}
 
 
+@pytest.mark.parametrize(
+    ("declaration", "seen"),
+    [
+        ("auto [a, b] = make(); use(a); use(b);", ["[a, b].first", "[a, b].second"]),
+        ("const auto & [a, b] = pairs[0]; auto l = [b] { use(b); };", ["[a, b].second"]),
+        ("for (auto & [a, b] : pairs) use(b);", ["[a, b].second"]),
+        ("int array[2]; auto [a, b] = array; use(b);", ["[]([a, b], 1)"]),
+        ("auto [a, b] = std::make_tuple(1, 2); use(b);", ["[]([a, b], 1)"]),
+        ("if (auto [a, b] = make(); a) use(b);", ["[a, b].second"]),
+    ],
+)
+def test_structured_bindings(facts_of, declaration: str, seen: list[str]) -> None:
+    """A name stands for a data member of a value that has no name, or for its part at an index."""
+    facts = facts_of(
+        "#include <tuple>\n#include <utility>\n#include <vector>\nvoid use(int); std::pair<int, int> make(); std::vector<std::pair<int, int>> pairs;\n"
+        f"void f() {{ {declaration} }}"
+    )
+    calls = facts.calls()
+    assert [facts.show(facts.arguments(call)[0]) for call, name in calls.items() if name == "use"] == seen
+    assert ("make" in calls.values()) == ("make()" in declaration)
+
+
+def test_structured_bindings_in_templates_and_of_structures(facts_of) -> None:
+    facts = facts_of(
+        "struct P { int x; int y; }; P p(); void use(int); template <class T> void f(T t) { auto [a, b] = t; use(b); }\n"
+        "void g() { auto [a, b] = p(); a = 3; use(b); }"
+    )
+    assert [facts.show(facts.arguments(call)[0]) for call, name in facts.calls().items() if "use" in name] == ["[]([a, b], 1)", "[a, b].y"]
+    assert [
+        facts.show(operand) for operator, name in facts["operator"] if name == "=" for _, operand in facts.all("operand", operator)
+    ] == ["[a, b].x", "3"]
+
+
 def test_locals_of_one_name_are_two_variables(facts_of) -> None:
     facts = facts_of("void g(int); void f() {\n int l = 1;\n {\n  int l = 2;\n  g(l);\n }\n g(l);\n}")
     uses = [facts.one("variable_use", facts.arguments(call)[0]) for call in facts.calls()]
