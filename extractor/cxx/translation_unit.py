@@ -181,8 +181,8 @@ def _lost_code(facts: UnitFacts, parsed: libclang.Unit) -> Iterable[SourceProble
     deep: dict[tuple[str, int], int] = {}
     for span in facts.deep:
         line, column = span.file.line_column(span.begin)
-        place = str(span.file.path), line
-        deep[place] = min(column, deep.get(place, column))
+        where = str(span.file.path), line
+        deep[where] = min(column, deep.get(where, column))
     for (path, line), column in deep.items():
         yield path, line, column, "nested too deeply, left out"
     found: dict[str, list[tuple[int, int, str]]] = {}
