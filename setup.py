@@ -17,7 +17,9 @@ class BuildWithRules(build_py):
         super().run()
         if not self.editable_mode:
             with tempfile.TemporaryDirectory() as cache:
-                variables = {"PYTHONPATH": str(Path(self.build_lib).absolute()), "ROSARCH_CACHE_DIR": cache}
+                required = os.environ.get("PYTHONPATH")  # what the build requires, as pip tells it
+                path = os.pathsep.join(filter(None, [str(Path(self.build_lib).absolute()), required]))
+                variables = {"PYTHONPATH": path, "ROSARCH_CACHE_DIR": cache}
                 subprocess.run([sys.executable, "-m", "rosarch.models.compile_rules"], env=os.environ | variables, check=True)
 
 
