@@ -12,7 +12,7 @@ import typer
 from rosarch.cli.check_options import load_configuration
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
-from rosarch.cli.outputs import check_output, output_folder
+from rosarch.cli.outputs import check_output, write_files
 from rosarch.cli.questions import SystemQuestion
 from rosarch.cli.systems import load_systems
 from rosarch.cli.terminal import emit, show_remaining
@@ -42,13 +42,10 @@ def systems_of(question: SystemQuestion) -> Sequence[SystemModel]:
 def deliver(folder: Path, systems: Sequence[Named], write: Callable[[Named], str], form: str, out: Path | None) -> None:
     """Print what `write` makes of the only system, or write a file for each."""
     if out is not None:
-        from rosarch.datalog.whole import write_whole
-
         check_output(out)
         suffix = "txt" if form == "text" else form
-        with output_folder(out) as written:
-            for system, file in zip(systems, _file_names(system.name for system in systems), strict=True):
-                write_whole(written / f"{file}.{suffix}", write(system).encode("utf-8", "backslashreplace"))
+        names = _file_names(system.name for system in systems)
+        write_files(out, ((f"{name}.{suffix}", write(system)) for name, system in zip(names, systems, strict=True)))
         return
     if len(systems) != 1:
         known = ", ".join(system.name for system in systems) or "none"

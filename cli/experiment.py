@@ -13,7 +13,7 @@ from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_engine, extraction_cache, read_input
 from rosarch.cli.options import Engine, EngineChoice, Jobs, Timeout, Verbose, path_argument
-from rosarch.cli.outputs import check_output, output_folder
+from rosarch.cli.outputs import check_output, write_files
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 from rosarch.extractor.limits import SOURCE_SECONDS
 
@@ -96,9 +96,6 @@ def experiment(
 
 
 def _write(report: Report, out: Path) -> None:
-    from rosarch.datalog.whole import write_whole
     from rosarch.reports.experiment import report_files
 
-    with output_folder(out) as folder:
-        for name, text in report_files(report).items():
-            write_whole(folder / name, text.encode("utf-8", "backslashreplace"))
+    write_files(out, report_files(report).items())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -31,14 +31,27 @@ def output_folder(out: Path) -> Iterator[Path]:
         raise unwritable(out, error) from None
 
 
+def write_files(out: Path, files: Iterable[tuple[str, str]]) -> None:
+    """Write texts to files of a folder, by their names: all or none."""
+    from rosarch.datalog.whole import write_whole
+
+    with output_folder(out) as folder:
+        for name, text in files:
+            write_whole(folder / name, _encoded(text))
+
+
 def write_output(path: Path, text: str) -> None:
     """Write a file that was named; a device or a pipe, too."""
     from rosarch.datalog.whole import write_whole
 
     try:
-        write_whole(path, text.encode("utf-8", "backslashreplace"))
+        write_whole(path, _encoded(text))
     except OSError as error:
         raise unwritable(path, error) from None
+
+
+def _encoded(text: str) -> bytes:
+    return text.encode("utf-8", "backslashreplace")
 
 
 def unwritable(out: Path, error: OSError) -> InputError:

@@ -13,7 +13,7 @@ from rosarch.cli.composed import ScenarioFile, load_composed, load_scenario
 from rosarch.cli.errors import FINDINGS, InputError
 from rosarch.cli.inputs import read_input
 from rosarch.cli.options import path_argument
-from rosarch.cli.outputs import check_output, output_folder
+from rosarch.cli.outputs import check_output, write_files
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines
 
@@ -135,7 +135,6 @@ def _check(
 
 def _export(system: System, wanted: list[Property], given: Inputs, language: Language, bound: int, out: Path | None) -> None:
     from rosarch.composition.reactions import TooManyCases
-    from rosarch.datalog.whole import write_whole
     from rosarch.verification.check import model_for
     from rosarch.verification.jani import UnsupportedError
     from rosarch.verification.languages import files
@@ -146,9 +145,7 @@ def _export(system: System, wanted: list[Property], given: Inputs, language: Lan
         raise InputError(str(error)) from None
     if out is not None:
         check_output(out)
-        with output_folder(out) as folder:
-            for name, text in written:
-                write_whole(folder / name, text.encode("utf-8", "backslashreplace"))
+        write_files(out, written)
     elif len(wanted) == 1:
         emit(written[0][1])
     else:

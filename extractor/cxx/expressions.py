@@ -76,10 +76,7 @@ def _record_constant(body: Body, tree: Tree, expr: str) -> None:
 def _lower_reference(body: Body, tree: Tree) -> str:
     target = libclang.target(tree)
     if target.kind in _VARIABLES:
-        expr, _ = body.node(tree, "use")
-        body.unit.add("variable_use", expr, declare_variable(body.unit, target))
-        body.flow.read(expr)
-        return expr
+        return _use(body, tree, declare_variable(body.unit, target))
     binding = body.unit.bindings.get(target.d0 or 0) if target.kind == kinds.UNEXPOSED_DECLARATION else None
     if binding is not None:
         return _lower_binding(body, tree, binding)
@@ -95,12 +92,17 @@ def _lower_reference(body: Body, tree: Tree) -> str:
     return _lower_overloaded(body, tree, [tree, *tree.children])
 
 
+def _use(body: Body, tree: Tree, variable: str) -> str:
+    expr, _ = body.node(tree, "use")
+    body.unit.add("variable_use", expr, variable)
+    body.flow.read(expr)
+    return expr
+
+
 def _lower_binding(body: Body, tree: Tree, binding: StructuredBinding) -> str:
     """A name in `auto [a, b] = value` stands for a part of the value: `value.first`, or `value[1]` where the parts have no names."""
     unit = body.unit
-    whole, _ = body.node(tree, "use")
-    unit.add("variable_use", whole, binding.variable)
-    body.flow.read(whole)
+    whole = _use(body, tree, binding.variable)
     if binding.field is None:
         index, _ = body.node(tree, "num")
         unit.add("literal", index, "integer", str(binding.index))
@@ -109,10 +111,8 @@ def _lower_binding(body: Body, tree: Tree, binding: StructuredBinding) -> str:
         unit.add("operand", expr, 0, whole)
         unit.add("operand", expr, 1, index)
         return expr
-    expr, _ = body.node(tree, "use")
-    unit.add("variable_use", expr, declare_variable(unit, binding.field))
+    expr = _use(body, tree, declare_variable(unit, binding.field))
     unit.add("field_object", expr, whole)
-    body.flow.read(expr)
     return expr
 
 
@@ -138,10 +138,8 @@ def _lower_member(body: Body, tree: Tree) -> str:
     if target.kind not in _VARIABLES:
         return _lower_reference(body, tree) if target.kind == kinds.ENUM_CONSTANT else _lower_unknown(body, tree)
     base = lower_expression(body, bases[0]) if bases else body.this()
-    expr, _ = body.node(tree, "use")
-    body.unit.add("variable_use", expr, declare_variable(body.unit, target))
+    expr = _use(body, tree, declare_variable(body.unit, target))
     body.unit.add("field_object", expr, base)
-    body.flow.read(expr)
     return expr
 
 

@@ -171,6 +171,11 @@ _found: list[Cursor] = []
 def _visited(cursor: Cursor, visitor: Any) -> list[Cursor]:
     """What a visit of `cursor` adds to `_found`."""
     _visit(cursor, visitor, None)
+    return _taken()
+
+
+def _taken() -> list[Cursor]:
+    """What is in `_found`, which is empty then: what stayed in it would turn up in the next visit."""
     found = _found[:]
     _found.clear()
     return found
@@ -216,9 +221,7 @@ _COLLECT_FIELDS = FieldVisitor(_collect_fields)
 def fields(type_: Type) -> list[Cursor]:
     """The data members of objects of `type_`, in order; also of an instance of a template, whose declaration has no children."""
     _visit_fields(type_, _COLLECT_FIELDS, None)
-    found = _found[:]
-    _found.clear()
-    return found
+    return _taken()
 
 
 def _collect_declarations(child: Cursor, _parent: Cursor, _data: Any) -> int:
