@@ -14,16 +14,14 @@ PREFIX = "rosarch.run-"
 
 
 @contextmanager
-def scratch_folder() -> Iterator[Path]:
-    """A folder of this process and those that it starts; a lock that ends with the last of them tells that it is in use."""
-    remove_abandoned()
-    folder = made = Path(tempfile.mkdtemp(prefix=f".{PREFIX}"))
-    lock = None
+def scratch_folder(within: Path | None = None) -> Iterator[Path]:
+    """A folder of this process and those that it starts; a lock that ends with the last of them tells that it is in use.
+
+    It is among the temporary files of the machine, or hidden in a folder.
+    """
+    remove_abandoned(within)
+    folder, lock = _new_folder(within)
     try:
-        lock = _locked(made)
-        found = made.with_name(made.name[1:])
-        if lock is not None and not found.exists():
-            folder = made.rename(found)  # under a name that others look for, now that it is locked
         yield folder
     finally:
         try:
@@ -34,9 +32,23 @@ def scratch_folder() -> Iterator[Path]:
                 os.close(lock)
 
 
-def remove_abandoned() -> None:
+def _new_folder(within: Path | None) -> tuple[Path, int | None]:
+    """A folder and its lock, if the file system has locks."""
+    top, prefix = _place(within)
+    while True:
+        folder = Path(tempfile.mkdtemp(prefix=prefix, dir=top))
+        with suppress(FileNotFoundError, BlockingIOError):  # another run took it for abandoned before it was locked
+            lock = _locked(folder)
+            if folder.exists():
+                return folder, lock
+            if lock is not None:
+                os.close(lock)
+
+
+def remove_abandoned(within: Path | None = None) -> None:
     """Remove this user's folders that no process uses any more."""
-    for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
+    top, prefix = _place(within)
+    for folder in top.glob(f"{prefix}*"):
         with suppress(OSError):
             if folder.is_dir() and not folder.is_symlink() and folder.stat().st_uid == os.getuid():
                 lock = _locked(folder)
@@ -45,12 +57,23 @@ def remove_abandoned() -> None:
                     os.close(lock)
 
 
+def _place(within: Path | None) -> tuple[Path, str]:
+    """Where the folders are, and how their names begin."""
+    return (within, f".{PREFIX}") if within else (Path(tempfile.gettempdir()), PREFIX)
+
+
 def _locked(folder: Path) -> int | None:
-    """A lock of a folder; None when another process has it."""
+    """A lock of a folder; None when the file system has no locks.
+
+    Raises:
+        BlockingIOError: another process has it.
+    """
     handle = os.open(folder, os.O_RDONLY)
     try:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
+    except OSError as error:
         os.close(handle)
+        if isinstance(error, BlockingIOError):
+            raise
         return None
     return handle

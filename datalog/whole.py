@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import errno
 import os
-import shutil
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from itertools import takewhile
 from pathlib import Path
+
+from .scratch import scratch_folder
 
 
 def write_whole(path: Path, data: bytes) -> None:
@@ -39,27 +39,25 @@ def whole_folder(folder: Path) -> Iterator[Path]:
         OSError: the files cannot be written; nothing in `folder` is new then, as after any other exception.
     """
     missing = _missing(folder)
-    staged = Path(tempfile.mkdtemp(prefix=".rosarch-", dir=missing[0].parent if missing else folder))
     made: list[Path] = []
-    try:
-        yield staged
-        targets = {path: folder / path.relative_to(staged) for path in sorted(staged.rglob("*")) if path.is_file()}
-        for target in targets.values():
-            if target.is_dir():
-                raise OSError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
-        for below in dict.fromkeys((folder, *(target.parent for target in targets.values()))):
-            made += _missing(below)
-            below.mkdir(parents=True, exist_ok=True)
-        for path, target in targets.items():
-            made += [] if os.path.lexists(target) else [target]
-            path.replace(target)
-    except BaseException as error:
-        _remove(made)
-        if isinstance(error, OSError) and error.filename and Path(error.filename).is_relative_to(staged):
-            raise OSError(error.errno, error.strerror, str(folder / Path(error.filename).relative_to(staged))) from None
-        raise
-    finally:
-        shutil.rmtree(staged, ignore_errors=True)
+    with scratch_folder(missing[0].parent if missing else folder) as staged:
+        try:
+            yield staged
+            targets = {path: folder / path.relative_to(staged) for path in sorted(staged.rglob("*")) if path.is_file()}
+            for target in targets.values():
+                if target.is_dir():
+                    raise OSError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
+            for below in dict.fromkeys((folder, *(target.parent for target in targets.values()))):
+                made += _missing(below)
+                below.mkdir(parents=True, exist_ok=True)
+            for path, target in targets.items():
+                made += [] if os.path.lexists(target) else [target]
+                path.replace(target)
+        except BaseException as error:
+            _remove(made)
+            if isinstance(error, OSError) and error.filename and Path(error.filename).is_relative_to(staged):
+                raise OSError(error.errno, error.strerror, str(folder / Path(error.filename).relative_to(staged))) from None
+            raise
 
 
 def _missing(folder: Path) -> list[Path]:

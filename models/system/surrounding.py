@@ -255,18 +255,14 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
         kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
         return replace(found, models=kept)
 
-    models: tuple[ComponentModel, ...] = ()
-    programs: frozenset[tuple[str, str]] = frozenset()
-    packages = _packages_below(root, needed.packages)
-    if packages:
-        found = analyzed(packages, needed.is_needed)
-        models, programs = found.models, found.programs
+    found = analyzed(_packages_below(root, needed.packages), needed.is_needed)
+    models = found.models
     if any(model.loads or model.loads_any for model in models):
         models += analyzed(None, lambda component: is_loaded(component, models) and not needed.is_needed(component)).models
     known = load(tuple(reading.library))
     diagnostics += known.problems
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
-    return Components(models, programs, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics))
+    return Components(models, found.programs, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics))
 
 
 def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:

@@ -60,6 +60,17 @@ def test_a_bad_launch_file_costs_itself(rosarch: Callable, launch: Path, text: b
     assert all(found.startswith("  ws/") or ": " in found or found.endswith("diagnostics") or found == "1 diagnostic" for found in shown)
 
 
+def test_a_broken_manifest_is_told_whatever_is_launched(rosarch: Callable, launch: Path) -> None:
+    (launch.parent / "package.xml").write_text("<package")
+    told = "ws/robot/package.xml:1:1: broken XML: unclosed token\n1 diagnostic\n"
+    outcome = rosarch("check", "ws")  # no package of the workspace is started
+    assert (outcome.code, outcome.err) == (1, told)
+    assert GOOD in outcome.out
+    (launch / "good.launch").write_text("<launch")
+    outcome = rosarch("check", "ws")
+    assert (outcome.code, outcome.err) == (1, told)
+
+
 def test_names_of_any_characters(rosarch: Callable, launch: Path) -> None:
     hostile = ["{0}", "{x!r}", "a&#10;b}{", "%s", "$", "$(", "-", "&#x202e;", "\\", "/", "~"]
     nodes = [f'<node pkg="{name}" type="{name}" name="{name}" args="{name}"><remap from="{name}" to="{{b}}"/></node>' for name in hostile]

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import resource
 import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -45,6 +47,18 @@ def test_a_folder_gets_all_of_its_files(tmp_path: Path) -> None:
     with whole_folder(out) as folder:
         (folder / "c").write_text("third")
     assert _content(tmp_path / "new") == {"out": "", "out/a": "", "out/a/b": "second", "out/c": "third", "out/other": ""}
+
+
+def test_what_a_killed_run_left_is_removed_by_the_next(tmp_path: Path) -> None:
+    killed = "from rosarch.datalog.whole import whole_folder\nimport os, pathlib\n"
+    killed += "with whole_folder(pathlib.Path('out')) as folder:\n    (folder / 'file').touch()\n    os.kill(os.getpid(), 9)\n"
+    assert subprocess.run([sys.executable, "-c", killed], cwd=tmp_path).returncode == -signal.SIGKILL
+    assert list(tmp_path.iterdir())
+    with whole_folder(tmp_path / "out") as folder:
+        (folder / "mine").touch()
+        with whole_folder(tmp_path / "other") as theirs:  # in use: both stay
+            (theirs / "yours").touch()
+    assert sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*")) == ["other", "other/yours", "out", "out/mine"]
 
 
 @pytest.mark.parametrize("there", [(), ("out",), ("out", "out/a")])
