@@ -65,7 +65,7 @@ def _entry(paths: Sequence[Path], extra: str) -> Path:
 
 def known(paths: Sequence[Path], extra: str) -> bool:
     """Whether a value is stored for a program, be it stale or not."""
-    return _entry(paths, extra).is_file()
+    return os.path.isfile(_entry(paths, extra))
 
 
 def load(paths: Sequence[Path], extra: str) -> Any | None:

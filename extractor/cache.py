@@ -101,12 +101,11 @@ class Cache:
     def trim(self, limit: int = LIMIT) -> None:
         """Remove what was not used for longest until three quarters of `limit` bytes remain, when there are more than `limit`."""
         entries = []
-        for path in map(str, self.folder.glob("*")):
-            with suppress(OSError), os.scandir(path) as scan:
-                for entry in scan:
-                    with suppress(OSError):  # another run may remove it first
-                        stat = entry.stat()
-                        entries.append((stat.st_mtime, stat.st_size, entry.path))
+        for path in _below(self.folder):
+            for entry in _below(path):
+                with suppress(OSError):  # another run may remove it first
+                    stat = entry.stat()
+                    entries.append((stat.st_mtime, stat.st_size, entry.path))
         total = sum(size for _, size, _ in entries)
         if total <= limit:
             return
@@ -119,6 +118,13 @@ class Cache:
 
     def _path(self, key: str) -> Path:
         return self.folder / key[:2] / key[2:]
+
+
+def _below(folder: str | os.PathLike[str]) -> list[os.DirEntry[str]]:
+    """What is in a folder, as far as it can be read."""
+    with suppress(OSError), os.scandir(folder) as scan:
+        return [*scan]
+    return []
 
 
 def hash_of(parts: Iterable[str | bytes]) -> str:

@@ -161,7 +161,7 @@ def test_an_analysis_that_fails_leaves_no_output_folder(rosarch: Callable, tmp_p
         assert not (tmp_path / "out").exists()
 
 
-def test_a_cache_that_is_read_only_damaged_or_no_folder(
+def test_a_cache_that_is_damaged_no_folder_or_out_of_reach(
     rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (workspace / "talker" / "t.launch").write_text('<launch><node name="t" pkg="talker" type="talker"/></launch>\n')
@@ -182,6 +182,8 @@ def test_a_cache_that_is_read_only_damaged_or_no_folder(
         assert rosarch("check", workspace, "--format", "json") == expected
     shutil.rmtree(cache)
     cache.write_text("a file where the folder should be")
+    assert rosarch("check", workspace, "--format", "json") == expected
+    monkeypatch.setenv("ROSARCH_CACHE_DIR", str(tmp_path / ("x" * 300)))  # to ask for it fails, as if it were another user's
     assert rosarch("check", workspace, "--format", "json") == expected
 
 
