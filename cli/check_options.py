@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import Enum
@@ -62,7 +63,7 @@ def load_configuration(folder: Path, file: Path | None, checks: Iterable[Check])
     from rosarch.models.configuration import NAME, Configuration
 
     path = file or folder / NAME
-    if file is None and not path.exists():
+    if file is None and not os.path.exists(path):
         return Configuration()
     from rosarch.models.configuration_reader import ConfigurationError, read_configuration
     from rosarch.models.policy import identifiers

@@ -50,7 +50,7 @@ def parse_destinations(formats: str, outputs: Sequence[str] | None) -> Destinati
         name, equals, file = text.partition("=")
         if not (name and equals and file):
             raise InputError(f"--output {text}: not of the form FORMAT=FILE")
-        if Path(file).is_dir():
+        if os.path.isdir(file):
             raise InputError(f"--output {text}: {file} is a folder")
         files.append((_format(name, f"--output {text}"), Path(file)))
     return Destinations(stdout, tuple(files))

@@ -101,7 +101,7 @@ def _folders(words: Sequence[Path]) -> list[Path]:
     """The workspaces that are named, each once; those of a file are relative to it."""
     found: dict[Path, None] = {}
     for word in words:
-        if word.is_file():
+        if os.path.isfile(word):
             lines = (line.partition("#")[0].strip() for line in read_input(word).splitlines())
             found.update(dict.fromkeys(word.parent / line for line in lines if line))
         else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -103,7 +104,7 @@ def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
     from rosarch.extractor.stored import is_facts_text
 
     with scratch_folder() as temporary:
-        commits = [None if Path(side).is_dir() or is_facts_text(Path(side)) else _commit(side) for side in (old, new)]
+        commits = [None if os.path.isdir(side) or is_facts_text(Path(side)) else _commit(side) for side in (old, new)]
         states = []
         for number, (side, commit) in enumerate(zip((old, new), commits, strict=True)):
             if commit is None:

@@ -34,6 +34,8 @@ def run(command: Callable[[], Any], traceback: bool = False) -> int:
     except InputError as error:
         return _fail(str(error))
     except OSError as error:
+        if isinstance(error, PermissionError) and error.filename:
+            return _fail(f"{error.filename}: permission denied")
         if error.errno not in _NO_ROOM and not (error.errno == errno.EIO and error.filename):
             return _unexpected(error, traceback)
         return _fail(f"{error.filename or 'disk'}: cannot write ({(error.strerror or str(error)).lower()})")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -72,7 +73,7 @@ def extract(
 
 def _check_text(out: Path) -> None:
     """Refuse a path where no text can be written: better before a long extraction than after it."""
-    if out.is_dir():
+    if os.path.isdir(out):
         raise InputError(f"{out}: a folder; name a file for --text")
     check_output(out.parent)
 
@@ -82,6 +83,6 @@ def _refuse_sources(out: Path) -> None:
     from rosarch.extractor.workspace.manifests import find_manifests
 
     here = out.resolve()
-    inside = next((folder for folder in (here, *here.parents) if (folder / "package.xml").is_file()), None)
+    inside = next((folder for folder in (here, *here.parents) if os.path.isfile(folder / "package.xml")), None)
     if inside or find_manifests(here, []):
         raise InputError(f"{out}: a folder {'in a package' if inside else 'with packages'}; choose another one for the facts")

@@ -25,9 +25,9 @@ _NOT_DERIVED = ("component", "launch")
 
 def check_folder(folder: Path) -> Path:
     """`folder`, when it is one that can be read."""
-    if not folder.exists():
+    if not os.path.exists(folder):
         raise InputError(f"{folder}: no such folder")
-    if not folder.is_dir():
+    if not os.path.isdir(folder):
         raise InputError(f"{folder}: not a folder")
     if not os.access(folder, os.R_OK | os.X_OK):
         raise InputError(f"{folder}: no permission to read this folder")
@@ -47,9 +47,9 @@ def check_input(path: Path) -> Path:
     """`path`, when it is a folder that can be read, or a text of facts."""
     from rosarch.extractor.stored import is_facts_text
 
-    if path.is_file() and not is_facts_text(path):
+    if os.path.isfile(path) and not is_facts_text(path):
         raise InputError(f"{path}: neither a folder nor a text of facts")
-    return path if path.is_file() else check_folder(path)
+    return path if os.path.isfile(path) else check_folder(path)
 
 
 def read_input(path: Path) -> str:

@@ -19,7 +19,7 @@ _WORKSPACE_MARKS = (".catkin_workspace", ".catkin_tools", ".git", ".rosinstall")
 
 def is_folder(words: Sequence[str]) -> bool:
     """Whether a folder was given, and no file."""
-    return len(words) == 1 and Path(words[0]).is_dir()
+    return len(words) == 1 and os.path.isdir(words[0])
 
 
 def compose_folder(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> dict[str, Composition]:
@@ -55,9 +55,9 @@ def compose_words(words: Sequence[str], package_path: Sequence[Path] | None, env
 
 def check_file(file: Path) -> Path:
     """`file`, when it is one that can be read."""
-    if not file.exists():
+    if not os.path.exists(file):
         raise InputError(f"{file}: no such file")
-    if not file.is_file():
+    if not os.path.isfile(file):
         raise InputError(f"{file}: not a file")
     if not os.access(file, os.R_OK):
         raise InputError(f"{file}: no permission to read this file")
@@ -99,8 +99,8 @@ def _default_path(file: Path, variables: dict[str, str]) -> list[Path]:
 
         return ros_package_path(variables)
     above = Path(os.path.abspath(file)).parents
-    package = next((folder for folder in above if (folder / "package.xml").is_file()), above[0])
+    package = next((folder for folder in above if os.path.isfile(folder / "package.xml")), above[0])
     for folder in package.parents:
-        if folder.name == "src" or any((folder / mark).exists() for mark in _WORKSPACE_MARKS):
+        if folder.name == "src" or any(os.path.exists(folder / mark) for mark in _WORKSPACE_MARKS):
             return [folder]
-    return [package.parent if (package / "package.xml").is_file() else package]
+    return [package.parent if os.path.isfile(package / "package.xml") else package]

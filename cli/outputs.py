@@ -13,7 +13,7 @@ from rosarch.cli.errors import InputError
 def check_output(out: Path) -> None:
     """Refuse an output folder that cannot be written to or made: better before a long analysis than after it."""
     there = next((folder for folder in (out, *out.parents) if os.path.lexists(folder)), out)
-    if not there.is_dir():
+    if not os.path.isdir(there):
         raise InputError(f"{there}: not a folder")
     if not os.access(there, os.W_OK | os.X_OK):
         raise InputError(f"{there}: cannot write to this folder")

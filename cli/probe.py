@@ -97,6 +97,6 @@ def _program(executable: Path | None) -> Path:
     """The node as it was built: nothing that is merely found beside the sources is ever run."""
     if executable is None:
         raise InputError("name the node that was built with --executable, or ask for the plan alone with --plan")
-    if not (executable.is_file() and os.access(executable, os.X_OK)):
+    if not (os.path.isfile(executable) and os.access(executable, os.X_OK)):
         raise InputError(f"{executable}: no executable")
     return executable.absolute()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from typing import Annotated
@@ -43,7 +44,7 @@ def report(
     from rosarch.reports.printable import printable
 
     link = check_link(source_url)
-    if out.is_dir():
+    if os.path.isdir(out):
         raise InputError(f"{out}: a folder, where a file is to be written")
     subject = load_subject(question, link, chains=chains, proofs=proofs)
     page = page_text(report_document(subject))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -70,7 +71,7 @@ def test(
 
 def checked_path(path: Path) -> Path:
     """A file or folder that can be read."""
-    if path.is_dir():
+    if os.path.isdir(path):
         return check_folder(path)
     read_input(path)
     return path

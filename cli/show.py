@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated
@@ -123,7 +124,7 @@ def asked_models(question: Question, node: str | None) -> tuple[ComponentModel, 
 def _only(question: Question, rules: RuleSet, node: str) -> Analysis | None:
     """The analysis of PACKAGE/NAME alone; None when there is no such component in a folder of packages."""
     package, _, component = node.partition("/")
-    if not (component and question.folder.is_dir()):
+    if not (component and os.path.isdir(question.folder)):
         return None
     try:
         found = question.analysis(rules, question.folder, [package], component)

@@ -41,10 +41,11 @@ def find_cases(paths: Sequence[Path]) -> Cases:
         ExpectationError: an expectation is not understood; all of these are told.
     """
     problems: list[str] = []
-    cases = [case for path in paths for case in (_below(path, problems) if path.is_dir() else [_single(path, problems)])]
+    cases = [case for path in paths for case in (_below(path, problems) if os.path.isdir(path) else [_single(path, problems)])]
     if problems:
         raise ExpectationError("\n".join(problems))
-    return Cases(tuple(case for case in cases if case.expectations), tuple(path for path in paths if path.is_dir() and find_tests(path)))
+    tested = tuple(path for path in paths if os.path.isdir(path) and find_tests(path))
+    return Cases(tuple(case for case in cases if case.expectations), tested)
 
 
 def _single(path: Path, problems: list[str]) -> Case:
@@ -72,7 +73,7 @@ def _below(folder: Path, problems: list[str]) -> Iterator[Case]:
 
 def _is_workspace(folder: Path, folders: Sequence[str], names: Sequence[str]) -> bool:
     """Whether a folder is a package, or has packages in it or in `src`."""
-    if _MANIFEST in names or any((folder / name / _MANIFEST).is_file() for name in folders):
+    if _MANIFEST in names or any(os.path.isfile(folder / name / _MANIFEST) for name in folders):
         return True
     return "src" in folders and next((folder / "src").rglob(_MANIFEST), None) is not None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -46,7 +47,7 @@ def subjects_of(truths: Sequence[Truth], folder: Path, *, absent: bool = False) 
     for system, own in found:
         below = folder / system
         text = folder / f"{system}.txt"
-        here = below if below.is_dir() else text if is_facts_text(text) else folder
+        here = below if os.path.isdir(below) else text if is_facts_text(text) else folder
         if here is not folder or len(found) == 1:
             subjects.append(Subject(system, here, own))
         elif not absent:

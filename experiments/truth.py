@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -81,7 +82,7 @@ def read_models(folder: Path) -> dict[tuple[str, str], Mapping[str, Any]]:
 
 
 def _documents(folder: Path, check: Check, problems: list[str]) -> Iterator[Truth]:
-    for path in sorted(path for path in folder.rglob("*") if path.suffix in SUFFIXES and path.is_file()):
+    for path in sorted(path for path in folder.rglob("*") if path.suffix in SUFFIXES and os.path.isfile(path)):
         found = _read(path, check, problems)
         if found is not None:
             yield found

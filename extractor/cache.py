@@ -101,8 +101,8 @@ class Cache:
     def trim(self, limit: int = LIMIT) -> None:
         """Remove what was not used for longest until three quarters of `limit` bytes remain, when there are more than `limit`."""
         entries = []
-        for path in _below(self.folder):
-            for entry in _below(path):
+        for folder in _below(self.folder):
+            for entry in _below(folder):
                 with suppress(OSError):  # another run may remove it first
                     stat = entry.stat()
                     entries.append((stat.st_mtime, stat.st_size, entry.path))

@@ -74,7 +74,7 @@ def content_hash(path: Path) -> str:
 def folder_digest(folder: Path) -> str:
     """A hash over the names and contents of all fact files of a folder."""
     digest = hashlib.sha256()
-    for path in sorted(path for path in folder.glob("*.facts") if path.is_file()):
+    for path in sorted(path for path in folder.glob("*.facts") if os.path.isfile(path)):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
 

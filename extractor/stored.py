@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -39,13 +40,13 @@ class StoredFacts:
 
 def has_facts(path: Path) -> bool:
     """Whether it is facts that lie at `path`, not sources."""
-    return facts_folder(path) is not None if path.is_dir() else is_facts_text(path)
+    return facts_folder(path) is not None if os.path.isdir(path) else is_facts_text(path)
 
 
 def is_facts_text(path: Path) -> bool:
     """Whether a file is a text of facts."""
     try:
-        if not path.is_file():
+        if not os.path.isfile(path):
             return False
         with path.open("rb") as file:
             return file.readline(len(FIRST) + 2).rstrip() == FIRST.encode()
@@ -60,7 +61,7 @@ def read_stored(path: Path) -> StoredFacts:
     """
     from rosarch.extractor.facts_text import read_facts_text
 
-    return _folder(path) if path.is_dir() else read_facts_text(path)
+    return _folder(path) if os.path.isdir(path) else read_facts_text(path)
 
 
 def _folder(path: Path) -> StoredFacts:

@@ -31,7 +31,7 @@ def own_files(paths: Iterable[Path]) -> list[Path]:
     for path in paths:
         if os.path.isdir(path):
             below = sorted(file for file in path.rglob("*.dl") if not set(file.relative_to(path).parts[:-1]) & set(ASIDE))
-            if not below and not (path / FOLDER).is_dir():
+            if not below and not os.path.isdir(path / FOLDER):
                 raise RuleSetError(f"{path}: no file of rules (*.dl) in this folder")
             found += below
         elif os.path.isfile(path):
@@ -101,7 +101,7 @@ def _shipped(program: str) -> frozenset[str]:
     waiting, seen = [rules_folder() / f"{program}.dl"], set()
     while waiting:
         path = waiting.pop()
-        if path not in seen and path.is_file():
+        if path not in seen and os.path.isfile(path):
             seen.add(path)
             text = path.read_text(encoding="utf-8")
             names |= _declared(_SKIPPED.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text))

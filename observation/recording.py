@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -76,7 +77,7 @@ def open_recording(path: Path) -> Recording:
     from rosarch.observation.bag2 import SUFFIXES, Bag2
 
     try:
-        if path.is_dir() or path.suffix in SUFFIXES:
+        if os.path.isdir(path) or path.suffix in SUFFIXES:
             return Bag2(path)
         with path.open("rb") as file:
             begin = file.read(len(MAGIC))

@@ -75,7 +75,7 @@ class _Writer:
             self.plugin(plugin)
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
-            subject = self.path(problem.subject) if problem.kind == "file" else problem.subject
+            subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable") else problem.subject
             self.add("launch_problem", self.place(problem.place), problem.kind, subject, problem.message, effect)
         for reference in composition.references:
             self.reference(reference)

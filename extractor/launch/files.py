@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from rosarch.extractor import tracing
+from rosarch.extractor.boundary import OUTSIDE
 from rosarch.extractor.files import LARGEST, read_file
 
 from .model import LaunchError, Reference
@@ -131,9 +132,9 @@ class Files:
         except (FileNotFoundError, NotADirectoryError):
             raise LaunchError("file", path, f"no such file: {path}") from None
         except (OSError, ValueError) as error:
-            raise LaunchError("file", path, f"{path} cannot be read: {getattr(error, 'strerror', None) or error}") from None
+            raise LaunchError("unreadable", path, f"{path} cannot be read: {getattr(error, 'strerror', None) or error}") from None
         if not stat.S_ISREG(status.st_mode):
-            raise LaunchError("file", path, f"{path} is not a regular file")
+            raise LaunchError("unreadable", path, f"{path} is not a regular file")
         if not self._is_allowed(self.real(full)):
             raise LaunchError("outside", path, f"{path} is outside the package path and not read")
         if status.st_size > LARGEST:
@@ -142,7 +143,8 @@ class Files:
         try:
             return read_file(full)
         except OSError as error:
-            raise LaunchError("file", path, f"{path} cannot be read: {error.strerror or error}") from None
+            kind = "outside" if error.strerror == OUTSIDE else "unreadable"
+            raise LaunchError(kind, path, f"{path} cannot be read: {error.strerror or error}") from None
 
     def _is_allowed(self, real: str) -> bool:
         if self._roots is None:
@@ -156,4 +158,4 @@ def _package_of(folder: str) -> str:
     manifests = [above / "package.xml" for above in (Path(folder), *Path(folder).parents)]
     for manifest in manifests:
         tracing.probe(manifest)
-    return next((str(manifest.parent) for manifest in manifests if manifest.is_file()), folder)
+    return next((str(manifest.parent) for manifest in manifests if os.path.isfile(manifest)), folder)

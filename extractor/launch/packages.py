@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
+from rosarch.extractor.files import is_folder, read_file
 from rosarch.extractor.package_names import quick_name, quick_text
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
@@ -104,7 +104,7 @@ def _packages_below(top: str, roots: tuple[str, ...]) -> Iterator[tuple[str, str
         if names & {"package.xml", "manifest.xml", "rospack_nosubdirs"} or folder.startswith("/usr/share/"):
             continue
         for entry in entries:
-            if entry.name.startswith(".") or not _is_folder(entry):
+            if entry.name.startswith(".") or not is_folder(entry):
                 continue
             if entry.is_symlink():
                 real = os.path.realpath(entry.path)
@@ -112,13 +112,6 @@ def _packages_below(top: str, roots: tuple[str, ...]) -> Iterator[tuple[str, str
                     continue
                 visited.add(real)
             stack.append(entry.path)
-
-
-def _is_folder(entry: os.DirEntry[str]) -> bool:
-    try:
-        return entry.is_dir()
-    except OSError:
-        return False
 
 
 def _is_file(entry: os.DirEntry[str]) -> bool:

@@ -148,7 +148,7 @@ def _said(path: str, called: Mapping[str, list[str]]) -> Iterator[str]:
 
 def _package_folder(path: str) -> list[str]:
     """The name of the folder of the package that a file lies in."""
-    folder = next((folder for folder in Path(path).parents if (folder / "package.xml").is_file()), None)
+    folder = next((folder for folder in Path(path).parents if os.path.isfile(folder / "package.xml")), None)
     return [] if folder is None else [folder.name]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
@@ -65,7 +66,7 @@ def ros_version(path: Path | str) -> int:
     for folder in path.absolute().parents:
         manifest = folder / "package.xml"
         tracing.probe(manifest)
-        if manifest.is_file():
+        if os.path.isfile(manifest):
             return 2 if _AMENT.search(_content(manifest)) else 1
     return 1
 

@@ -111,7 +111,7 @@ def _read_text(run: Calls, path: str) -> Any:
     try:
         return world.source_of(path)
     except LaunchError as error:
-        if error.kind == "file":
+        if error.kind in ("file", "unreadable"):
             world.state.report(error)
         return world.state.unknowns.mark(f"$(file-content {path})")
 

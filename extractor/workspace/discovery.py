@@ -63,8 +63,8 @@ def discover(
     `timeout` is the limit in seconds for the CMake code of one package.
     """
     root = Path(os.path.abspath(root))
-    if not root.is_dir():
-        what = "not a folder" if root.exists() else "no such folder"
+    if not os.path.isdir(root):
+        what = "not a folder" if os.path.exists(root) else "no such folder"
         return Workspace(root, (), (Diagnostic("workspace", root, 1, 1, what),))
     return _Discovery(root, Options(ros_distro, dict(defines or {}), dict(environment or {}), timeout)).run(packages)
 

@@ -42,7 +42,7 @@ def unincluded(where: Surroundings, jobs: int | None = None) -> list[Launch]:
 def _path(word: str, root: Path) -> str:
     for path in (Path(word), root / word):
         tracing.probe(path)
-        if path.is_file():
+        if os.path.isfile(path):
             return os.path.abspath(path)
     raise LaunchWordError(f"{word}: no such launch file, neither here nor below {root}")
 

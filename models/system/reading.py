@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -47,5 +48,5 @@ def rules_hash(rules: RuleSet) -> str:
 
 def library_hash(folders: Sequence[Path]) -> str:
     """A hash of the files of libraries."""
-    files = [path for folder in folders for path in sorted(folder.rglob("*.json")) if path.is_file()]
+    files = [path for folder in folders for path in sorted(folder.rglob("*.json")) if os.path.isfile(path)]
     return hash_of([part for path in files for part in (str(path), path.read_bytes())])

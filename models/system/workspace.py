@@ -114,7 +114,7 @@ def source_rows(composition: Composition, components: Iterable[str], said: Mappi
 def _package_folder(root: Path, source: str) -> str:
     """The folder with a manifest that `source` lies in, relative to the root."""
     folders = Path(source).parents
-    return str(next((folder for folder in folders if (root / folder / "package.xml").is_file()), folders[0]))
+    return str(next((folder for folder in folders if os.path.isfile(root / folder / "package.xml")), folders[0]))
 
 
 def _words_said(folder: Path) -> frozenset[str]:
