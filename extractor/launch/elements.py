@@ -122,7 +122,7 @@ def _command_value(state: State, command: str, kind: str) -> _Value:
         if printed is not None and len(words) == 2 and state.files.is_file(words[1]):
             plugins = plugins_of_file(state, words[1], printed)
     except LaunchError as error:
-        if error.kind not in ("outside", "size"):
+        if not error.is_limit:
             raise LaunchError("command", words[0], f"command `{words[0]}` would fail: {error.message}") from None
         printed = None
     if printed is None:

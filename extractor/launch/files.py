@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from rosarch.extractor import tracing
-from rosarch.extractor.boundary import OUTSIDE
+from rosarch.extractor.boundary import is_inside
 from rosarch.extractor.files import LARGEST, read_file
 
 from .model import LaunchError, Reference
@@ -143,7 +143,7 @@ class Files:
         try:
             return read_file(full)
         except OSError as error:
-            kind = "outside" if error.strerror == OUTSIDE else "unreadable"
+            kind = "unreadable" if is_inside(full) else "outside"
             raise LaunchError(kind, path, f"{path} cannot be read: {error.strerror or error}") from None
 
     def _is_allowed(self, real: str) -> bool:

@@ -290,3 +290,8 @@ class LaunchError(Exception):
     def __init__(self, kind: str, subject: str, message: str) -> None:
         super().__init__(message)
         self.kind, self.subject, self.message = kind, subject, message
+
+    @property
+    def is_limit(self) -> bool:
+        """Whether a file is only not read here: roslaunch would read it."""
+        return self.kind in ("outside", "size")

@@ -114,7 +114,7 @@ class State:
 
     def report_unread(self, error: LaunchError) -> None:
         """Note why a file is not read; what is not read here only is no fault of the launch file."""
-        self.report(error, fatal=error.kind not in ("outside", "size"))
+        self.report(error, fatal=not error.is_limit)
 
     def warn(self, kind: str, subject: str, message: str, place: Place | None = None) -> None:
         """Note something that roslaunch only warns of."""

@@ -170,7 +170,7 @@ class Expander:
             for name in self.context.files.matching(path) if re.search(r"[*\[?]", path) else [path]:
                 found.append((name, self.context.files.parsed(name, parse)))
         except LaunchError as error:
-            if error.kind in ("outside", "size"):
+            if error.is_limit:
                 self.context.incomplete = True
                 self.context.report(error, fatal=False)
             elif not is_optional:

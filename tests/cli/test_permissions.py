@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -28,8 +29,6 @@ for path in sorted(pathlib.Path("ws").rglob("*")):
     path.chmod(mode)
 """
 LAUNCH = '<launch><node name="t" pkg="talker" type="talker"><rosparam command="load" file="$(dirname)/p.yaml"/></node></launch>\n'
-
-
 SOURCES = ("talker", "talker/CMakeLists.txt", "talker/package.xml", "talker/talker.cpp")
 
 
@@ -56,19 +55,9 @@ def test_what_may_not_be_read_costs_itself(
     done = _run([sys.executable, "-c", BARRED, *words], tmp_path)
     assert done.returncode == 0, done.stdout
     assert "unexpected" not in done.stdout
-    codes = dict(line.rsplit(": ", 1) for line in done.stdout.splitlines() if line.startswith("ws/") and line[-1:].isdigit())
-    told = {path for path, text in zip(codes, _between(done.stdout, codes), strict=True) if "permission denied" in text.lower()}
-    assert told == {f"ws/{path}" for path in files}
-    assert {path for path, code in codes.items() if code == "2"} == {f"ws/{path}" for path in needed}
-
-
-def _between(text: str, codes: dict[str, str]) -> list[str]:
-    """What was printed before each of the lines that tell a code."""
-    parts = []
-    for path, code in codes.items():
-        part, _, text = text.partition(f"\n{path}: {code}\n")
-        parts.append(part)
-    return parts
+    barred = re.findall(r"(.*?)\nws/(\S+): (\d)\n", done.stdout, re.DOTALL)
+    assert {path for text, path, _ in barred if "permission denied" in text.lower()} == set(files)
+    assert {path for _, path, code in barred if code == "2"} == set(needed)
 
 
 def test_output_without_permission(workspace: Path, tmp_path: Path) -> None:
