@@ -20,9 +20,7 @@ def assumed_text(header: str) -> str:
         package, folder, snake = interface
         if header != main_header(*interface):
             return forwarding_text(main_header(*interface))
-        name = _camel_case(snake)
-        others = dict.fromkeys(_camel_case(snake, part) for part in snake.split("_") if 1 < len(part) <= _ABBREVIATION)
-        return _ros2_text(package, folder, name, [other for other in others if other != name])
+        return _ros2_text(package, folder, _names(snake))
     return ""
 
 
@@ -33,13 +31,17 @@ def assumed_classes(header: str) -> list[tuple[str, str, str]]:
         return [(f"{package}::{name}_", "message", f"{package}/{name}")]
     if interface := interface_of(header):
         package, folder, snake = interface
-        name = _camel_case(snake)
-        scope, type_ = f"{package}::{folder}::{name}", f"{package}/{name}"
-        if folder == "msg":
-            return [(f"{scope}_", "message", type_)]
-        parts = [(f"{scope}_{part}_", part.lower(), type_) for part in PARTS[folder]]
-        return [(scope, _KINDS[folder], type_), *parts]
+        return [class_ for name in _names(snake) for class_ in _ros2_classes(package, folder, name)]
     return []
+
+
+def _ros2_classes(package: str, folder: str, name: str) -> list[tuple[str, str, str]]:
+    """The classes of one interface."""
+    scope, type_ = f"{package}::{folder}::{name}", f"{package}/{name}"
+    if folder == "msg":
+        return [(f"{scope}_", "message", type_)]
+    parts = [(f"{scope}_{part}_", part.lower(), type_) for part in PARTS[folder]]
+    return [(scope, _KINDS[folder], type_), *parts]
 
 
 def assumed_struct(path: Sequence[str]) -> tuple[str, str] | None:
@@ -54,8 +56,14 @@ def assumed_struct(path: Sequence[str]) -> tuple[str, str] | None:
     return None
 
 
-def _camel_case(snake: str, upper: str = "") -> str:
-    """The name that most interfaces with such a header have; the part `upper` may be an abbreviation in capitals."""
+def _names(snake: str) -> list[str]:
+    """The names that an interface with such a header may have, the likeliest first: code tells by the one that it uses which is right."""
+    abbreviations = [part for part in snake.split("_") if 1 < len(part) <= _ABBREVIATION]
+    return list(dict.fromkeys(_camel_case(snake, upper) for upper in ("", *abbreviations)))
+
+
+def _camel_case(snake: str, upper: str) -> str:
+    """The name that most interfaces with such a header have, with the part `upper` in capitals."""
     return "".join(part.upper() if part == upper else part[:1].upper() + part[1:] for part in snake.split("_"))
 
 
@@ -71,12 +79,19 @@ def _ros1_text(package: str, name: str) -> str:
     )
 
 
-def _ros2_text(package: str, folder: str, name: str, others: Iterable[str]) -> str:
+def _ros2_text(package: str, folder: str, names: Iterable[str]) -> str:
+    body = "\n".join(_ros2_struct(folder, name) for name in names)
+    return f"#pragma once\n#include <rosarch/message_prelude.hpp>\nnamespace {package} {{ namespace {folder} {{\n{body}\n}}}}\n"
+
+
+def _ros2_struct(folder: str, name: str) -> str:
+    """A message, service or action."""
     parts = PARTS.get(folder, ())
-    names = [f"{name}_{part}" for part in parts] or [name]
-    structs = [f"struct {part}_ {{\n  ROSARCH_MESSAGE({part}_)\n}};\ntypedef {part}_ {part};" for part in names]
+    structs = [
+        f"struct {part}_ {{\n  ROSARCH_MESSAGE({part}_)\n}};\ntypedef {part}_ {part};"
+        for part in ([f"{name}_{part}" for part in parts] or [name])
+    ]
     if parts:
         members = [f"  typedef {name}_{part} {part};" for part in parts]
         structs.append("\n".join([f"struct {name} {{", *members, f"  ROSARCH_{_KINDS[folder].upper()}({name})", "};"]))
-    body = "\n".join([*structs, *(f"typedef {name} {other};" for other in others)])
-    return f"#pragma once\n#include <rosarch/message_prelude.hpp>\nnamespace {package} {{ namespace {folder} {{\n{body}\n}}}}\n"
+    return "\n".join(structs)
