@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ast
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from typing import TypeVar
 
+from .containers import DEEPEST, Path, index_of, taken_from, written_parts
 from .model import (
     NOTHING,
     Class,
@@ -46,9 +48,8 @@ class Inference:
     def __init__(self, program: Program, modules: Iterable[Module]) -> None:
         self.program = program
         self._modules = list(modules)
-        self._variables: dict[Variable, Values] = {}
-        self._inside: dict[Variable, Values] = {}
-        self._returns: dict[Function, Values] = {}
+        self._known: dict[Variable | Function, dict[Path, Values]] = defaultdict(lambda: {(): NOTHING})
+        """What is known of variables and of what functions return: of these themselves, and of their parts that were asked for."""
         self._expressions: dict[tuple[ast.expr, Scope], Values] = {}
         for _ in range(_ROUNDS):
             if not self._round():
@@ -58,17 +59,29 @@ class Inference:
     def _round(self) -> bool:
         """Add what follows from what is known; whether anything was new."""
         self._expressions.clear()
-        new = False
+        new = self._asked = False
         for module in self._modules:
             for target, source in module.outer_targets:
                 self._outer_target(module, target, source)
-            for variable in module.variables:
-                new |= _grow(self._variables, variable, frozenset().union(*(self._source(source) for source in variable.sources)))
-                new |= _grow(self._inside, variable, self._inner(variable))
+            holders: list[Variable | Function] = [*module.variables, *module.functions.values()]
+            for holder in holders:
+                new |= self._learn(holder)
             for call, scope in module.calls:
                 new |= self._passes(call, scope)
-            for function in module.functions.values():
-                new |= _grow(self._returns, function, self._returned(function))
+            for subscript, scope in module.subscripts:
+                self.values(subscript, scope)
+        return new or self._asked
+
+    def _learn(self, holder: Variable | Function) -> bool:
+        """Add what `holder` gets, and those parts of it that are asked for; whether any is new."""
+        known = self._known[holder]
+        new = False
+        for path in list(known):
+            if isinstance(holder, Function):
+                values = self._returned(holder, path)
+            else:
+                values = frozenset().union(*(self._source(source, path) for source in holder.sources))
+            new |= _grow(known, path, values)
         return new
 
     def _passes(self, call: ast.Call, scope: Scope) -> bool:
@@ -76,16 +89,16 @@ class Inference:
         new = False
         if isinstance(call.func, ast.Attribute) and call.func.attr in ("append", "add", "appendleft") and len(call.args) == 1:
             for variable in self.named(call.func.value, scope):
-                source = Source(call.args[0], scope, "inside")
-                if all(known.expr is not source.expr for known in variable.sources):
-                    variable.sources.append(source)
+                _add_source(variable, Source(call.args[0], scope, "inside"))
         for function in self.callees(call, scope):
             if function.own:
                 for parameter, argument in arguments_of(call, function).items():
-                    new |= _grow(self._variables, parameter, self.values(argument, scope))
+                    known = self._known[parameter]
+                    for path in list(known):
+                        new |= _grow(known, path, self.part(argument, path, scope))
             elif function.node is not None:
                 for parameter, values in self._handed_on(call, function, scope):
-                    new |= _grow(self._variables, parameter, values)
+                    new |= _grow(self._known[parameter], (), values)
         return new
 
     def _handed_on(self, call: ast.Call, function: Function, scope: Scope) -> Iterator[tuple[Variable, Values]]:
@@ -134,8 +147,7 @@ class Inference:
             return
         if isinstance(target, ast.Subscript):
             for variable in self.named(target.value, source.scope):
-                if all(known.expr is not source.expr for known in variable.sources):
-                    variable.sources.append(Source(source.expr, source.scope, "inside"))
+                _add_source(variable, source.inside())
         elif isinstance(target, ast.Attribute):
             for value in self.values(target.value, source.scope):
                 if isinstance(value, InstanceValue) and value.cls.own:
@@ -145,8 +157,8 @@ class Inference:
                         symbol = Variable(name, target.attr, "field", module, *place(target), owner=value.cls)
                         value.cls.fields[target.attr] = symbol
                         module.variables.append(symbol)
-                    if isinstance(symbol, Variable) and all(known.expr is not source.expr for known in symbol.sources):
-                        symbol.sources.append(source)
+                    if isinstance(symbol, Variable):
+                        _add_source(symbol, source)
 
     def named(self, node: ast.expr, scope: Scope) -> list[Variable]:
         """The variables that `node` may name."""
@@ -167,37 +179,71 @@ class Inference:
 
     def variable(self, variable: Variable) -> Values:
         """What a variable may hold."""
-        found = self._variables.get(variable, NOTHING)
-        if variable.module is not None and variable.module.stub and not found:
-            found = frozenset().union(*(self._source(source) for source in variable.sources if source.part == "annotation"))
-        return found
+        return self._held(variable, ())
 
-    def _source(self, source: Source) -> Values:
-        if source.part == "inside":
-            return NOTHING
+    def _held(self, holder: Variable | Function, path: Path) -> Values:
+        """The part at `path` of what a variable holds, or a function returns; it is known from the round after it was first asked for."""
+        if holder.module is not None and holder.module.stub:
+            if isinstance(holder, Function):
+                return self._returned(holder, path)
+            return frozenset().union(*(self._source(source, path) for source in holder.sources if source.part == "annotation"))
+        known = self._known[holder]
+        if path not in known and len(path) <= DEEPEST:
+            known[path] = NOTHING
+            self._asked = True
+        return known.get(path, NOTHING)
+
+    def _source(self, source: Source, path: Path) -> Values:
         if source.part == "annotation":
-            return self.annotated(source.expr, source.scope)
-        if source.part == "element":
-            return self._elements(source.expr, source.scope)
-        return self.values(source.expr, source.scope)
+            return self.annotated(source.expr, source.scope, path)
+        if source.part == "inside":
+            return self.part(source.expr, (*source.path, *path[1:]), source.scope) if path else NOTHING
+        return self.part(source.expr, (*source.path, *path), source.scope)
 
-    def annotated(self, node: ast.expr | None, scope: Scope) -> Values:
-        """Objects of the class that an annotation names."""
+    def part(self, node: ast.expr, path: Path, scope: Scope) -> Values:
+        """What the part of the value of `node` at `path` may be."""
+        found: set[Value] = set()
+        waiting = [(node, path)]
+        while waiting:
+            node, path = waiting.pop()
+            if not path:
+                found |= self.values(node, scope)
+                continue
+            waiting += written_parts(node, path)
+            holders: Iterable[Variable | Function] = ()
+            match node:
+                case ast.Name() | ast.Attribute():
+                    holders = self.named(node, scope)
+                case ast.Call(func=ast.Name(id="range" | "xrange")):
+                    found |= instance(self._builtin("int"))
+                case ast.Call():
+                    holders = self.callees(node, scope)
+            for holder in holders:
+                found |= self._held(holder, path)
+        return frozenset(found)
+
+    def annotated(self, node: ast.expr | None, scope: Scope, path: Path = ()) -> Values:
+        """Objects of the class that an annotation names, or of those that it names for the part at `path`."""
         match node:
             case ast.Constant(value=str(text)):
                 try:
-                    return self.annotated(ast.parse(text, mode="eval").body, scope)
+                    return self.annotated(ast.parse(text, mode="eval").body, scope, path)
                 except (SyntaxError, ValueError, RecursionError, MemoryError):
                     return NOTHING
             case ast.BinOp(left=left, op=ast.BitOr(), right=right):
-                return self.annotated(left, scope) | self.annotated(right, scope)
+                return self.annotated(left, scope, path) | self.annotated(right, scope, path)
             case ast.Subscript(value=outer, slice=inner):
                 if last_name(outer) in ("Optional", "Final", "ClassVar", "Annotated"):
-                    return self.annotated(inner.elts[0] if isinstance(inner, ast.Tuple) else inner, scope)
+                    return self.annotated(inner.elts[0] if isinstance(inner, ast.Tuple) else inner, scope, path)
                 if last_name(outer) == "Union" and isinstance(inner, ast.Tuple):
-                    return frozenset().union(*(self.annotated(part, scope) for part in inner.elts))
-                return self.annotated(outer, scope)
-            case ast.Name() | ast.Attribute() if last_name(node) in _ANYTHING:
+                    return frozenset().union(*(self.annotated(part, scope, path) for part in inner.elts))
+                if not path:
+                    return self.annotated(outer, scope)
+                parts = inner.elts if isinstance(inner, ast.Tuple) else [inner]
+                if last_name(outer) in ("Tuple", "tuple") and path[0] is not None:
+                    parts = parts[path[0] : path[0] + 1] or parts
+                return frozenset().union(*(self.annotated(part, scope, path[1:]) for part in parts))
+            case ast.Name() | ast.Attribute() if path or last_name(node) in _ANYTHING:
                 return NOTHING
             case ast.Name() | ast.Attribute():
                 return frozenset(
@@ -209,48 +255,6 @@ class Inference:
         if isinstance(value, ExternalValue):
             return InstanceValue(self.program.external_class(value.path))
         return InstanceValue(value.cls) if isinstance(value, ClassValue) else value
-
-    def _elements(self, node: ast.expr | None, scope: Scope) -> Values:
-        """What a container that the source writes out, or that a variable holds, has in it."""
-        match node:
-            case ast.List(elts=parts) | ast.Tuple(elts=parts) | ast.Set(elts=parts):
-                return frozenset().union(*(self.values(part, scope) for part in parts))
-            case ast.ListComp(elt=part) | ast.SetComp(elt=part) | ast.GeneratorExp(elt=part):
-                return self.values(part, scope)
-            case ast.Dict(values=parts):
-                return frozenset().union(*(self.values(part, scope) for part in parts))
-            case ast.Call(func=ast.Attribute(value=inner, attr="values" | "items" | "copy"), args=[]):
-                return self._elements(inner, scope)
-            case ast.Call(func=ast.Name(id="range" | "xrange")):
-                return instance(self._builtin("int"))
-            case ast.Call(func=ast.Name(id="list" | "tuple" | "sorted" | "reversed" | "enumerate" | "set" | "iter"), args=[inner, *_]):
-                return self._elements(inner, scope)
-            case ast.Call():
-                return frozenset().union(*(self._returned_elements(function) for function in self.callees(node, scope)))
-            case ast.Name(id=name):
-                symbol = self.program.lookup(name, scope)
-                return self._inside.get(symbol, NOTHING) if isinstance(symbol, Variable) else NOTHING
-            case ast.Attribute():
-                return frozenset().union(*(self._inside.get(variable, NOTHING) for variable in self.fields(node, scope)))
-        return NOTHING
-
-    def _returned_elements(self, function: Function) -> Values:
-        """What is in the container that a function returns, by its annotation."""
-        returns = getattr(function.node, "returns", None)
-        if not isinstance(returns, ast.Subscript) or function.scope is None:
-            return NOTHING
-        parts = returns.slice.elts if isinstance(returns.slice, ast.Tuple) else [returns.slice]
-        return frozenset().union(*(self.annotated(part, function.scope.parent or function.scope) for part in parts))
-
-    def _inner(self, variable: Variable) -> Values:
-        """What is in the container that a variable holds, by its sources."""
-        found: Values = NOTHING
-        for source in variable.sources:
-            if source.part == "inside":
-                found |= self.values(source.expr, source.scope)
-            elif source.part == "value" and isinstance(source.expr, (*_CONTAINERS, ast.Name, ast.Attribute, ast.Call)):
-                found |= self._elements(source.expr, source.scope)
-        return found
 
     def fields(self, node: ast.Attribute, scope: Scope) -> list[Variable]:
         """The data members that `object.name` may name."""
@@ -291,8 +295,10 @@ class Inference:
                 return self.values(inner, scope)
             case ast.BinOp(left=left, right=right):
                 return self._binary(self.values(left, scope), self.values(right, scope))
-            case ast.Subscript(value=inner):
-                return self._elements(inner, scope)
+            case ast.Subscript(value=inner, slice=ast.Slice()):
+                return self.values(inner, scope)
+            case ast.Subscript(value=inner, slice=index):
+                return self.part(inner, (index_of(index),), scope)
         kind = _CONTAINERS.get(type(node))
         return instance(self._builtin(kind)) if kind else NOTHING
 
@@ -360,7 +366,8 @@ class Inference:
     def _call(self, node: ast.Call, scope: Scope) -> Values:
         if isinstance(node.func, ast.Name) and node.func.id == "super" and scope.owner is not None:
             return NOTHING  # see `super_of`
-        result: set[Value] = set()
+        container = taken_from(node)
+        result = set(self.part(container, (None,), scope) if container is not None else NOTHING)
         for value in self.callee_values(node, scope):
             match value:
                 case ClassValue(cls):
@@ -377,16 +384,21 @@ class Inference:
 
     def returns(self, function: Function) -> Values:
         """What a function returns."""
-        return self._returns.get(function, NOTHING) if function.own else self._returned(function)
+        return self._held(function, ())
 
-    def _returned(self, function: Function) -> Values:
+    def _returned(self, function: Function, path: Path) -> Values:
         if function.node is None or function.scope is None:
             return NOTHING
         if isinstance(function.node, ast.Lambda):
-            return self.values(function.node.body, function.scope)
+            return self.part(function.node.body, path, function.scope)
         if function.node.returns is not None:
-            return self.annotated(function.node.returns, function.scope.parent or function.scope)
-        return frozenset().union(*(self.values(value, function.scope) for value in returned(function.node)))
+            return self.annotated(function.node.returns, function.scope.parent or function.scope, path)
+        return frozenset().union(*(self.part(value, path, function.scope) for value in returned(function.node)))
+
+
+def _add_source(variable: Variable, source: Source) -> None:
+    if source not in variable.sources:
+        variable.sources.append(source)
 
 
 def _grow(table: dict[Key, Values], key: Key, values: Values) -> bool:

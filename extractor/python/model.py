@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
+
+from .containers import Path
 
 FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 
@@ -30,6 +32,7 @@ class Module:
     classes: dict[ast.ClassDef, Class] = field(default_factory=dict)
     variables: list[Variable] = field(default_factory=list)
     calls: list[tuple[ast.Call, Scope]] = field(default_factory=list)
+    subscripts: list[tuple[ast.Subscript, Scope]] = field(default_factory=list)
     outer_targets: list[tuple[ast.expr, Source | None]] = field(default_factory=list)
 
     @property
@@ -112,13 +115,22 @@ class Function:
         return next((index for index, parameter in enumerate(self.parameters) if parameter.name == name), None)
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True)
 class Source:
-    """What a variable gets of `expr` in `scope`: its `part`, that is value, element, annotation, or inside (an element of it)."""
+    """What a variable gets in `scope`: by its `part` the value of `expr` at `path`, the same as an element (inside), or an annotation."""
 
     expr: ast.expr
     scope: Scope
     part: str = "value"
+    path: Path = ()
+
+    def at(self, step: int | None) -> Source:
+        """What one element of the value is."""
+        return replace(self, path=(*self.path, step))
+
+    def inside(self) -> Source:
+        """The same, for an element of the variable."""
+        return replace(self, part="inside")
 
 
 @dataclass(eq=False)

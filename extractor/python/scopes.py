@@ -56,7 +56,7 @@ class _Binder:
             case ast.AugAssign():
                 self._target(node.target, None, node)
             case ast.For() | ast.AsyncFor():
-                self._source(node.target, Source(node.iter, self.scope, "element"), None)
+                self._source(node.target, Source(node.iter, self.scope).at(None), None)
             case ast.With() | ast.AsyncWith():
                 for item in node.items:
                     if item.optional_vars is not None:
@@ -73,13 +73,15 @@ class _Binder:
         match node:
             case ast.Call():
                 self.module.calls.append((node, self.scope))
+            case ast.Subscript():
+                self.module.subscripts.append((node, self.scope))
             case ast.Lambda():
                 self._function(node, f"<lambda {node.lineno}:{node.col_offset + 1}>")
             case ast.NamedExpr():
                 self._target(node.target, node.value, None)
             case ast.ListComp() | ast.SetComp() | ast.GeneratorExp() | ast.DictComp():
                 for generator in node.generators:
-                    self._source(generator.target, Source(generator.iter, self.scope, "element"), None)
+                    self._source(generator.target, Source(generator.iter, self.scope).at(None), None)
 
     def _bind(self, name: str, symbol: Symbol) -> None:
         known = self.scope.names.get(name)
@@ -175,17 +177,7 @@ class _Binder:
 
     def _target(self, target: ast.expr, value: ast.expr | None, statement: ast.stmt | None) -> None:
         """`target` is assigned `value`."""
-        match target:
-            case ast.Tuple() | ast.List():
-                values = value.elts if isinstance(value, (ast.Tuple, ast.List)) and len(value.elts) == len(target.elts) else None
-                for index, part in enumerate(target.elts):
-                    inner = part.value if isinstance(part, ast.Starred) else part
-                    if values or isinstance(inner, (ast.Tuple, ast.List)):
-                        self._target(inner, values[index] if values else None, None)
-                    else:
-                        self._source(inner, Source(value, self.scope, "element") if value is not None else None, None)
-            case _:
-                self._source(target, Source(value, self.scope) if value is not None else None, statement)
+        self._source(target, Source(value, self.scope) if value is not None else None, statement)
 
     def _source(self, target: ast.expr, source: Source | None, statement: ast.stmt | None) -> None:
         match target:
@@ -194,14 +186,24 @@ class _Binder:
             case ast.Attribute(value=ast.Name(id=name)) if self._is_receiver(name) and self.scope.owner is not None:
                 variable = self._field(self.scope.owner, target)
             case ast.Tuple() | ast.List():
-                for part in target.elts:
-                    self._source(part.value if isinstance(part, ast.Starred) else part, None, None)
+                self._parts(target.elts, source)
                 return
             case _:
                 self.module.outer_targets.append((target, source))
                 return
         if source is not None and variable is not None:
             variable.sources.append(source)
+
+    def _parts(self, targets: Sequence[ast.expr], source: Source | None) -> None:
+        """Each of `targets` is given its part; a starred one a list of what the others leave."""
+        starred = False
+        for index, target in enumerate(targets):
+            starred |= isinstance(target, ast.Starred)
+            part = source.at(None if starred else index) if source is not None else None
+            if isinstance(target, ast.Starred):
+                self._source(target.value, part.inside() if part is not None else None, None)
+            else:
+                self._source(target, part, None)
 
     def _is_receiver(self, name: str) -> bool:
         scope: Scope | None = self.scope
