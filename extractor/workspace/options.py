@@ -24,6 +24,9 @@ _VERSIONS = {
     "jazzy": ("3.28.3", "13.2.0", "4.6.0", "1.14.0", "3.4.0", "1.83.0", "5.15.13", "11.14.0", "12.4", "3.12", "0.8.0"),
 }
 
+# the first major version of GCC that CMake takes to know a standard (its Modules/Compiler/GNU-CXX.cmake)
+_STANDARDS = {"98": 4, "11": 4, "14": 4, "17": 5, "20": 8, "23": 11}
+
 
 @dataclass(frozen=True)
 class Options:
@@ -47,6 +50,7 @@ def initial_variables(distro: str) -> dict[str, str]:
     """CMake's variables on Linux with GCC, in a shell where the distribution's setup file was sourced."""
     known = versions(distro)
     major, minor, patch = known["CMake"].split(".")
+    gcc = int(known["GCC"].partition(".")[0])
     return {
         "CMAKE_VERSION": known["CMake"],
         "CMAKE_MAJOR_VERSION": major,
@@ -66,6 +70,7 @@ def initial_variables(distro: str) -> dict[str, str]:
         "CMAKE_C_COMPILER_ID": "GNU",
         "CMAKE_CXX_COMPILER_VERSION": known["GCC"],
         "CMAKE_C_COMPILER_VERSION": known["GCC"],
+        "CMAKE_CXX_COMPILE_FEATURES": ";".join(f"cxx_std_{standard}" for standard, first in _STANDARDS.items() if gcc >= first),
         "CMAKE_CXX_COMPILER_LOADED": "1",
         "CMAKE_C_COMPILER_LOADED": "1",
         "CMAKE_COMPILER_IS_GNUCXX": "1",

@@ -16,6 +16,8 @@ ABC = {"a.cpp": "", "b.cpp": "", "c.cpp": "", "sub/d.cpp": ""}
         ("set(S a)\nset(T S)\nadd_executable(x ${${T}}.cpp)", ["a.cpp"]),
         ("set(S a.cpp)\nunset(S)\nadd_executable(x ${S} b.cpp)", ["b.cpp"]),
         ("set(S a.cpp CACHE STRING d)\nset(S b.cpp CACHE STRING d)\nadd_executable(x ${S})", ["a.cpp"]),
+        ("if(cxx_std_11 IN_LIST CMAKE_CXX_COMPILE_FEATURES)\nadd_executable(x a.cpp)\nendif()", ["a.cpp"]),
+        ("if(NOT cxx_std_20 IN_LIST CMAKE_CXX_COMPILE_FEATURES)\nadd_executable(x a.cpp)\nendif()", ["a.cpp"]),
         ("file(GLOB S *.cpp)\nadd_executable(x ${S})", ["a.cpp", "b.cpp", "c.cpp"]),
         ("file(GLOB_RECURSE S RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)\nadd_executable(x ${S})", ["a.cpp", "b.cpp", "c.cpp", "d.cpp"]),
         ("file(GLOB S s*/[a-d].cpp)\nadd_executable(x ${S})", ["d.cpp"]),
