@@ -18,9 +18,9 @@ def lower_call(body: Body, node: ast.Call) -> str:
     if formatted is not None:
         return formatted
     values = by_name(body.inference.callee_values(node, body.scope))
-    receiver, skipped = _receiver(body, node, values)
     functions, classes = _callees(body, node, values)
-    through = _callee_value(body, node, functions, classes)
+    receiver, skipped = _receiver(body, node, values)
+    through = receiver if _is_called(values) else _callee_value(body, node, functions, classes)
     arguments = _arguments(body, node, functions, skipped)
     call = body.node(node, "call")
     facts = body.facts
@@ -45,9 +45,11 @@ def lower_call(body: Body, node: ast.Call) -> str:
 
 
 def _receiver(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[str | None, int]:
-    """The object that a method is called on, and how many arguments stand for it: one in `Class.method(object)`."""
+    """The object that a method is called on, or that is called; and how many arguments stand for it: one in `Class.method(object)`."""
     from .expressions import lower
 
+    if _is_called(values):
+        return lower(body, node.func), 0
     if super_of(node.func, body.scope) is not None and body.scope.owner is not None:
         expr = body.node(node.func, "this")
         body.facts.add("this_use", expr, body.facts.cls(body.scope.owner))
@@ -64,6 +66,11 @@ def _receiver(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[str
     if not owners or any(isinstance(owner, InstanceValue) for owner in owners):
         return lower(body, node.func.value), 0
     return None, 0
+
+
+def _is_called(values: Sequence[object]) -> bool:
+    """Whether it is an object that is called: its method `__call__` is entered."""
+    return any(isinstance(value, InstanceValue) for value in values)
 
 
 def _callees(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[list[Function], list[Class]]:
