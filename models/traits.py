@@ -47,6 +47,7 @@ TRAITS = {
     "declares_without_default": ("place",),
     "of_inner_node": ("port",),
     "sent_inactive": ("port", "place", "text"),
+    "sent_unmade": ("place", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     **FLOW_TRAITS,
 }

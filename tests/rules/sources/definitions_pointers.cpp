@@ -4,7 +4,7 @@
 // expect: publisher /kept
 // expect: publisher /filled
 // expect-only: publisher
-// expect: 1 = count : { written_through(_) }, 2 = count : { parameter_changed(_, _) }, 1 = count : { mutable_reference(_) }
+// expect: 2 = count : { written_through(_) }, 3 = count : { parameter_changed(_, _) }, 1 = count : { mutable_reference(_) }
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <string>
