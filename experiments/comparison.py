@@ -2,7 +2,7 @@
 
 Ports are matched by kind and resolved name (unknown names by line), parameters by name and access, periodic and reactive behaviour by its
 ports, variables by name, transitions by variable and line. What truth calls `optional` counts neither when it is found nor when it is not;
-ports that a library makes inside itself (`implicit`), and behaviour on these, are not compared.
+ports that a library makes inside itself (`implicit`), and behaviour on these, are not compared. Private names are the same as `~name` and `~/name`.
 """
 
 from __future__ import annotations
@@ -158,8 +158,14 @@ def _ports(comparison: Comparison, truth: Document, found: Document) -> Names:
 
 
 def _port_key(port: Document) -> Key:
-    name = "/tf" if str(port["kind"]).startswith("tf_") else str(port.get("name") or _UNKNOWN)
+    name = "/tf" if str(port["kind"]).startswith("tf_") else _name(port.get("name") or _UNKNOWN)
     return (port["kind"], f"{name}@{line_of(port.get('at'))}" if _UNKNOWN in name else name)
+
+
+def _name(written: Any) -> str:
+    """A name as ROS 1 writes it: ROS 2 has `~/name` for `~name` (https://design.ros2.org/articles/topic_and_service_names.html)."""
+    name = str(written)
+    return f"~{name[2:]}" if name.startswith("~/") else name
 
 
 def _show_port(key: Key) -> str:
@@ -180,13 +186,13 @@ def _parameters(comparison: Comparison, truth: Document, found: Document) -> Non
         side = _Side()
         for parameter in _entries(document, "params"):
             access = "read" if parameter.get("op") in {"read", "has", None} else parameter["op"]
-            side.add((str(parameter["name"]), access), parameter, optional=_optional(parameter))
+            side.add((_name(parameter["name"]), access), parameter, optional=_optional(parameter))
         sides.append(side)
     _settle(comparison, "params", sides[0], sides[1], lambda key: f"{key[1]} {key[0]}")
-    by_name = {parameter["name"]: parameter for parameter in _entries(found, "params")}
+    by_name = {_name(parameter["name"]): parameter for parameter in _entries(found, "params")}
     for parameter in _entries(truth, "params"):
-        if parameter["name"] in by_name:
-            comparison.agrees("param default", parameter.get("default"), by_name[parameter["name"]].get("default"))
+        if (name := _name(parameter["name"])) in by_name:
+            comparison.agrees("param default", parameter.get("default"), by_name[name].get("default"))
 
 
 def _periodic(comparison: Comparison, truth: Document, found: Document, names: Names) -> None:

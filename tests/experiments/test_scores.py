@@ -51,6 +51,21 @@ def test_f1_is_the_harmonic_mean() -> None:
         assert row["f1"] == pytest.approx(2 * row["recall"] * row["precision"] / (row["recall"] + row["precision"]))
 
 
+def test_private_names_of_both_kinds_are_the_same(tmp_path: Path) -> None:
+    for side, slash in (("truth", "/"), ("models", "")):
+        (tmp_path / side).mkdir()
+        document = {
+            "system": "robot",
+            "package": "p",
+            "component": "c",
+            "ports": [{"id": "p1", "kind": "publisher", "name": f"~{slash}out", "at": "c.cpp:1"}],
+            "params": [{"name": f"~{slash}rate", "op": "read", "at": "c.cpp:2"}],
+        }
+        (tmp_path / side / "c.json").write_text(json.dumps(document))
+    categories = figures(tmp_path / "truth", tmp_path / "models")["categories"]
+    assert [(categories[name]["found"], categories[name]["extra"]) for name in ("ports", "params")] == [(1, 0), (1, 0)]
+
+
 @pytest.mark.skipif("ROSARCH_SCORER" not in os.environ, reason="ROSARCH_SCORER does not name score.py")
 @pytest.mark.parametrize("seed", range(12))
 def test_the_scorer_itself(seed: int, tmp_path: Path) -> None:
