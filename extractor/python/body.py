@@ -184,4 +184,6 @@ class Body:
 
 
 def _folded(written: bytes) -> str:
-    return " ".join(written.decode("utf-8", "replace").split())
+    """On one line: what joins lines in the source is left out."""
+    joined = written.replace(b"\\\r\n", b" ").replace(b"\\\n", b" ")
+    return " ".join(joined.decode("utf-8", "replace").split())
