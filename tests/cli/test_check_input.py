@@ -150,4 +150,6 @@ def test_an_interrupt_ends_the_run_in_one_line(launch: Path, tmp_path: Path) -> 
     time.sleep(1.0)
     os.killpg(process.pid, signal.SIGINT)
     out, err = process.communicate(timeout=60)
-    assert (process.returncode, out, err) == (130, "", "rosarch: interrupted\n")
+    # where the interrupt falls within exec() of a text, as when a dataclass is made, Python ends by the signal though it was caught; a shell tells 130 of both
+    assert process.returncode in (128 + signal.SIGINT, -signal.SIGINT)
+    assert (out, err) == ("", "rosarch: interrupted\n")
