@@ -2,7 +2,8 @@
 
 Ports are matched by kind and resolved name (unknown names by line), parameters by name and access, periodic and reactive behaviour by its
 ports, variables by name, transitions by variable and line. What truth calls `optional` counts neither when it is found nor when it is not;
-ports that a library makes inside itself (`implicit`), and behaviour on these, are not compared. Private names are the same as `~name` and `~/name`.
+ports that a library makes inside itself (`implicit`), and behaviour on these, are not compared. `~name` and `~/name` are the
+same name.
 """
 
 from __future__ import annotations
