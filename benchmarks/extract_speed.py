@@ -67,6 +67,16 @@ def measure(workspace: Workspace, units: Sequence[CompileUnit], scratch: Path) -
     return total
 
 
+def parses(workspace: Workspace, scratch: Path) -> list[tuple[CompileUnit, list[str]]]:
+    """All sources with the arguments of their parse; the declarations are precompiled, other headers generated or made, in `scratch`."""
+    finder = HeaderFinder(workspace.root, scratch, Interfaces.of(workspace.packages, workspace.root).header_text)
+    reader, found = UnitReader(workspace.root, finder, scratch, None), []
+    for unit in sample(workspace, [], 0):
+        includes = finder.closure(unit.source, unit.folders)
+        found.append((unit, arguments_of(unit, includes, reader.precompiled_for(unit, includes))))
+    return found
+
+
 def parse(unit: CompileUnit, arguments: Sequence[str]) -> None:
     """Parse a source, and no more."""
     with libclang.Unit(unit.source, arguments):

@@ -5,7 +5,8 @@
     benchmarks/speed.py SYSTEM_DIR --edits N                             `rosarch check` after each of N edits of every kind
 
 Prints a Markdown table. A cold run starts with empty caches, a new system finds only the rules compiled, a warm run is the cold one again.
-Memory is the largest resident set of any one process of the run, processor time that of all of them.
+Memory is the largest resident set of any one process of the run, processor time that of all of them. With edits, libclang alone parses all
+sources before and after each kind of run, in as many processes: the figures of different machines do not compare, but multiples of that do.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
+import resource
 import shutil
 import statistics
 import subprocess
@@ -20,11 +22,16 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import cache, partial
+from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 KILOBYTES = 1 if sys.platform != "darwin" else 1024  # the unit of ru_maxrss
 CLEAN, FINDINGS = 0, 1
+BARE = "bare parse"
 _INCLUDED = re.compile(r'^\s*#\s*include\s*[<"]([^>"\n]+)[>"]', re.MULTILINE)
 
 
@@ -41,6 +48,7 @@ def measure(arguments: Sequence[str], folder: Path) -> Run:
     """Run `rosarch` with what it keeps in `folder`; stop the benchmark when it fails."""
     command = [sys.executable, "-m", "rosarch.cli", *arguments]
     environment = {**os.environ, "ROSARCH_CACHE_DIR": str(folder / "cache")}
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # modules are compiled once, as in any installation
     log = folder / "log"
     with log.open("w", encoding="utf-8") as output:
         start = time.perf_counter()
@@ -73,18 +81,50 @@ OUT = "{out}"
 
 def measure_edits(system: Path, edits: int) -> dict[str, list[Run]]:
     """The runs of `rosarch check` on a copy of a system: the first, one without an edit, and one after each edit; these add up."""
-    with tempfile.TemporaryDirectory(prefix="rosarch-speed-") as name:
+    with (
+        tempfile.TemporaryDirectory(prefix="rosarch-speed-") as name,
+        tempfile.TemporaryDirectory(prefix="rosarch-speed-") as aside,
+        ProcessPoolExecutor(1, get_context("spawn")) as other,  # a process begins with the peak memory of the one that starts it
+    ):
         folder = Path(name).resolve()
         copy = folder / system.name
         shutil.copytree(system, copy, symlinks=True)
         command = ["check", str(copy)]
-        results = {"cold": [measure(command, folder)], "nothing changed": [measure(command, folder) for _ in range(edits)]}
-        for kind, files in edited_files(copy, folder).items():
+        parse = partial(other.submit, bare_parse, system.resolve(), Path(aside))
+        results = {BARE: [parse().result()], "cold": [measure(command, folder)]}
+        results[BARE].append(parse().result())
+        results["nothing changed"] = [measure(command, folder) for _ in range(edits)]
+        for kind, files in other.submit(edited_files, copy, folder).result().items():
             results[f"{kind} changed"] = []
             for number, path in enumerate(spread(files, edits)):
                 edit(path, number)
                 results[f"{kind} changed"].append(measure(command, folder))
+            results[BARE].append(parse().result())
         return results
+
+
+def bare_parse(system: Path, scratch: Path) -> Run:
+    """Have libclang parse all sources of a system, in as many processes as `rosarch`; `scratch` holds what is made for it, once."""
+    from extract_speed import parse
+
+    from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+
+    work = _parses(system, scratch)
+    start, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
+    for _, outcome in run_tasks(lambda given: parse(*given), work, jobs=default_jobs(), timeout=600):
+        if isinstance(outcome, Failure):
+            raise SystemExit(f"the bare parse failed: {outcome.detail}")
+    seconds, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    return Run(seconds, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, after.ru_maxrss / KILOBYTES / 1024)
+
+
+@cache
+def _parses(system: Path, scratch: Path) -> Sequence[Any]:
+    from extract_speed import parses
+
+    from rosarch.extractor.workspace import discover
+
+    return parses(discover(system), scratch)
 
 
 def edited_files(root: Path, folder: Path) -> dict[str, list[Path]]:
@@ -123,13 +163,16 @@ def edit(path: Path, number: int) -> None:
 
 
 def table(results: dict[str, list[Run]]) -> str:
-    """The results as Markdown."""
-    lines = ["| run | min | median | max | processor | peak memory |", "|---|---:|---:|---:|---:|---:|"]
+    """The results as Markdown; where there was a bare parse, the median run as a multiple of that."""
+    bare = statistics.median(run.seconds for run in results[BARE]) if BARE in results else None
+    columns = ["min", "median", "max", "processor", "peak memory", *(["to the bare parse"] if bare else [])]
+    lines = [f"| run | {' | '.join(columns)} |", f"|---|{'---:|' * len(columns)}"]
     for kind, runs in ((kind, runs) for kind, runs in results.items() if runs):
         seconds = [run.seconds for run in runs]
-        figures = " | ".join(f"{value:.2f} s" for value in (min(seconds), statistics.median(seconds), max(seconds)))
-        processor = statistics.median(run.processor for run in runs)
-        lines.append(f"| {kind} | {figures} | {processor:.2f} s | {max(run.mebibytes for run in runs):.0f} MiB |")
+        median, processor = statistics.median(seconds), statistics.median(run.processor for run in runs)
+        figures = [f"{value:.2f} s" for value in (min(seconds), median, max(seconds), processor)]
+        figures += [f"{max(run.mebibytes for run in runs):.0f} MiB", *([f"{median / bare:.2f}"] if bare else [])]
+        lines.append(f"| {kind} | {' | '.join(figures)} |")
     return "\n".join(lines)
 
 

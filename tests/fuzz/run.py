@@ -167,6 +167,8 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=Path("fuzz-defects"), help="where inputs that fail are kept")
     parser.add_argument("--atheris", action="store_true", help="let atheris make the inputs of one target")
     given = parser.parse_args()
+    if unknown := [name for name in given.targets if name not in TARGETS]:
+        parser.error(f"no target: {', '.join(unknown)}")
     chosen = [TARGETS[name] for name in given.targets or TARGETS]
     if given.atheris:
         _with_atheris(chosen[0])
