@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.extractor.diagnostics import Diagnostic, why
 
 from .cmake_expand import generator_expression, split_list
 from .cmake_state import TargetDraft
@@ -154,7 +154,7 @@ def _sources(run: Evaluator, draft: TargetDraft, problems: list[Diagnostic]) -> 
         if found is None:
             if not _is_generated(run, path, folders):
                 shown = os.path.relpath(path, draft.directory.source)
-                message = f"source of {draft.name} does not exist: {shown}"
+                message = f"source of {draft.name} {_why_unread(path)}: {shown}"
                 problems.append(Diagnostic("missing-source", Path(draft.cmake_file), draft.line, draft.column, message))
             continue
         extension = os.path.splitext(found)[1]
@@ -163,6 +163,17 @@ def _sources(run: Evaluator, draft: TargetDraft, problems: list[Diagnostic]) -> 
         elif extension in HEADER_EXTENSIONS:
             headers[found] = None
     return tuple(map(Path, sources)), tuple(map(Path, headers)), tuple(objects)
+
+
+def _why_unread(path: str) -> str:
+    """Why there is no file to read."""
+    try:
+        os.stat(path)
+    except (FileNotFoundError, NotADirectoryError):
+        return "does not exist"
+    except OSError as error:
+        return f"cannot be read ({why(error)})"
+    return "is not a file"
 
 
 def _is_generated(run: Evaluator, path: str, folders: Iterable[str]) -> bool:

@@ -212,6 +212,7 @@ def test_generated_sources_are_not_missing(tmp_path: Path) -> None:
     [
         ("foo(a)", "demo/CMakeLists.txt:4:1: unknown command foo"),
         ("add_executable(x a.cpp gone.cpp)", "demo/CMakeLists.txt:4:1: source of x does not exist: gone.cpp"),
+        ("add_executable(x a.cpp .)", "demo/CMakeLists.txt:4:1: source of x is not a file: ."),
         ("if(AND)\nendif()\nif(a b)\nendif()", "demo/CMakeLists.txt:6:1: unexpected `b` in condition"),
         ("target_link_libraries(y m)", "demo/CMakeLists.txt:4:1: target_link_libraries: no target y"),
         ("add_subdirectory(none)", "demo/CMakeLists.txt:4:1: no CMakeLists.txt in sub-directory none"),

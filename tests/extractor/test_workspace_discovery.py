@@ -104,7 +104,7 @@ def test_links_that_lead_to_themselves(tmp_path: Path) -> None:
     assert messages(workspace, tmp_path) == [
         "loopa:1:1: a link that leads to itself",
         "loopb:1:1: a link that leads to itself",
-        "one/CMakeLists.txt:5:1: source of x does not exist: src/loop.cpp",
+        "one/CMakeLists.txt:5:1: source of x cannot be read (too many levels of symbolic links): src/loop.cpp",
     ]
 
 
@@ -123,7 +123,7 @@ def test_a_folder_that_adds_itself(tmp_path: Path) -> None:
 
 
 def test_folders_and_files_without_permission(tmp_path: Path) -> None:
-    package(tmp_path, "one", "file(GLOB S secret/*.cpp)\n", {"secret/a.cpp": ""})
+    package(tmp_path, "one", "file(GLOB S secret/*.cpp)\nadd_executable(y secret/a.cpp)\n", {"secret/a.cpp": ""})
     package(tmp_path, "two", "add_executable(x x.cpp)\n", {"x.cpp": ""})
     package(tmp_path / "closed", "three", "")
     for path in ("one/secret", "two/CMakeLists.txt", "closed"):
@@ -138,6 +138,7 @@ def test_folders_and_files_without_permission(tmp_path: Path) -> None:
     assert found == [
         "closed:1:1: cannot be read: permission denied",
         "one/CMakeLists.txt:4:1: file: secret cannot be read: permission denied",
+        "one/CMakeLists.txt:5:1: source of y cannot be read (permission denied): secret/a.cpp",
         "two/CMakeLists.txt:1:1: cannot be read: permission denied",
     ]
 
