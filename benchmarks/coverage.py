@@ -8,12 +8,15 @@ with this file runs); or none of the API's (a function of the system that is cal
 missed. Missed sites are listed, with `--list` unreached ones too.
 
 Beside the sites, all API calls are counted that the rules know of (ports of every library and accesses to parameters), and those whose name
-is not known, *unnamed*; `--list` shows these, so that a reader can judge which ones the source tells.
+is not known, *unnamed*; all reached calls that send a message, a request or a goal, and those of which no port is known that it goes
+through, *portless*; all ports that something can be sent through, and those that nothing is known to go through, *silent*. `--list` shows
+these, so that a reader can judge which ones the source tells.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
 from collections import defaultdict
@@ -30,9 +33,24 @@ from rosarch.models.rule_sets import component_program
 SITE = re.compile(r"(?:\.|->)\s*(?:template\s+)?(advertise|subscribe|advertiseService|serviceClient)\s*[<(](?!\s*\))")
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
 CONDITIONAL = re.compile(r"\s*#\s*(if|ifdef|ifndef|elif|else|endif)\b\s*(.*)")
+SENDING = frozenset({"publisher", "service_client", "action_client", "tf_broadcaster"})
 NEAR = 2  # lines between the regular expression's match and the place of the call that the tool reports
 
 Site = tuple[str, int]
+
+
+@dataclass
+class Judged:
+    """Nodes of the syntax tree that should be understood, and those that are not in any component, with what is known of them."""
+
+    nodes: set[str] = field(default_factory=set)
+    missing: dict[str, str] = field(default_factory=dict)
+
+    def include(self, other: Judged) -> None:
+        """What is known from one component is known."""
+        known = (self.nodes - self.missing.keys()) | (other.nodes - other.missing.keys())
+        self.nodes |= other.nodes
+        self.missing = {node: text for node, text in (self.missing | other.missing).items() if node not in known}
 
 
 @dataclass
@@ -44,8 +62,9 @@ class Seen:
     unknown: set[Site] = field(default_factory=set)
     calls: dict[Site, set[bool]] = field(default_factory=lambda: defaultdict(set))
     others: set[Site] = field(default_factory=set)
-    api: set[str] = field(default_factory=set)
-    unnamed: dict[str, str] = field(default_factory=dict)
+    unnamed: Judged = field(default_factory=Judged)
+    portless: Judged = field(default_factory=Judged)
+    silent: Judged = field(default_factory=Judged)
     components: int = 0
     failed: list[str] = field(default_factory=list)
 
@@ -79,6 +98,7 @@ def read_system(root: Path, jobs: int) -> Seen:
     """Extract and evaluate every component of a system."""
     program, seen = component_program(), Seen()
     keep = ("port", "port_site", "port_unknown", "parameter_site", "parameter_access", "node_location", "reachable")
+    keep += ("sends", "api_call", "api_sends", "api_sends_at_once", "expr_runs")
 
     def work(component: ComponentFacts) -> Seen:
         rows = component.rows()
@@ -86,7 +106,6 @@ def read_system(root: Path, jobs: int) -> Seen:
         return component_seen(rows, {name: result.rows(name) for name in keep})
 
     with extract(root, jobs=jobs) as extraction:
-        seen.failed += [str(d).partition("\n")[0] for d in extraction.diagnostics if d.kind == "source"]
         for index, outcome in run_tasks(work, extraction.components, jobs=jobs, timeout=LIMITS.evaluation):
             component = extraction.components[index]
             if isinstance(outcome, Failure):
@@ -97,12 +116,13 @@ def read_system(root: Path, jobs: int) -> Seen:
             seen.unknown |= outcome.unknown
             seen.others |= outcome.others
             seen.components += 1
-            named = (seen.api - seen.unnamed.keys()) | (outcome.api - outcome.unnamed.keys())
-            seen.api |= outcome.api
-            seen.unnamed |= outcome.unnamed
-            seen.unnamed = {call: text for call, text in seen.unnamed.items() if call not in named}
+            seen.unnamed.include(outcome.unnamed)
+            seen.portless.include(outcome.portless)
+            seen.silent.include(outcome.silent)
             for site, runs in outcome.calls.items():
                 seen.calls[site] |= runs
+        nothing = [d for d in extraction.diagnostics if d.kind == "source" and os.path.relpath(d.path, root) not in seen.files]
+        seen.failed += [str(d).partition("\n")[0] for d in nothing]
     return seen
 
 
@@ -124,22 +144,36 @@ def component_seen(rows: Mapping[str, Iterable[Any]], derived: Mapping[str, Iter
             seen.others.add(locations[call])
         elif call in locations:
             seen.calls[locations[call]].add(functions.get(call) in reachable)
-    _add_api(seen, derived, places)
+    seen.unnamed = _unnamed(derived, places)
+    seen.portless, seen.silent = _sends(derived, places)
     for file, first, last in rows.get("lines_skipped", ()):
         seen.others |= {(paths[file], line) for line in range(first, last + 1)}
     return seen
 
 
-def _add_api(seen: Seen, derived: Mapping[str, Iterable[Any]], places: Mapping[str, Site]) -> None:
+def _unnamed(derived: Mapping[str, Iterable[Any]], places: Mapping[str, Site]) -> Judged:
     """The calls that make ports or access parameters, and those without any known name."""
     ports = {site for site, *_rest in derived["port_site"] if site in places}
     parameters = {call for call, _op in derived["parameter_site"] if call in places}
     named = {site for ((site, _kind, name),) in derived["port"] if name[:1] != "?"}
     named |= {call for call, _op, name in derived["parameter_access"] if name[:1] != "?"}
     made = {site for ((site, _kind, _name),) in derived["port"]}
-    seen.api = (ports & made) | parameters
+    calls = (ports & made) | parameters
     reasons = {site: f"{kind} {name} ({reason})" for (site, kind, name), reason in derived["port_unknown"]}
-    seen.unnamed = {call: "{}:{}: {}".format(*places[call], reasons.get(call, "parameter")) for call in seen.api - named}
+    return Judged(calls, {call: "{}:{}: {}".format(*places[call], reasons.get(call, "parameter")) for call in calls - named})
+
+
+def _sends(derived: Mapping[str, Iterable[Any]], places: Mapping[str, Site]) -> tuple[Judged, Judged]:
+    """The calls that send, and those without a port; the ports that something can be sent through, and those through which nothing is."""
+    functions = {name for relation in ("api_sends", "api_sends_at_once") for (name,) in derived[relation]}
+    run = {expr for (expr,) in derived["expr_runs"]}
+    calls = {call: name for call, name in derived["api_call"] if name in functions and call in run and call in places}
+    sent = {call for call, _port in derived["sends"]}
+    lost = {call: "{}:{}: {}".format(*places[call], name) for call, name in calls.items() if call not in sent}
+    ports = {site: f"{kind} {name}" for ((site, kind, name),) in derived["port"] if kind in SENDING and site in places}
+    used = {site for _call, (site, _kind, _name) in derived["sends"]}
+    silent = {site: "{}:{}: {}".format(*places[site], text) for site, text in ports.items() if site not in used}
+    return Judged(set(calls), lost), Judged(set(ports), silent)
 
 
 def classify(site: Site, seen: Seen) -> str:
@@ -165,8 +199,9 @@ def main() -> int:
     for name in options.names:
         if not (options.systems / name).is_dir():
             parser.error(f"{options.systems / name}: no such folder")
-    print("| system | components | sites | ports | unknown | unreached | not API | missed | API calls | unnamed | failed |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|")
+    columns = ["system", "components", "sites", "ports", "unknown", "unreached", "not API", "missed", "API calls", "unnamed"]
+    columns += ["sends", "portless", "senders", "silent", "failed"]
+    print(f"| {' | '.join(columns)} |\n|{'---|' * len(columns)}")
     trouble: list[str] = []
     failed = False
     for name in options.names:
@@ -175,15 +210,16 @@ def main() -> int:
         classes: dict[str, list[Site]] = defaultdict(list)
         for site in sites(root, seen.files):
             classes[classify(site, seen)].append(site)
-        counts = " | ".join(str(len(classes[label])) for label in ("ports", "unknown", "unreached", "others", "missed"))
-        total = sum(map(len, classes.values()))
-        print(
-            f"| {name} | {seen.components} | {total} | {counts} | {len(seen.api)} | {len(seen.unnamed)} | {len(seen.failed)} |", flush=True
-        )
+        counts = [seen.components, sum(map(len, classes.values()))]
+        counts += [len(classes[label]) for label in ("ports", "unknown", "unreached", "others", "missed")]
+        judged = {"unnamed": seen.unnamed, "portless": seen.portless, "silent": seen.silent}
+        counts += [count for found in judged.values() for count in (len(found.nodes), len(found.missing))]
+        print(f"| {name} | {' | '.join(map(str, [*counts, len(seen.failed)]))} |", flush=True)
         failed |= bool(classes["missed"] or seen.failed)
         trouble += [f"{name}: missed {path}:{line}" for path, line in classes["missed"]]
         trouble += [f"{name}: unreached {path}:{line}" for path, line in classes["unreached"] if options.list]
-        trouble += [f"{name}: unnamed {text}" for text in sorted(seen.unnamed.values()) if options.list]
+        for label, found in judged.items():
+            trouble += [f"{name}: {label} {text}" for text in sorted(found.missing.values()) if options.list]
         trouble += [f"{name}: failed {text}" for text in seen.failed]
     print("\n".join(["", *trouble]))
     return bool(failed)
