@@ -199,8 +199,11 @@ def test_serve_ends_with_one_line(workspace: Path, after: float) -> None:
     time.sleep(after)  # into the first analysis
     os.killpg(process.pid, signal.SIGINT)
     _, errors = process.communicate(timeout=30)
-    assert process.returncode in (130, -signal.SIGINT)  # see test_check_input.py on the latter
-    assert errors == "rosarch: interrupted\n"
+    if process.returncode or not after:  # a fast machine is done with the analysis by then: a server that waits ends well
+        assert process.returncode in (130, -signal.SIGINT)  # see test_check_input.py on the latter
+        assert errors == "rosarch: interrupted\n"
+    else:
+        assert errors == ""
     until = time.monotonic() + 10
     with pytest.raises(ProcessLookupError):
         while time.monotonic() < until:
