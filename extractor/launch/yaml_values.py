@@ -20,8 +20,9 @@ from .evaluation import EvalFailed, Unsupported, radians
 from .values import Binary
 
 MAX_VALUES = 1_000_000  # scalars, lists and maps of one document after aliases are unfolded
+_MERGE = "tag:yaml.org,2002:merge"  # of the key `<<`
 _ESCAPED_MARK = re.compile(r"\\U0010[0-9A-Fa-f]{4}")  # would pose as an unknown (see unknowns.py)
-_MAX_MERGED = 100_000  # keys of one map after `<<` is resolved
+_MAX_MERGED = 100_000  # keys that `<<` adds to the maps of one document
 
 
 class YamlError(Exception):
@@ -38,9 +39,15 @@ KeyLines = Mapping[tuple[str, ...], int]
 class Loader(BoundedLoader):
     """The safe loader, which makes no objects, with a bound on what `<<` merges."""
 
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._merged = 0
+
     def flatten_mapping(self, node: yaml.MappingNode) -> None:
+        written = sum(key.tag != _MERGE for key, _ in node.value)
         super().flatten_mapping(node)
-        if len(node.value) > _MAX_MERGED:
+        self._merged += len(node.value) - written
+        if self._merged > _MAX_MERGED:
             raise yaml.constructor.ConstructorError(None, None, f"more than {_MAX_MERGED} merged keys", node.start_mark)
 
 

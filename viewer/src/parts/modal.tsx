@@ -1,6 +1,6 @@
 /** A dialog above the page; Escape, its button and a click beside it close it. */
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
 interface Props {
   open: boolean;
@@ -13,7 +13,8 @@ interface Props {
 export function Modal({ open, label, title, onClose, children }: Props) {
   const dialog = useRef<HTMLDialogElement>(null);
   const told = useRef(0); // closings whose event is to come, perhaps when the dialog is open again
-  useEffect(() => {
+  // before the next key can be pressed, which is for the dialog that is to be seen
+  useLayoutEffect(() => {
     if (open) dialog.current?.showModal();
     else if (dialog.current?.open) {
       told.current++;
