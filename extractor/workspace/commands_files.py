@@ -12,7 +12,7 @@ from rosarch.extractor.patterns import PatternError
 from .cmake_glob import glob
 from .cmake_state import Call, Scope
 from .commands_values import truthy
-from .evaluator import Evaluator, command
+from .evaluator import Evaluator, command, decoded
 
 _GENERATING = {"WRITE", "APPEND", "GENERATE", "CONFIGURE", "TOUCH", "DOWNLOAD"}
 
@@ -72,7 +72,7 @@ def _read(run: Evaluator, call: Call, name: str, lines: bool) -> str:
         return ""
     try:
         run.charge(0, os.path.getsize(path))
-        text = read_file(path).decode(errors="replace")
+        text = decoded(read_file(path))
     except OSError as error:
         if os.path.lexists(path):
             run.cannot_read(call.command, path, error)

@@ -128,6 +128,13 @@ def _constant(value: str) -> Callable[[Evaluator, list[str]], None]:
     return lambda run, rest: run.set(rest[0], value)
 
 
+def _ascii(run: Evaluator, rest: list[str]) -> None:
+    codes = [int(code) for code in rest[:-1]]
+    if wrong := [code for code in codes if not 0 < code < 256]:
+        raise ValueError(f"character with code {wrong[0]} does not exist")
+    run.set(rest[-1], "".join(map(chr, codes)))
+
+
 _STRING: dict[str, Callable[[Evaluator, list[str]], None]] = {
     "REPLACE": _replace,
     "REGEX MATCH": _regex_match,
@@ -148,7 +155,7 @@ _STRING: dict[str, Callable[[Evaluator, list[str]], None]] = {
     "STRIP": lambda run, rest: run.set(rest[1], rest[0].strip()),
     "GENEX_STRIP": lambda run, rest: run.set(rest[1], re.sub(r"\$<[^>]*>", "", rest[0])),
     "REPEAT": _repeat,
-    "ASCII": lambda run, rest: run.set(rest[-1], "".join(chr(int(code)) for code in rest[:-1])),
+    "ASCII": _ascii,
     "TIMESTAMP": _constant("1970-01-01T00:00:00"),
     "RANDOM": lambda run, rest: run.set(rest[-1], "00000"),
     "UUID": _constant("00000000-0000-0000-0000-000000000000"),

@@ -230,19 +230,18 @@ class Evaluator:
             self.depth -= 1
 
     def load(self, file: str) -> tuple[Statement, ...] | None:
-        """The statements of a file, None when it cannot be read; bytes that are not UTF-8 are replaced. Both are reported."""
+        """The statements of a file, None when it cannot be read; bytes that are not UTF-8, and zeros, are replaced. All is reported."""
         try:
             data = read_file(file)
         except OSError as error:
             self.diagnostics.append(unreadable(file, error))
             return None
-        try:
-            text = data.decode()
-        except UnicodeDecodeError as error:
-            line = data.count(b"\n", 0, error.start) + 1
-            column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
-            self.diagnostics.append(Diagnostic("encoding", Path(file), line, column, "not UTF-8"))
-            text = data.decode(errors="replace")
+        if (damage := _damage(data)) is not None:
+            start, message = damage
+            line = data.count(b"\n", 0, start) + 1
+            column = start - (data.rfind(b"\n", 0, start) + 1) + 1
+            self.diagnostics.append(Diagnostic("encoding", Path(file), line, column, message))
+        text = decoded(data)
         commands, syntax = parse(text, Path(file))
         statements, structure = blocks(commands, Path(file))
         self.diagnostics.extend(syntax or structure)
@@ -370,6 +369,22 @@ class Evaluator:
     def set_list(self, name: str, elements: Sequence[str]) -> None:
         """Set a variable to a list."""
         self.set(name, join_list(elements))
+
+
+def decoded(data: bytes) -> str:
+    """The text of a file. What is not UTF-8 is replaced, and so are zeros: no name of a file may have one."""
+    return data.decode(errors="replace").replace("\0", "\N{REPLACEMENT CHARACTER}")
+
+
+def _damage(data: bytes) -> tuple[int, str] | None:
+    """Where a file is first no text, and why."""
+    zero = data.find(b"\0")
+    try:
+        data.decode()
+    except UnicodeDecodeError as error:
+        if zero < 0 or error.start < zero:
+            return error.start, "not UTF-8"
+    return None if zero < 0 else (zero, "a zero byte")
 
 
 def _asks_for_tests(condition: Command) -> bool:

@@ -223,6 +223,7 @@ def test_generated_sources_are_not_missing(tmp_path: Path) -> None:
         ("include(CMakeLists.txt)", "demo/CMakeLists.txt:4:1: CMake code nests too deeply, evaluation stopped"),
         ('math(EXPR x "1 / 0")', "demo/CMakeLists.txt:4:1: math: cannot evaluate `1 / 0`"),
         ("add_message_files(FILES No.msg)", "demo/CMakeLists.txt:4:1: no file No.msg in msg"),
+        ("string(ASCII 97 0 x)", "demo/CMakeLists.txt:4:1: string(ASCII): character with code 0 does not exist"),
         ("list(GET L 3 x)", "demo/CMakeLists.txt:4:1: list(GET): list index out of range"),
         (
             'string(REGEX MATCH "(" x y)',
@@ -233,6 +234,23 @@ def test_generated_sources_are_not_missing(tmp_path: Path) -> None:
 def test_trouble_is_reported_and_passed(tmp_path: Path, cmake: str, message: str) -> None:
     _, workspace = evaluated(tmp_path, cmake, ABC)
     assert messages(workspace, tmp_path)[-1] == message
+
+
+@pytest.mark.parametrize(
+    ("cmake", "column"),
+    [
+        ('add_executable(x a.cpp "b\0")', 26),
+        ('aux_source_directory("b\0" x)', 24),
+        ('file(GLOB x "b\0/*")', 15),
+        ('file(READ "b\0" x)', 13),
+        ('add_message_files(DIRECTORY "b\0")', 31),
+        ('pluginlib_export_plugin_description_file(x "b\0.xml")', 46),
+    ],
+)
+def test_zero_bytes_are_in_no_name(tmp_path: Path, cmake: str, column: int) -> None:
+    found, workspace = evaluated(tmp_path, cmake + "\nadd_executable(kept a.cpp)", ABC)
+    assert f"demo/CMakeLists.txt:4:{column}: a zero byte" in messages(workspace, tmp_path)
+    assert names(target(found, "kept")) == ["a.cpp"]
 
 
 def test_what_follows_trouble_still_counts(tmp_path: Path) -> None:
