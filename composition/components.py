@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from rosarch.models.machine.cells import Document, Domains, value_in
 from rosarch.models.machine.logic import Subject
@@ -82,7 +81,7 @@ class Component:
 
 def component(document: Document) -> Component:
     """The component that a document in the format of `rosarch analyze -o` describes."""
-    document = {**document, "periodic": _loops(document)}
+    document = {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
     domains = Domains(document)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}
@@ -100,22 +99,6 @@ def component(document: Document) -> Component:
         {str(port["id"]): port.get("queue") for port in document.get("ports") or ()},
         tuple(domains.left_out()),
     )
-
-
-def _loops(document: Document) -> list[Mapping[str, Any]]:
-    """The rows of timed loops; of a loop that waits at several places, after `continue` for instance, those of one of them."""
-    rows = [row for row in document.get("periodic") or () if row.get("at")]
-    sent: dict[str, list[str]] = {}
-    for row in rows:
-        told = [row.get(key) for key in ("mechanism", "hz", "publishes", "calls", "conditional")]
-        sent.setdefault(str(row["at"]), []).append(repr(told))
-    first: dict[tuple[str, ...], str] = {}
-    for place, own in sent.items():
-        first.setdefault(tuple(sorted(own)), place)
-    return [row for row in rows if row.get("mechanism") == _TIMER or first[tuple(sorted(sent[str(row["at"])]))] == row["at"]]
-
-
-_TIMER = "timer"  # several of which may well do the same
 
 
 def _variables(document: Document) -> list[Mapping[str, str]]:

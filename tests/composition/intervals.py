@@ -28,11 +28,7 @@ def facts(nodes: Mapping[str, Any], serving: Mapping[str, tuple[Place, float]] |
             rows["interface_port"].add((name, f"{name}#{port['id']}", port["kind"], port["name"]))
             if port.get("queue") is not None:
                 rows["interface_port_queue"].add((f"{name}#{port['id']}", port["queue"]))
-        loops = {
-            repr([row.get("hz"), row["publishes"], row["mechanism"] == "timer" and row["at"]]): row
-            for row in document.get("periodic") or ()
-        }
-        for loop in loops.values():  # of a loop that waits at several places one row
+        for loop in document.get("periodic") or ():
             place = f"{name} {loop['at']}"
             rows["interface_loop"].add((name, place, float(loop["hz"] or 0), ""))
             for port in loop["publishes"]:

@@ -62,7 +62,7 @@ def test_what_cannot_be_reached_has_a_reason(store: MessageStore) -> None:
 
 
 def test_a_loop_that_is_left_out_leaves_other_rows_what_they_are(store: MessageStore) -> None:
-    """Of a loop that waits at several places one is taken: its rows are named by their own entries of the document."""
+    """A loop without a place is none: the rows of others are named by their own entries of the document."""
     document = json.loads((EXAMPLES / "docking_states/expected/auto_docking/docking.json").read_text())
     whole, odd = (Probed(each, store, "/docking") for each in (document, {**document, "periodic": [{"at": None}, *document["periodic"]]}))
     assert [odd.entry(row) for row in odd.rows] == [whole.entry(row) for row in whole.rows]

@@ -145,14 +145,6 @@ def test_what_is_not_told_is_drawn_by_lot_and_said() -> None:
     assert record.guessed == {("/filter", "isFar()"): 1000}
 
 
-def test_a_loop_that_waits_at_two_places_is_one() -> None:
-    row = {"mechanism": "rate", "hz": 10.0, "publishes": ["p1"], "at": "loop.cpp:9"}
-    node = {"ports": [port("p1", "publisher", "/a")], "periodic": [row, {**row, "at": "loop.cpp:20"}]}
-    assert abs(number(run({"node": node}), "/a") - 100) <= 1
-    timers = {**node, "periodic": [{**loop, "mechanism": "timer"} for loop in node["periodic"]]}
-    assert abs(number(run({"node": timers}), "/a") - 200) <= 2
-
-
 def test_a_loop_sends_what_it_has_kept() -> None:
     node = loop("/b", 10.0, reactive_deferred=[{"input": "p2", "output": "p1", "variable": "last_"}])
     node["ports"].append(port("p2", "subscriber", "/a"))
