@@ -331,7 +331,7 @@ def radians(expression: str) -> float:
         names = _MathNames()
         plain = names.visit(tree)
         return float(evaluate(ast.unparse(plain), no_name, {name: MATH[name] for name in names.used}))
-    except (SyntaxError, ValueError, TypeError, RecursionError, MemoryError) as error:
+    except (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError) as error:
         raise EvalFailed(str(error)) from None
 
 

@@ -107,7 +107,7 @@ def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | 
     problems: list[Diagnostic] = []
     try:
         build, run = _strict_depends(data, path, distro)
-    except (InvalidPackage, ValueError) as error:
+    except (InvalidPackage, ValueError, AssertionError) as error:
         build, run = _texts(tree, _BUILD_TAGS), _texts(tree, _RUN_TAGS)
         problems.append(Diagnostic("manifest", path, 1, 1, f"not a valid manifest, read leniently: {_reason(error)}"))
     manifest = Manifest(
@@ -145,7 +145,9 @@ def _names(depends: Iterable[Dependency]) -> tuple[str, ...]:
 
 
 def _reason(error: Exception) -> str:
-    """catkin_pkg's messages name the file and span lines."""
+    """catkin_pkg's messages name the file and span lines; that of a format that it does not know tells how to update it."""
+    if isinstance(error, AssertionError):
+        return "its format is not known"
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     return "; ".join(line for line in lines if "package.xml" not in line) or lines[0]
 

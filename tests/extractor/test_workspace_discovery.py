@@ -66,6 +66,17 @@ def test_sloppy_manifest_is_kept(tmp_path: Path) -> None:
     assert messages(workspace, tmp_path)[0].startswith("sloppy/package.xml:1:1: not a valid manifest, read leniently: ")
 
 
+@pytest.mark.parametrize("format_", ["-1", "4", "99999999999999999999"])
+def test_formats_to_come_are_read_leniently(tmp_path: Path, format_: str) -> None:
+    """catkin_pkg asserts that it knows the format."""
+    xml = f"""<package format="{format_}"><name>new</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@b.cd">m</maintainer><license>l</license><depend>roscpp</depend></package>"""
+    write(tmp_path, {"new/package.xml": xml, "new/CMakeLists.txt": ""})
+    workspace = discover(tmp_path)
+    assert [(one.name, one.depends) for one in workspace.packages] == [("new", ("roscpp",))]
+    assert messages(workspace, tmp_path) == ["new/package.xml:1:1: not a valid manifest, read leniently: its format is not known"]
+
+
 @pytest.mark.parametrize("marker", ["CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"])
 def test_ignore_markers(tmp_path: Path, marker: str) -> None:
     package(tmp_path, "seen", "")

@@ -160,9 +160,10 @@ MERGE_CHAIN = "a0: &a0 {x0: 1}\n" + "".join(f"a{i}: &a{i} {{<<: *a{i - 1}, x{i}:
         ("- " * 20_000, "nested too deeply"),
         ("a: !!python/object/apply:os.system [x]", "could not determine a constructor for the tag 'tag:yaml.org,2002:python/object/apply:os.system'"),
         ("a: rad(__import__)", "invalid radian expression: rad(__import__)"),
+        (f"a: rad(1{'0' * 400})", f"invalid radian expression: rad(1{'0' * 400})"),
         ("a: !radians open('x')", "invalid radian expression: open('x')"),
     ],
-    ids=range(9),
+    ids=range(10),
 )  # fmt: skip
 def test_yaml_bombs(tmp_path: Path, text: str, message: str, at_most: Callable[[float], AbstractContextManager[None]]) -> None:
     with at_most(20):
