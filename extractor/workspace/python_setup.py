@@ -170,5 +170,6 @@ def _roots(folder: Path, package_dir: Mapping[Any, Any]) -> Iterator[Path]:
     """Where `package_dir` says that packages lie: that of all, and those above a package's own folder."""
     for package, below in package_dir.items():
         if isinstance(package, str) and isinstance(below, str) and ".." not in Path(below).parts:
-            path = folder / below
-            yield path if not package else path.parents[package.count(".")] if path.name == package.rpartition(".")[2] else path.parent
+            path, above = folder / below, package.count(".")
+            named = path.name == package.rpartition(".")[2] and above < len(path.parents)
+            yield path if not package else path.parents[above] if named else path.parent

@@ -161,3 +161,12 @@ def test_broken_setup_files(tmp_path: Path) -> None:
     problems: list[str] = []
     assert nodes(tmp_path, problems) == {}
     assert problems == ["a/setup.cfg:1:1: not read: no section or key and value", "a/setup.py:1:6: not read: '(' was never closed"]
+
+
+def test_a_package_deeper_than_its_folder(tmp_path: Path) -> None:
+    """Nothing lies above the root of the file system."""
+    setup = f"package_dir={{'{'a.' * 300}inner': 'inner', '': 'src'}}, entry_points={{'console_scripts': ['talk = lib.talk:main']}}"
+    ament(tmp_path, "deep", f"setup({setup})\n", {"src/lib/__init__.py": "", "src/lib/talk.py": f"def main():\n    pass\n\n\n{NODE}"})
+    problems: list[str] = []
+    assert list(nodes(tmp_path, problems)) == ["talk"]
+    assert problems == []
