@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ from rosarch.cli.check_options import (
     Ignored,
     NewBaseline,
     Notes,
+    ShowWithheld,
     Talkative,
     Warnings,
     load_configuration,
@@ -31,6 +33,8 @@ from rosarch.cli.terminal import show_remaining
 if TYPE_CHECKING:
     from rosarch.models.findings import Check
     from rosarch.models.rule_choice import RuleSet
+    from rosarch.models.system.checked import Checked
+    from rosarch.models.withheld import Withheld
 
 
 @asks("verbose")
@@ -47,10 +51,12 @@ def check(
     exit_zero: ExitZero = False,
     baseline: BaselineFile = None,
     write_baseline: NewBaseline = None,
+    withheld: ShowWithheld = False,
     verbose: Talkative = False,
 ) -> None:
     """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
     from rosarch.extractor.suppressions import find_suppressions
+    from rosarch.models.rule_choice import closed_world
     from rosarch.reports.findings import scope_text
 
     folder = check_sources(question.folder)
@@ -75,9 +81,18 @@ def check(
         new_baseline=write_baseline,
         complete=not question.launches,
     )
+    if withheld:
+        reported = replace(reported, withheld=_withheld(checked, check_systems(replace(inputs, rules=closed_world(rules)), configuration)))
     write_reports(reported, destinations, folder, read, notes=verbose, scope=scope_text(checked.scope), rules=_description(rules))
     if reported.exit_code:
         raise typer.Exit(reported.exit_code)
+
+
+def _withheld(checked: Checked, closed: Checked) -> tuple[Withheld, ...]:
+    """What would be claimed of these systems in a closed world, and is not."""
+    from rosarch.models.withheld import withheld
+
+    return withheld(checked.findings, closed.findings, checked.unseen)
 
 
 def _checks(rules: RuleSet) -> tuple[Check, ...]:

@@ -55,6 +55,9 @@ NewBaseline = Annotated[
     Path | None,
     typer.Option("--write-baseline", parser=path_argument, metavar="FILE", help="Write what is found as a baseline.", show_default=False),
 ]
+ShowWithheld = Annotated[
+    bool, typer.Option("--withheld", help="Show also what is not claimed because not all was seen, with what was not. Never fails the run.")
+]
 Talkative = Annotated[bool, typer.Option("--verbose", "-v", help="Show notes in the text report, and every diagnostic.")]
 
 

@@ -161,10 +161,11 @@ def _analyze(
     inputs: SystemInputs, configuration: Configuration | None, where: Surroundings, memo: Memo | None, *, required: bool
 ) -> SystemAnalysis:
     from rosarch.models.system.analysis import analyze_systems
+    from rosarch.models.system.launches import has_launch_files
 
     with progress() as report:
         launches = _launches(inputs, configuration, where)
-        if required and not launches:
+        if required and not launches and not has_launch_files(inputs.folder):
             raise InputError(f"{inputs.folder}: no launch file below this folder")
         analysis = analyze_systems(inputs.folder, launches, _reading(inputs, configuration, report), memo)
     if not analysis.systems:

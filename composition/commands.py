@@ -29,6 +29,7 @@ class _Builder:
     variables: list[Variable] = field(default_factory=list)
     queues: list[Queue] = field(default_factory=list)
     queue_of: dict[End, int] = field(default_factory=dict)
+    kept_of: dict[End, int] = field(default_factory=dict)
     obligations: list[int | str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
@@ -50,6 +51,7 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
     stages = [entry for entry in inputs.stages() if _reaches(builder, entry.topic)]
     commands += _from_outside(builder, [entry.topic for entry in stages])
     events = tuple(sorted(cone.watched.events))
+    doubts = tuple(dict.fromkeys(_doubts(system, cone)))
     return Model(
         system.name,
         tuple(builder.variables),
@@ -58,8 +60,21 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
         tuple(builder.obligations),
         events,
         len(stages),
-        tuple(dict.fromkeys(builder.notes)),
+        tuple(dict.fromkeys([*builder.notes, *doubts])),
+        doubts,
     )
+
+
+def _doubts(system: System, cone: Cone) -> Iterator[str]:
+    """What nodes may do that reactions which are atomic, in one order, do not."""
+    for node, key in sorted(cone.variables):
+        if key in system.nodes[node].disturbed:
+            yield f"callbacks of {node} that may run at the same time change {system.nodes[node].variables[key].text}"
+    for node in sorted({node for node, _ in (*cone.variables, *cone.steps)} & set(system.conditions)):
+        yield f"{node} is started only if {system.conditions[node]}"
+    for (node, _), steps in cone.steps.items():
+        if system.nodes[node].is_ambiguous(steps):
+            yield f"{node} calls a function several times in one reaction, so that the order of what it does is not known"
 
 
 def _reaches(builder: _Builder, topic: str) -> bool:
@@ -70,6 +85,12 @@ def _queue(builder: _Builder, end: End) -> None:
     """The queue in front of a callback, unless its messages may come at any time and nobody looks at when they were sent."""
     node, port = end
     topic = builder.system.inlet(end)
+    component = builder.system.nodes[node]
+    if port in component.answered:
+        _extra(builder, builder.queue_of, end, "answers")
+        _oblige(builder, builder.queue_of[end])
+    if component.together.get(port):
+        _extra(builder, builder.kept_of, end, "messages kept")
     if topic is None or not _is_queued(builder, topic):
         return
     declared = builder.system.nodes[node].queues.get(port)
@@ -82,8 +103,16 @@ def _queue(builder: _Builder, end: End) -> None:
     _oblige(builder, builder.queue_of[end])
 
 
+def _extra(builder: _Builder, known: dict[End, int], end: End, what: str) -> None:
+    """A queue for what waits for a node beside messages: one stands for any number."""
+    known[end] = len(builder.queues)
+    builder.queues.append(Queue(end[0], f"{what} of {end[1]}", 1, True))
+
+
 def _is_queued(builder: _Builder, topic: Topic) -> bool:
     if topic.senders or builder.inputs.mentions(topic.name):
+        return True
+    if builder.fair and any(map(builder.system.is_uncertain, topic.outside)):
         return True
     watched = any(event.topic == topic.name and event.kind in ("sent", "dropped") for event in builder.cone.watched.events)
     return bool(topic.outside) and (watched or sum(end in builder.cone.steps for end in topic.receivers) > 1)
@@ -106,7 +135,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
         return
     loop = trigger in component.rates
     obligation = _oblige(builder, f"{node} {trigger}" if queue is None else queue) if loop or queue is not None else None
-    assumed = () if topic or loop or trigger in component.queues else (f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} runs then",)
+    others = [builder.kept_of[node, other] for other in sorted(component.together.get(trigger, ())) if (node, other) in builder.kept_of]
     keys = {key for other, key in builder.cone.variables if other == node}
     shared = dict(_known(builder, topic, builder.cone.steps[end]))
     found = effects(builder.cone.steps[end], keys, lambda subject: shared.get(subject, subject.values))
@@ -121,20 +150,78 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
             when=(),
             given=tuple((_index(builder, node, key), value) for key, value in effect.after.items()),
             takes=queue,
+            full=tuple(others),
             events=frozenset(_events(builder, end, topic, effect)),
             obligation=obligation,
             inputs=inputs,
-            assumes=assumes + assumed,
+            assumes=assumes + _runs_if(builder, end),
             places=tuple(dict.fromkeys(row.at for row in effect.rows)),
         )
-        command = _sending(builder, command, [t for port in effect.sent for t in builder.system.outlet((node, port))])
+        command = _answering(
+            builder, end, _sending(builder, command, [t for port in effect.sent for t in builder.system.outlet((node, port))])
+        )
+        command = _asking(builder, command, effect.sent)
         for case in cases:
             when = tuple((_index(builder, node, key), values) for key, values in sorted(case.items()))
             yield from _by_length(builder, replace(command, when=when))
-    if topic and queue is not None and trigger in component.filtered:
-        held = f"{component.filtered[trigger]} of {node} holds {topic.name} back"
-        cause = _cause(component, trigger, topic)
-        yield from _by_length(builder, Command(node, cause, (), takes=queue, obligation=obligation, assumes=(held,)))
+    yield from _nothing_done(builder, end, obligation)
+
+
+def _runs_if(builder: _Builder, end: End) -> tuple[str, ...]:
+    """What has to be so for a trigger to run when it may, of which nothing is known."""
+    node, trigger = end
+    component = builder.system.nodes[node]
+    if trigger in component.rates:
+        reason = component.unsteady.get(trigger)
+        return (f"{component.label(trigger)} of {node} runs then ({reason})",) if reason else ()
+    if trigger in component.answered:
+        return (f"what {node} asked through {trigger} is answered then",)
+    if component.together.get(trigger):
+        return (f"messages that {node} waits for together belong together",)
+    if trigger in component.unheard:
+        return (f"{node} takes what arrives ({component.unheard[trigger]})",)
+    if builder.system.inlet(end) or trigger in component.queues:
+        return ()
+    return (f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} runs then",)
+
+
+def _nothing_done(builder: _Builder, end: End, obligation: int | None) -> Iterator[Command]:
+    """Other ways in which what has its turn may end: nothing is done, for a reason that is assumed."""
+    node, trigger = end
+    component, topic, queue = builder.system.nodes[node], builder.system.inlet(end), builder.queue_of.get(end)
+    cause = _cause(component, trigger, topic)
+    if topic and (trigger in component.filtered or component.together.get(trigger)):
+        held = f"{component.filtered.get(trigger, 'a filter')} of {node} holds {topic.name} back"
+        kept = (builder.kept_of[end],) if end in builder.kept_of else ()
+        received = frozenset(event for event in _events_at(builder, end, topic) if event.kind == "received")
+        command = Command(node, cause, (), takes=queue, puts=kept, events=received, obligation=obligation, assumes=(held,))
+        if queue is not None or kept:
+            yield from _by_length(builder, command)
+    if queue is not None and trigger in component.unheard:
+        lost = f"{node} does not take {builder.queues[queue].topic} then ({component.unheard[trigger]})"
+        yield from _by_length(builder, Command(node, cause, (), takes=queue, obligation=obligation, assumes=(lost,)))
+    if obligation is not None and trigger in component.unsteady:
+        rests = f"{component.label(trigger)} of {node} does not run then ({component.unsteady[trigger]})"
+        yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
+    if trigger in component.answered:
+        yield Command(
+            node, cause, (), takes=queue, obligation=obligation, assumes=(f"what {node} asked through {trigger} is not answered",)
+        )
+
+
+def _asking(builder: _Builder, command: Command, sent: Sequence[str]) -> Command:
+    """The command that also has clients wait for answers: those of which it is not known who alone gives them."""
+    clients = [(command.actor, port) for port in sent if not builder.system.servers((command.actor, port))]
+    waiting = tuple(builder.queue_of[end] for end in clients if end in builder.queue_of)
+    return replace(command, puts=(*command.puts, *waiting)) if waiting else command
+
+
+def _answering(builder: _Builder, server: End, command: Command) -> Command:
+    """The command that also answers the client that alone asks a server."""
+    topic = builder.system.inlet(server)
+    clients = [end for end in topic.senders if server in builder.system.servers(end)] if topic else []
+    waiting = tuple(builder.queue_of[end] for end in clients if end in builder.queue_of)
+    return replace(command, puts=(*command.puts, *waiting)) if waiting else command
 
 
 def _by_length(builder: _Builder, command: Command) -> Iterator[Command]:
@@ -247,14 +334,19 @@ def _sending(builder: _Builder, command: Command, topics: Sequence[Topic]) -> Co
 
 def _from_outside(builder: _Builder, stages: Sequence[str]) -> Iterator[Command]:
     """Messages that come from nobody whose behaviour is known."""
-    inlets = {queue.topic for queue in builder.queues} | {event.topic for event in builder.cone.watched.events if event.kind == "sent"}
+    inlets = {queue.topic for queue in builder.queues if queue.topic in builder.system.topics} | {
+        event.topic for event in builder.cone.watched.events if event.kind == "sent"
+    }
     for name in sorted(inlets):
         topic = builder.system.topics[name]
         again = builder.inputs.again(name)
         senders = (ENVIRONMENT,) if builder.inputs.mentions(name) else topic.outside
         for sender in senders if again or builder.inputs.may_come(name) else ():
-            assumes = (f"{sender} sends {name} then",) if sender in builder.system.nodes else ()
-            obligation = _oblige(builder, f"scenario {name}") if again else None
+            known = builder.system.is_uncertain(sender)
+            assumes = (f"{sender} sends {name} then",) if known else ()
+            obligation = _oblige(builder, f"scenario {name}") if again else _oblige(builder, f"{sender} {name}") if known else None
+            if known and not again and obligation is not None:
+                yield Command(sender, f"sends {name}", (), obligation=obligation, assumes=(f"{sender} does not send {name} then",))
             command = Command(sender, f"sends {name}", (), assumes=assumes, obligation=obligation)
             yield from _by_length(builder, _sending(builder, command, [topic]))
     for stage, name in enumerate(stages):

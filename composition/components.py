@@ -21,6 +21,10 @@ class StateVariable:
     initial: tuple[str, ...]
 
 
+_AT_ONCE = (None, "plain", "lambda", "bind", "call", "image_transport")
+"""The ways to a callback on which nothing holds messages back."""
+
+
 @dataclass(frozen=True)
 class Component:
     """What a node of this component can do.
@@ -44,7 +48,7 @@ class Component:
     def filtered(self) -> Mapping[str, str]:
         """The ports of subscribers whose messages come by way of something that may hold them back, and what that is."""
         ports = (port for port in self.document.get("ports") or () if port.get("kind") == "subscriber")
-        return {str(port["id"]): str(port["via"]) for port in ports if port.get("via") not in (None, "plain")}
+        return {str(port["id"]): str(port["via"]) for port in ports if port.get("via") not in _AT_ONCE}
 
     def timed(self, rates: Mapping[str, float], serving: Sequence[str]) -> Component:
         """The component with the rates that loops at these places have in a node, one of which may be `serving` messages."""
@@ -57,6 +61,51 @@ class Component:
             return replace(self, rates=found)
         trigger = next((trigger for trigger in found if trigger.partition(" ")[2] in ("", own)), loop_trigger(own))
         return replace(self, rates={trigger: rates[own], **found}, serving=trigger)
+
+    @cached_property
+    def together(self) -> Mapping[str, frozenset[str]]:
+        """For each port whose messages are handed over together with those of others, these."""
+        found: dict[str, frozenset[str]] = {}
+        for one, other in self._traits("synchronised"):
+            found[one] = found.get(one, frozenset()) | {other}
+        return found
+
+    @cached_property
+    def unsteady(self) -> Mapping[str, str]:
+        """The triggers of timers and timed loops that need not run as long as the node does, each with a reason."""
+        found: dict[str, str] = {}
+        for place, reason in self._traits("unsteady"):
+            for trigger in self.rates:
+                if trigger.partition(" ")[2] in ("", place):
+                    found.setdefault(trigger, reason)
+        return found
+
+    @cached_property
+    def unheard(self) -> Mapping[str, str]:
+        """The ports whose messages may never be taken, each with a reason; that callbacks wait for each other only makes queues longer."""
+        waits = {reason for (reason,) in self._traits("held_up")}
+        return {port: reason for port, reason in self._traits("unheard") if reason not in waits}
+
+    @cached_property
+    def answered(self) -> frozenset[str]:
+        """The triggers that are clients: what runs when something answers their requests."""
+        kinds = {str(port["id"]): port.get("kind") for port in self.document.get("ports") or ()}
+        return frozenset(trigger for trigger in self.steps if kinds.get(trigger) in ("service_client", "action_client"))
+
+    @cached_property
+    def disturbed(self) -> frozenset[str]:
+        """The variables that callbacks which may run at the same time change or test without a lock."""
+        names = {name for name, *_ in self._traits("changed_at_once")}
+        return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
+
+    def is_ambiguous(self, steps: Iterable[Step]) -> bool:
+        """Whether the order of some of these steps, all of one reaction, is not known."""
+        places = {place for step in steps for place in step.row.at.split()}
+        return any(places.issuperset(pair) for pair in self._traits("several_orders"))
+
+    def _traits(self, name: str) -> list[tuple[str, ...]]:
+        """What the rules say of the component for the sake of systems, in the order of the rules."""
+        return [tuple(map(str, row)) for row in (self.document.get("traits") or {}).get(name, ())]
 
     @cached_property
     def kept(self) -> Mapping[str, tuple[str, ...]]:

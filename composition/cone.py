@@ -75,6 +75,10 @@ def cone_of_influence(system: System, watched: Watched) -> Cone:
         if kind == "trigger":
             inlet = system.inlet((node, name))
             search.need("outlet", inlet.senders if inlet else ())
+            search.need("trigger", ((node, other) for other in system.nodes[node].together.get(name, ())))
+            if name in system.nodes[node].answered:
+                search.need("outlet", [(node, name)])
+                search.need("trigger", system.servers((node, name)))
             continue
         for trigger, steps in system.nodes[node].steps.items():
             for step in steps:

@@ -65,7 +65,7 @@ class Model:
     """Commands over variables and queues, which they refer to by index.
 
     `obligations` are the queues (by index) and the names of timed loops that get their turn again and again in a fair run. `stages` is the
-    number of messages that a scenario sends one after another.
+    number of messages that a scenario sends one after another. `doubts` are ways of the system that the commands do not have.
     """
 
     name: str
@@ -76,6 +76,7 @@ class Model:
     events: tuple[Event, ...]
     stages: int = 0
     notes: tuple[str, ...] = ()
+    doubts: tuple[str, ...] = ()
 
     @property
     def index(self) -> Mapping[tuple[str, str], int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from rosarch.composition.components import Component, component
@@ -19,8 +19,8 @@ End = tuple[str, str]
 class Topic:
     """What messages pass through: a topic, or a service or action, whose requests count as messages.
 
-    `outside` tells who may send at any time: nodes without a known behaviour, ports of which no sending is known; when nobody in
-    the system sends, it is the environment.
+    `outside` tells who may send at any time: nodes without a known behaviour, ports of which no sending is known, whoever was not seen
+    where the system is open; when nobody in the system sends, it is the environment.
     """
 
     name: str
@@ -32,12 +32,20 @@ class Topic:
 
 @dataclass(frozen=True)
 class System:
-    """A composed system; `nodes` are those of which the behaviour is known, `unknown` the others."""
+    """A composed system; `nodes` are those of which the behaviour is known, `unknown` the others.
+
+    `conditions` tell when nodes are started that launch files do not start in any case.
+    """
 
     name: str
     nodes: Mapping[str, Component]
     topics: Mapping[str, Topic]
     unknown: tuple[str, ...] = ()
+    conditions: Mapping[str, str] = field(default_factory=dict)
+
+    def is_uncertain(self, sender: str) -> bool:
+        """Whether somebody outside may send or not as long as the system runs."""
+        return sender in self.nodes or sender == UNSEEN
 
     def inlet(self, end: End) -> Topic | None:
         """What a node receives through a port."""
@@ -46,6 +54,11 @@ class System:
     def outlet(self, end: End) -> tuple[Topic, ...]:
         """What a node sends to through a port."""
         return self._outlets.get(end, ())
+
+    def servers(self, client: End) -> tuple[End, ...]:
+        """Who alone may answer what a client asks: the servers, where no other client asks them."""
+        asked = self.outlet(client)
+        return tuple(end for topic in asked for end in topic.receivers) if all(topic.senders == (client,) for topic in asked) else ()
 
     @cached_property
     def _inlets(self) -> Mapping[End, Topic]:
@@ -65,6 +78,7 @@ class System:
 
 
 ENVIRONMENT = "environment"
+UNSEEN = "a node that was not seen"
 
 
 def composed(model: SystemModel, documents: Mapping[str, Document]) -> System:
@@ -82,7 +96,9 @@ def composed(model: SystemModel, documents: Mapping[str, Document]) -> System:
     for connector in sorted(model.connectors, key=lambda connector: (connector.kind != "topic", connector.kind, connector.name)):
         name = connector.name if connector.name not in topics else f"{connector.kind} {connector.name}"
         topics[name] = _topic(name, connector, nodes)
-    return System(model.name, nodes, topics, tuple(node.id for node in model.nodes if node.id not in nodes))
+    unknown = tuple(node.id for node in model.nodes if node.id not in nodes)
+    conditions = {node.id: " and ".join(node.conditions) for node in model.nodes if node.conditions}
+    return System(model.name, nodes, topics, unknown, conditions)
 
 
 def _certain(rates: Sequence[tuple[Place, float]]) -> list[tuple[Place, float]]:
@@ -100,6 +116,8 @@ def _topic(name: str, connector: Connector, nodes: Mapping[str, Component]) -> T
             outside.append(node)
     receivers = ((node, port.split(":")[0]) for node, port in connector.sinks if node in nodes)
     ends = tuple(dict.fromkeys(receivers))
+    if senders and connector.open:
+        outside.append(UNSEEN)
     return Topic(name, connector.kind, tuple(dict.fromkeys(senders)), ends, tuple(dict.fromkeys(outside)) or _nobody(senders))
 
 

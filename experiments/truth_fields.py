@@ -108,7 +108,7 @@ DOCUMENT: Mapping[str, Form] = {
     "system": _name, "component": _name, "package": _name, "kind": _name, "node_name": _text, "sources": _each(_name),
     "complete": _FLAG, "notes": _anything, "executable": _text, "executables": _each(_name), "node_names": _each(_name),
     "middleware": _text, "plugin": _anything,
-    "loads": _each(_name), "loads_any": _each(_name), "reactive_deferred": _anything, "one_shot": _anything,
+    "loads": _each(_name), "loads_any": _each(_name), "reactive_deferred": _anything, "one_shot": _anything, "open": _anything,
 }  # fmt: skip
 
 

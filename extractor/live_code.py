@@ -79,6 +79,17 @@ def live_functions(declared: Rows, mentions: Mapping[str, Iterable[Mentions]]) -
     return program.live
 
 
+def entry_classes(declared: Rows) -> list[Row]:
+    """The classes that the component starts with. One that its registration names without a namespace is looked for in all of them."""
+    known = {*_column(declared, "class"), *_column(declared, "type_alias")}
+    own = known.intersection(_column(declared, "location"))
+    found: list[Row] = []
+    for name in _column(declared, "component_class"):
+        inside = [] if name in known else sorted(other for other in own if other.endswith(f"::{name}"))
+        found += [(each,) for each in inside or [name]]
+    return found
+
+
 class _Program:
     """The declarations by what is asked for, and the functions found so far."""
 
@@ -106,9 +117,9 @@ class _Program:
         self.reach([str(row[0]) for row in self.declared.get("program_entry", ())])
         self.mention_name("main")
         aliased = _multimap(_pairs(self.declared, "type_alias"))
-        for row in self.declared.get("component_class", ()):
-            self.mention_classes([str(row[0])])
-            self.mention_types(aliased.get(str(row[0]), ()))
+        for name in _column(self.declared, "component_class"):
+            self.mention_classes([name])
+            self.mention_types(aliased.get(name, ()))
 
     def mention(self, mentioned: Mentions) -> None:
         self.reach(mentioned.functions)
@@ -167,6 +178,10 @@ class _Program:
 
 def _last(name: str) -> str:
     return name.rpartition("::")[2].rpartition(".")[2]
+
+
+def _column(rows: Rows, relation: str) -> Iterator[str]:
+    return (str(row[0]) for row in rows.get(relation, ()))
 
 
 def _pairs(rows: Rows, relation: str, second: int = 1) -> Iterator[tuple[str, str]]:

@@ -10,6 +10,11 @@ from rosarch.extractor.files import read_file
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 
+HEAVY_FOLDERS = frozenset({"node_modules", "__pycache__", "venv", "site-packages"})
+TEMPLATES = frozenset({"template", "templates"})
+NO_PACKAGES = HEAVY_FOLDERS | TEMPLATES | {"test", "tests"}
+"""Folders of a package whose manifests are no packages of the workspace: tests and generators use them."""
+
 
 def quick_name(path: str) -> str | None:
     """The package name without parsing: enough to know which manifests are needed."""

@@ -47,7 +47,7 @@ from rosarch.extractor.workspace import (
     without_library,
 )
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
-from rosarch.extractor.workspace.graph import BROUGHT
+from rosarch.extractor.workspace.graph import is_brought
 from rosarch.extractor.workspace.model import ROS1
 
 
@@ -89,8 +89,8 @@ class Extraction:
     """The facts of all components; use as a context manager, its temporary files go with it.
 
     `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
-    of the workspace that count as installed, `programs` package and name of all executables that targets build and of the components that
-    they register.
+    of the workspace that count as installed, `folders` those of the packages that were read, `programs` package and name of all executables
+    that targets build and of the components that they register.
     """
 
     root: Path
@@ -99,6 +99,7 @@ class Extraction:
     seconds: dict[Path, float] = field(default_factory=dict)
     built: int = 0
     installed: tuple[str, ...] = ()
+    folders: tuple[Path, ...] = ()
     programs: frozenset[tuple[str, str]] = frozenset()
     _stack: ExitStack = field(default_factory=ExitStack)
 
@@ -166,7 +167,8 @@ def extract(
         units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
         compiled = [unit for unit in units if isinstance(unit, CompileUnit)]
         extraction.built = sum(commands.find(unit.source, "") is not None for unit in compiled)
-        extraction.installed = tuple(sorted(BROUGHT & {package.name for package in workspace.packages}))
+        extraction.folders = tuple(package.path for package in workspace.packages if package.name in workspace.selected)
+        extraction.installed = tuple(sorted(package.name for package in workspace.packages if is_brought(package)))
         confinement.enter_context(confined([scratch, *{folder for unit in compiled for folder in unit.installed}]))
         finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, searched=workspace.searched)
         readers = UnitReader(workspace.root, finder, scratch, cache), PythonReader(workspace.root, scratch, cache)

@@ -32,3 +32,16 @@ def absolute_name(name: str, level: int, package: str) -> str:
         return name
     above = package.split(".")[: max(package.count(".") + 2 - level, 0)] if package else []
     return ".".join([*above, *([name] if name else [])])
+
+
+def import_call(node: ast.Call, package: str) -> tuple[str, str] | None:
+    """The module that a call imports by a name that is written out, and the one that it gives; None for other calls."""
+    match node:
+        case ast.Call(func=ast.Name(id="__import__"), args=[ast.Constant(value=str(name)), *rest]):
+            listed = len(rest) > 2 or any(keyword.arg == "fromlist" for keyword in node.keywords)
+            return name, name if listed else name.partition(".")[0]
+        case ast.Call(func=ast.Name(id="import_module") | ast.Attribute(attr="import_module"), args=[ast.Constant(value=str(name)), *_]):
+            inner = name.lstrip(".")
+            whole = absolute_name(inner, len(name) - len(inner), package)
+            return whole, whole
+    return None

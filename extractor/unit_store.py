@@ -18,7 +18,7 @@ from typing import Any
 from rosarch.datalog.seal import below_seal, sealed
 from rosarch.datalog.whole import write_whole
 from rosarch.extractor.cache import Cache
-from rosarch.extractor.live_code import Mentions, by_function, live_functions, mentions_of
+from rosarch.extractor.live_code import Mentions, by_function, entry_classes, live_functions, mentions_of
 
 Row = tuple[str | int, ...]
 
@@ -76,7 +76,11 @@ def read_rows(paths: Iterable[Path], own: Mapping[str, Iterable[Row]]) -> dict[s
             mentions[function].append(Mentions(*found))
         for function, body in own_bodies.items():
             bodies[function].append(body)
-    live = live_functions({relation: list(chain.from_iterable(found)) for relation, found in pieces.items()}, mentions)
+    declared = {relation: list(chain.from_iterable(found)) for relation, found in pieces.items()}
+    if "component_class" in declared:
+        declared["component_class"] = entry_classes(declared)
+        pieces["component_class"] = [declared["component_class"]]
+    live = live_functions(declared, mentions)
     for function, compiled in bodies.items():
         if function in live:
             for body in compiled:

@@ -81,6 +81,7 @@ def _build(file: LibraryFile, document: Document, made: str) -> LibraryComponent
         origin=file.origin,
         revision=file.revision,
         made=made,
+        ros=file.ros,
         path=Path(file.path),
         **fields,
     )

@@ -55,7 +55,10 @@ class LibraryParameter:
 
 @dataclass(frozen=True)
 class LibraryComponent:
-    """A node, nodelet, plug-in or plug-in of gazebo. `path` is the file that its base was read from."""
+    """A node, nodelet, plug-in or plug-in of gazebo. `path` is the file that its base was read from.
+
+    It is of the versions of ROS in `ros`, of any where that is empty.
+    """
 
     package: str
     component: str
@@ -73,6 +76,7 @@ class LibraryComponent:
     origin: str = ""
     revision: str = ""
     made: str = BY_HAND
+    ros: tuple[int, ...] = ()
     path: Path = Path()
 
     @property
@@ -99,6 +103,7 @@ class LibraryComponent:
             "params": [_given(parameter) for parameter in self.params],
             "origin": self.origin,
             "revision": self.revision,
+            "ros": list(self.ros),
             "made": self.made,
         }
 

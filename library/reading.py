@@ -36,6 +36,7 @@ class LibraryFile:
     revision: str
     made: str
     components: tuple[Document, ...]
+    ros: tuple[int, ...] = ()
 
 
 def read_folder(folder: Path) -> tuple[tuple[LibraryFile, ...], tuple[Diagnostic, ...]]:
@@ -67,7 +68,9 @@ def read_library_file(path: Path) -> LibraryFile | Diagnostic:
     wrong = next(_file_problems(data), None)
     if wrong is not None:
         return _problem(path, wrong)
-    return LibraryFile(path, data["package"], data["origin"], data["revision"], data["made"], tuple(data["components"]))
+    return LibraryFile(
+        path, data["package"], data["origin"], data["revision"], data["made"], tuple(data["components"]), tuple(data.get("ros", ()))
+    )
 
 
 def _no_number(text: str) -> None:
@@ -138,6 +141,11 @@ def _elements(value: Any) -> str | None:
     return "must map names of elements to their default text, or to null"
 
 
+def _versions(value: Any) -> str | None:
+    fits = isinstance(value, list) and value and all(item in (1, 2) and not isinstance(item, bool) for item in value)
+    return None if fits else "must be a list of versions of ROS, 1 or 2"
+
+
 def _scalar(value: Any) -> str | None:
     return None if isinstance(value, str | int | float | bool) else "must be a single value"
 
@@ -147,7 +155,7 @@ def _list(value: Any) -> str | None:
 
 
 _FILE: Mapping[str, Check] = {
-    "package": _text, "origin": _text, "revision": _text, "made": _one_of((GENERATED, BY_HAND)), "components": _list,
+    "package": _text, "origin": _text, "revision": _text, "ros": _versions, "made": _one_of((GENERATED, BY_HAND)), "components": _list,
 }  # fmt: skip
 _COMPONENT: Mapping[str, Check] = {
     "component": _text, "kind": _one_of(COMPONENT_KINDS), "node_name": _text, "base": _text, "loads": _texts, "open": _open,
@@ -177,7 +185,7 @@ def _fields(data: Any, where: str, known: Mapping[str, Check], required: Iterabl
 
 
 def _file_problems(data: Any) -> Iterator[str]:
-    yield from _fields(data, "file", _FILE, _FILE)
+    yield from _fields(data, "file", _FILE, [key for key in _FILE if key != "ros"])
     seen = set()
     for number, component in enumerate(data["components"]):
         yield from _fields(component, f"components[{number}]", _COMPONENT, ("component", "kind"))

@@ -10,7 +10,7 @@ from typing import Any
 
 from rosarch.models import formula
 from rosarch.models.formula import Formula
-from rosarch.models.guards import Guards
+from rosarch.models.guards import Guards, Way
 from rosarch.models.numbers import calculated, frequency
 from rosarch.models.places import Place
 
@@ -116,12 +116,14 @@ def build_behavior(
 ) -> Behavior:
     """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
     names = variable_names(relations)
+    transitions = _transitions(relations, places, names, guards, ports, _triggers(relations, ports, callbacks))
+    given = _given(transitions)
     return Behavior(
         _periodic(relations, places, ports, guards),
         _reactive(relations, places, ports, guards, callbacks),
-        _variables("state_variable", relations, places, names),
-        _variables("configuration_variable", relations, places, names),
-        _transitions(relations, places, names, guards, ports, _triggers(relations, ports, callbacks)),
+        _variables("state_variable", relations, places, names, given),
+        _variables("configuration_variable", relations, places, names, given),
+        transitions,
         _deferred(relations, ports, names),
         _one_shot(relations, places, ports, guards),
     )
@@ -134,8 +136,8 @@ def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds,
     for site, port, call in sorted(relations["sends_periodically"], key=repr):
         if port in ports:
             for other, root, _mechanism in roots:
-                if other == site:
-                    sent[site, root][guards.guard(root, call)].add(ports[port])
+                if other == site and (guard := guards.guard(root, call)) != formula.FALSE:
+                    sent[site, root][guard].add(ports[port])
     found = []
     for site, root, mechanism in roots:
         hz, parameter = _best_rate(rates[site])
@@ -173,6 +175,8 @@ def _reactive(
     for (source, sink), sites in calls.items():
         if source in ports and sink in ports:
             guard = formula.either(guards.guard(function, site) for function in sorted(functions[source]) for site in sorted(sites))
+            if guard == formula.FALSE:
+                continue
             at = tuple(sorted(places[site] for site in sites))
             found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
@@ -190,7 +194,7 @@ def _one_shot(relations: Relations, places: Mapping[str, Place], ports: PortIds,
     found = []
     for (timer, sink), sites in calls.items():
         guard = formula.either(guards.guard(function, site) for function in functions[timer] for site in sorted(sites))
-        if sink in ports:
+        if sink in ports and guard != formula.FALSE:
             hz, parameter = _best_rate(rates[timer])
             at = tuple(sorted(places[site] for site in sites))
             after = None if not hz else round(1 / hz, 6)
@@ -222,7 +226,9 @@ def _variable_name(scope: str, owner: str, name: str) -> str:
     return f"{'::'.join(parts[-2:] if scope else parts[-1:])}::{name}"
 
 
-def _variables(relation: str, relations: Relations, places: Mapping[str, Place], names: Mapping[str, str]) -> tuple[StateVariable, ...]:
+def _variables(
+    relation: str, relations: Relations, places: Mapping[str, Place], names: Mapping[str, str], given: Mapping[str, set[str | None]]
+) -> tuple[StateVariable, ...]:
     texts: dict[str, str] = dict(relations["node_text"])
     types = {row[0]: row[4] for row in relations["variable_display"]}
     read = {node: (text, parameter) for node, text, parameter in sorted(relations["node_value"], reverse=True)}
@@ -230,35 +236,31 @@ def _variables(relation: str, relations: Relations, places: Mapping[str, Place],
     for variable, order, node in relations["initial_value"]:
         if node in places:
             values[variable].append((order, places[node], node))
-    constants = {node for (node,) in relations["constant_node"]}
-    given = _given(relations, values)
+    constants = {texts[node] for (node,) in relations["constant_node"] if node in texts}
     found = []
     for (variable,) in relations[relation]:
         if variable in places and variable in names:
             initial, parameter = _initial(sorted(values[variable]), texts, read, names[variable].rpartition("::")[2])
-            domain = _domain(types[variable], given[variable], texts, constants) if parameter is None else None
+            known = {texts.get(node) for _, _, node in values[variable]} | given.get(names[variable], set())
+            domain = _domain(types[variable], known, constants) if parameter is None else None
             found.append(StateVariable(names[variable], types[variable], initial, parameter, domain, places[variable]))
     return tuple(sorted(found, key=lambda v: (v.at, v.name)))
 
 
-def _given(relations: Relations, values: Mapping[str, list[tuple[int, Place, str]]]) -> dict[str, set[str]]:
-    """All that each variable is given, at the start and later; an assignment that is no plain one stands for itself."""
-    given: dict[str, set[str]] = defaultdict(set)
-    for variable, items in values.items():
-        given[variable].update(node for _, _, node in items)
-    parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
-    for assignment, variable, _root in relations["transition"]:
-        how, _target, value = parts.get(assignment, ("call", "", ""))
-        given[variable].add(value if how == "=" else assignment)
+def _given(transitions: Iterable[Transition]) -> dict[str, set[str | None]]:
+    """What assignments give each variable, by its name."""
+    given: dict[str, set[str | None]] = defaultdict(set)
+    for transition in transitions:
+        given[transition.variable].add(transition.value)
     return given
 
 
-def _domain(type_: str, given: Iterable[str], texts: Mapping[str, str], constants: Collection[str]) -> tuple[str, ...] | None:
+def _domain(type_: str, given: Collection[str | None], constants: Collection[str]) -> tuple[str, ...] | None:
     """Both truth values, or the constants that a variable is given when it is given nothing else."""
     if type_.rpartition(" ")[2] == "bool":
         return ("false", "true")
-    nodes = sorted(given)
-    return tuple(sorted({texts[node] for node in nodes})) if nodes and all(node in constants and node in texts for node in nodes) else None
+    known = [text for text in given if text is not None and text in constants]
+    return tuple(sorted(known)) if known and len(known) == len(given) else None
 
 
 def _initial(
@@ -319,24 +321,46 @@ def _transitions(
     texts: dict[str, str] = dict(relations["node_text"])
     parts = {row[0]: row[1:] for row in sorted(relations["assignment_parts"])}
     timers = _timers(relations, places)
-    found: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
-    timed: dict[tuple[str, str, Formula], set[Place]] = defaultdict(set)
+    found: dict[_Change, set[str]] = defaultdict(set)
+    timed: dict[_Change, set[Place]] = defaultdict(set)
     elsewhere = defaultdict(set)
     for port, assignment in relations["done_for_others"]:
         elsewhere[assignment].add(ports.get(port, ""))
     for assignment, variable, root in relations["transition"]:
-        guard = guards.guard(root, assignment)
-        found[assignment, variable, guard].update(set(triggers.get(root, ())) - elsewhere[assignment])
-        timed[assignment, variable, guard].update(timers.get(root, ()))
-    result = []
-    for (assignment, variable, guard), causes in found.items():
         how, target, value = parts.get(assignment, ("call", "", ""))
-        if assignment in places and variable in names:
-            field = _field(texts.get(target, ""), names[variable])
-            text = _value(how, texts.get(assignment), texts.get(target), texts.get(value))
-            loops = tuple(sorted(timed[assignment, variable, guard]))
-            result.append(Transition(names[variable], field, tuple(sorted(causes)), guard, text, places[assignment], loops))
-    return tuple(sorted(result, key=lambda t: (t.at, t.variable, formula.text(t.guard) or "", t.trigger)))
+        written = _value(how, texts.get(assignment), texts.get(target), texts.get(value))
+        for way in _told_apart(guards.ways(root, assignment, written or "")):
+            change = _Change(assignment, variable, way.guard, way.value or None, way.called)
+            found[change].update(set(triggers.get(root, ())) - elsewhere[assignment])
+            timed[change].update(timers.get(root, ()))
+    result = []
+    for change, causes in found.items():
+        target = parts.get(change.assignment, ("", "", ""))[1]
+        if change.assignment in places and change.variable in names:
+            name, at = names[change.variable], places[change.assignment]
+            field = _field(texts.get(target, ""), name)
+            made = Transition(name, field, tuple(sorted(causes)), change.guard, change.value, at, tuple(sorted(timed[change])))
+            result.append((change.called or at, made))
+    result.sort(key=lambda row: (row[1].at, row[1].variable, row[0], formula.text(row[1].guard) or "", row[1].trigger))
+    return tuple(transition for _, transition in result)
+
+
+@dataclass(frozen=True)
+class _Change:
+    """An assignment, as an activity comes to it; `called` tells apart those that it comes to with different values."""
+
+    assignment: str
+    variable: str
+    guard: Formula
+    value: str | None
+    called: Place | None
+
+
+def _told_apart(ways: Collection[Way]) -> list[Way]:
+    """The ways to an assignment: one for each call that gives it a value of its own, or all in one."""
+    if len({way.value for way in ways}) == 1:
+        return [Way(formula.either(way.guard for way in ways), next(way.value for way in ways))]
+    return list(ways)
 
 
 def _timers(relations: Relations, places: Mapping[str, Place]) -> dict[str, set[Place]]:

@@ -17,6 +17,7 @@ from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
 from rosarch.models.traits import Trait, traits
+from rosarch.models.unseen import Unseen
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
@@ -71,6 +72,7 @@ class ComponentModel:
     """One component.
 
     `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads,
+    `unseen` tells what it may have beside all that,
     `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     """
@@ -92,6 +94,7 @@ class ComponentModel:
     executables: tuple[str, ...] = ()
     executable: str | None = None
     middleware: str | None = None
+    unseen: tuple[Unseen, ...] = ()
 
     @property
     def types(self) -> tuple[str, ...]:
@@ -110,8 +113,11 @@ def build_models(
     whole = build_model(system, component, package, kind, sources, relations)
     nodes = []
     for name in sorted(own):
-        foreign = known - own[name]
-        rows = {relation: [row for row in found if foreign.isdisjoint(symbols(row))] for relation, found in relations.items()}
+        foreign, others = known - own[name], {port for node, port in relations["port_of_other_node"] if node == name}
+        rows = {
+            relation: [row for row in found if foreign.isdisjoint(symbols(row)) and others.isdisjoint(row)]
+            for relation, found in relations.items()
+        }
         nodes.append(replace(build_model(system, name, package, kind, sources, rows), node_name=name, executable=component, executables=()))
     return (whole, *nodes)
 
@@ -151,6 +157,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         traits(relations, ids, places, variable_names(relations)),
         tuple(sorted(name for (name,) in relations["component_executable"])),
         middleware=" and ".join(sorted(name for (name,) in relations["component_middleware"])) or None,
+        unseen=tuple(sorted(Unseen(what, kind, subject, Place(*at)) for what, kind, subject, *at in relations["unseen"])),
     )
 
 
@@ -282,11 +289,28 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "ports": list(map(port_json, model.ports)),
         "params": list(map(parameter_json, model.params)),
         **_behavior_json(model.behavior, {port.id for port in model.ports if port.kind in _ASKED}),
+        "open": _open_json(model.unseen),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"executables": list(model.executables)} if model.executables else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
         **({"loads_any": list(model.loads_any)} if model.loads_any else {}),
     }
+
+
+def _open_json(unseen: Iterable[Unseen]) -> list[dict[str, Any]]:
+    """What is open, with all that one reason at one place opens together."""
+    opened: dict[tuple[Place, str], list[str]] = defaultdict(list)
+    for each in unseen:
+        opened[each.at, each.reason].append(each.what)
+    return [{"what": sorted(what), "reason": reason, "at": str(at)} for (at, reason), what in sorted(opened.items())]
+
+
+def traits_json(model: ComponentModel) -> dict[str, list[list[str]]]:
+    """What rules say of the component for the sake of systems, by relation; `to_json` leaves it out."""
+    found: dict[str, list[list[str]]] = {}
+    for trait in model.traits:
+        found.setdefault(trait.name, []).append([str(value) for value in trait.values])
+    return found
 
 
 _ASKED = ("service_client", "action_client")  # kinds of ports that are called, and answered

@@ -13,7 +13,7 @@ MOST_ALTERNATIVES = 24
 
 @dataclass(frozen=True)
 class Condition:
-    """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text are equal.
+    """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text and meaning are equal.
 
     A `stable` condition has one value as long as an activity runs: it cannot hold here and not there. `meaning` is the text with local
     variables replaced by what they stand for. Its language has `words` (and, or, not), or signs.
@@ -23,18 +23,18 @@ class Condition:
     holds: bool
     place: Place | None = field(default=None, compare=False)
     stable: bool = field(default=False, compare=False)
-    meaning: str | None = field(default=None, compare=False)
+    meaning: str | None = None
     words: bool = field(default=False, compare=False)
 
     @property
-    def key(self) -> tuple[str, bool]:
+    def key(self) -> tuple[str, str, bool]:
         """What makes two conditions the same."""
-        return self.text, self.holds
+        return self.text, self.meaning or self.text, self.holds
 
     @property
-    def opposite(self) -> tuple[str, bool]:
+    def opposite(self) -> tuple[str, str, bool]:
         """The key of the negated condition."""
-        return self.text, not self.holds
+        return self.text, self.meaning or self.text, not self.holds
 
 
 @dataclass(frozen=True)

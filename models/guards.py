@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
-from rosarch.models.formula import FALSE, TRUE, Formula, both, condition, either, loosest
-from rosarch.models.normal import expanded
+from rosarch.models.formula import FALSE, TRUE, Condition, Formula, both, condition, either, loosest
+from rosarch.models.machine.conditions import constant
+from rosarch.models.normal import WORD, expanded, normal_text, replaced, truth_of, with_values
 from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
@@ -18,6 +20,45 @@ MOST_STEPS = 20_000
 
 CREATION = "creation "
 """Begins the root of what is made at any time, the start of the program included; a function may follow that is taken as entered."""
+
+
+@dataclass(frozen=True)
+class Way:
+    """An activity comes to a point of the program under `guard`; there, an expression is `value`.
+
+    `fixed` are names in it that no call gives a value, `called` is where the activity leaves its own function to come there.
+    """
+
+    guard: Formula
+    value: str
+    fixed: frozenset[str] = frozenset()
+    called: Place | None = None
+
+    def names(self, known: Collection[str]) -> set[str]:
+        """Those of the `known` names that occur in what is meant."""
+        items = [item for conjunction in self.guard.alternatives for item in conjunction]
+        words = {word for source in (self.value, *(item.meaning or item.text for item in items)) for word in WORD.findall(source)}
+        return words.intersection(known)
+
+    def given(self, values: Mapping[str, str], fixed: Collection[str], called: Place | None) -> Way:
+        """The same, seen from the caller: the words of conditions stay, what they mean is told; a constant is what an expression is."""
+        constants = {name: value for name, value in values.items() if constant(value) is not None}
+        guard = either(_given(conjunction, values) for conjunction in self.guard.alternatives) if values else self.guard
+        return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), called)
+
+
+def _given(items: Iterable[Condition], values: Mapping[str, str]) -> Formula:
+    """A conjunction with the values of parameters in their places; what they decide is decided."""
+    found = TRUE
+    for item in items:
+        before = item.meaning or item.text
+        meaning = with_values(before, values)
+        truth = truth_of(meaning) if meaning != before else None
+        if truth is None:
+            found = both(found, condition(item.text, item.holds, item.place, stable=item.stable, meaning=meaning, words=item.words))
+        elif truth != item.holds:
+            return FALSE
+    return found
 
 
 class Guards:
@@ -39,6 +80,22 @@ class Guards:
         self._locals: dict[str, list[tuple[str, str]]] = defaultdict(list)
         for node, name, value in sorted(relations["settled_local"]):
             self._locals[node].append((name, value))
+        self._tests: dict[str, list[tuple[str, str]]] = defaultdict(list)
+        for node, written, function in sorted(relations.get("test_written", ())):
+            self._tests[node].append((written, function))
+        self._returned: dict[str, list[str]] = defaultdict(list)
+        for function, value in sorted(relations.get("test_value", ())):
+            self._returned[function].append(value)
+        self._entries: dict[str, list[tuple[str, str]]] = defaultdict(list)
+        for function, call, block in sorted(relations.get("entered_by", ())):
+            self._entries[function].append((call, block))
+        self._given: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
+        for call, function, name, argument in sorted(relations.get("argument_given", ()), reverse=True):
+            if argument in self._texts:
+                self._given[call, function][name] = self._texts[argument]
+        self._own: dict[str, set[str]] = defaultdict(set)
+        for function, name in relations.get("own_name", ()):
+            self._own[function].add(name)
         self._cases: dict[str, list[str]] = defaultdict(list)
         for chooser, value in sorted(relations["switch_case"]):
             self._cases[chooser].append(value)
@@ -54,10 +111,39 @@ class Guards:
         self._left = MOST_STEPS
 
     def guard(self, root: str, node: str) -> Formula:
-        """When the activity of `root` evaluates `node`; true when nothing is known."""
+        """When the activity of `root` evaluates `node`: true when nothing is known, false when what calls give rules it out."""
+        return either(way.guard for way in self.ways(root, node, ""))
+
+    def ways(self, root: str, node: str, value: str) -> list[Way]:
+        """How the activity of `root` comes to `node`, and what `value`, an expression of its function, is then: calls may give it.
+
+        Empty when what the calls give decides that it does not.
+        """
         self._left = MOST_STEPS
-        found = either(self._of(root, block, ()) for block in self._blocks.get(node, ()) if self._runs(root, block))
-        return found if found.alternatives else TRUE
+        blocks = [block for block in self._blocks.get(node, ()) if self._runs(root, block)]
+        found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), ())]
+        if blocks and not found:
+            return []
+        return [way for way in found if way.guard.alternatives] or [Way(TRUE, value)]
+
+    def _ways(self, root: str, block: str, beyond: Way, path: tuple[str, ...]) -> list[Way]:
+        """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond."""
+        function = _function(block)
+        self._left -= 1
+        own = self._own.get(function, set())
+        inner = replace(beyond, guard=both(self._of(function, block, ()), beyond.guard)) if own else beyond
+        names = inner.names(own) - beyond.fixed
+        entries = [(call, before) for call, before in self._entries.get(function, ()) if self._runs(root, before)]
+        again = any(_function(before) in (function, *path) for _, before in entries)
+        if not names or not entries or again or function in (root, _function(root)) or self._left < 0:
+            return [replace(beyond, guard=both(self._of(root, block, ()), beyond.guard))]
+        found = []
+        for call, before in entries:
+            given = {name: text for name, text in self._given[call, function].items() if name in names}
+            called = inner.given(given, names - given.keys(), self._places.get(call))
+            if called.guard.alternatives or not inner.guard.alternatives:
+                found += self._ways(root, before, called, (*path, function))
+        return found
 
     def created(self, node: str, through: Iterable[str]) -> Formula:
         """When `node` is evaluated, from the start of the program, or of what runs later; `through`: the calls that enter its function."""
@@ -107,7 +193,7 @@ class Guards:
         if chooser in self._silent or text is None or sense not in ("true", "false", "case", "default"):
             return TRUE
         place = self._places.get(chooser)
-        meaning = expanded(chooser, self._texts, self._locals)
+        meaning = self._meaning(chooser, ())
         if sense == "case":
             return self._case(text, meaning, value, True, place)
         if sense == "default":
@@ -116,6 +202,31 @@ class Guards:
                 formula = both(formula, self._case(text, meaning, label, False, place))
             return formula
         return condition(text, sense == "true", place, stable=chooser in self._stable, meaning=meaning, words=chooser in self._worded)
+
+    def _meaning(self, node: str, within: tuple[str, ...]) -> str:
+        """The text of a condition with its local variables, and its calls of tests, replaced by what they stand for."""
+        found = expanded(node, self._texts, self._locals)
+        for written, function in self._tests.get(node, ()):
+            if function not in within and (returned := self._told(function, (*within, function))) is not None:
+                found = replaced(found, written, returned)
+        return found
+
+    def _told(self, function: str, within: tuple[str, ...]) -> str | None:
+        """What a test returns, as one expression: of several returns, when a true one is reached; None when that cannot be written."""
+        values = self._returned[function]
+        if any(len(self._blocks.get(value, ())) != 1 or value not in self._texts for value in values):
+            return None
+        reached = {value: self._of(function, self._blocks[value][0], ()) for value in values}
+        if len(values) == 1 and reached[values[0]] == TRUE:
+            return self._meaning(values[0], within)
+        return normal_text(either(both(guard, self._holds(value, within)) for value, guard in reached.items())) or "true"
+
+    def _holds(self, value: str, within: tuple[str, ...]) -> Formula:
+        """When a value that a test returns is true."""
+        text, words = self._texts[value], value in self._worded
+        if (truth := truth_of(text)) is not None:
+            return TRUE if truth else FALSE
+        return condition(text, True, self._places.get(value), meaning=self._meaning(value, within), words=words)
 
     def _case(self, text: str, meaning: str, label: str, holds: bool, place: Place | None) -> Formula:
         value = self._texts.get(label, "?")

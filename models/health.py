@@ -13,6 +13,7 @@ from rosarch.extractor.limits import LIMITS, SOURCE_SECONDS
 from rosarch.extractor.pipeline import ComponentFacts, extract
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.units import Progress
+from rosarch.extractor.workspace.unused import unused_sources
 from rosarch.models.places import Place
 from rosarch.models.rule_sets import SHIPPED, RuleSet, component_program
 
@@ -39,12 +40,17 @@ class Health:
     built: int = 0  # sources that a compile command tells of
     installed: tuple[str, ...] = ()  # packages of the workspace whose declarations rosarch brings
     missing: dict[str, set[str]] = field(default_factory=lambda: defaultdict(set))  # header to the files that include it
+    macros: dict[str, set[Place]] = field(
+        default_factory=lambda: defaultdict(set)
+    )  # what nothing defines, with where it stands for something
+    lost: list[tuple[Place, int, str]] = field(default_factory=list)  # bodies of functions that the parser lost: up to which line, and why
     calls: int = 0
     unbound: Counter[str] = field(default_factory=Counter)  # calls that the compiler could not bind, by reason
     unknown: list[UnknownName] = field(default_factory=list)
     violations: dict[str, int] = field(default_factory=dict)  # rows of relations that have to be empty
     slow: list[tuple[str, float]] = field(default_factory=list)
     empty: list[str] = field(default_factory=list)  # components without a source
+    unused: list[str] = field(default_factory=list)  # sources that use ROS and belong to no component
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
     @property
@@ -58,6 +64,8 @@ class _Found:
     """What the rows of one component say; calls are identified across components."""
 
     missing: tuple[tuple[str, str], ...]
+    macros: tuple[tuple[str, Place], ...]
+    lost: tuple[tuple[Place, int, str], ...]
     calls: frozenset[str]
     unbound: tuple[tuple[str, str], ...]
     unknown: tuple[UnknownName, ...]
@@ -89,10 +97,12 @@ def examine(
         health.sources, health.built, health.installed = len(extraction.seconds), extraction.built, extraction.installed
         health.empty = [f"{c.package}/{c.name}" for c in extraction.components if not c.sources]
         health.diagnostics = list(extraction.diagnostics)
+        health.unused = [_relative(path, extraction.root) for path in unused_sources(extraction.folders, extraction.seconds)]
         slowest = sorted(extraction.seconds.items(), key=lambda item: -item[1])
         health.slow = [(_relative(path, extraction.root), seconds) for path, seconds in slowest if seconds > SLOW]
         seen: set[str] = set()
         unbound: set[tuple[str, str]] = set()
+        lost: set[tuple[Place, int, str]] = set()
         for done, (index, outcome) in enumerate(
             run_tasks(work, extraction.components, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation)
         ):
@@ -103,6 +113,9 @@ def examine(
             else:
                 for header, path in outcome.missing:
                     health.missing[header].add(path)
+                for name, place in outcome.macros:
+                    health.macros[name].add(place)
+                lost |= set(outcome.lost)
                 seen |= outcome.calls
                 unbound |= set(outcome.unbound)
                 health.unknown += outcome.unknown
@@ -110,6 +123,7 @@ def examine(
                     health.violations[name] = health.violations.get(name, 0) + count
             if progress:
                 progress("components", done + 1, len(extraction.components))
+    health.lost = sorted(lost, key=lambda body: (body[0].path, body[0].line, body[2]))
     health.calls, health.unbound = len(seen), Counter(reason for _call, reason in unbound)
     health.unknown.sort(key=lambda port: (port.at.path, port.at.line, port.component, port.name))
     return health
@@ -120,6 +134,10 @@ def _found(component: ComponentFacts, rows: Mapping[str, Any], derived: Mapping[
     places = {row[0]: Place(*row[1:]) for row in derived["node_location"]}
     return _Found(
         missing=tuple((header, paths[file]) for file, _line, header in rows.get("include_missing", ()) if file in paths),
+        macros=tuple((name, Place(paths[file], line, 1)) for file, line, name, _scope in rows.get("macro_undefined", ()) if file in paths),
+        lost=tuple(
+            (Place(paths[file], first, 1), last, reason) for file, first, last, reason in rows.get("source_lost", ()) if file in paths
+        ),
         calls=frozenset(call for call, _name in rows.get("call", ())),
         unbound=tuple(rows.get("call_unresolved", ())),
         unknown=tuple(

@@ -7,10 +7,24 @@ from collections.abc import Iterable, Mapping
 
 from rosarch.models.formula import TRUE, Formula, both, condition, either, loosest, text
 from rosarch.models.formula import Condition as Item
-from rosarch.models.machine.conditions import Comparison, Condition, Conjunction, Disjunction, Negation, Operand, Truth, parse_condition
+from rosarch.models.machine.conditions import (
+    Comparison,
+    Condition,
+    Conjunction,
+    Disjunction,
+    Negation,
+    Operand,
+    Truth,
+    constant,
+    parse_condition,
+)
 
 DEEPEST = 4  # definitions of variables within definitions of variables
 LONGEST = 1000  # characters that a condition may grow to
+WORD = re.compile(r"\w+")
+_LOOSE = ("&&", "||", "?", ",", "=")
+_NAME = re.compile(r"(?!True$|False$|None$)[A-Z]\w*[a-z]\w*")
+_ALONE = re.compile(r"(?<![\w.>:])\w+(?!\w|::)")
 
 
 def expanded(node: str, texts: Mapping[str, str], locals_: Mapping[str, Iterable[tuple[str, str]]], depth: int = DEEPEST) -> str:
@@ -19,10 +33,47 @@ def expanded(node: str, texts: Mapping[str, str], locals_: Mapping[str, Iterable
     for name, value in locals_.get(node, ()) if depth else ():
         if value in texts:
             inner = expanded(value, texts, locals_, depth - 1)
-            named = re.compile(rf"(?<![\w.>:]){re.escape(name)}\b")
-            longer = (f"({inner})" if loosest(inner) else inner).join(named.split(found))
-            found = longer if len(longer) <= LONGEST else found
+            found = replaced(found, name, inner)
     return found
+
+
+def replaced(source: str, name: str, value: str) -> str:
+    """`source` with `value` in the place of `name`, a variable or a call, where that stands by itself, unless it grew too long."""
+    named = re.compile(rf"(?<![\w.>:]){re.escape(name)}(?!\w)")
+    longer = _bracketed(value).join(named.split(source))
+    return longer if len(longer) <= LONGEST else source
+
+
+def with_values(source: str, values: Mapping[str, str]) -> str:
+    """`source` with values in the places of names that stand by themselves, all at once."""
+    if not values or values.keys().isdisjoint(WORD.findall(source)):
+        return source
+    longer = _ALONE.sub(lambda match: _bracketed(values[match.group()]) if match.group() in values else match.group(), source)
+    return longer if len(longer) <= LONGEST else source
+
+
+def _bracketed(value: str) -> str:
+    return f"({value})" if loosest(value) else value
+
+
+def truth_of(source: str) -> bool | None:
+    """Whether a condition holds, where constants alone decide that.
+
+    Constants with different names are different ones; names that might be those of variables or classes (`Idle`) decide nothing.
+    """
+    return _truth(parse_condition(source))
+
+
+def _truth(parsed: Condition) -> bool | None:
+    if isinstance(parsed, Negation):
+        inner = _truth(parsed.inner)
+        return None if inner is None else not inner
+    if isinstance(parsed, Truth):
+        return parsed.value
+    if isinstance(parsed, Comparison) and parsed.op == "==":
+        left, right = (None if _NAME.fullmatch(side) else constant(side) for side in (parsed.left, parsed.right))
+        return None if left is None or right is None else left == right
+    return None
 
 
 def normal_text(formula: Formula) -> str | None:
@@ -62,9 +113,10 @@ def _operand(operand: Operand, holds: bool) -> str:
 
 
 def _comparison(parsed: Comparison, holds: bool) -> str:
+    left, right = (f"({side})" if loosest(side) in _LOOSE else side for side in (parsed.left, parsed.right))
     if parsed.op == "==":
-        return f"{parsed.left} {'==' if holds else '!='} {parsed.right}"
-    source = f"{parsed.left} {parsed.op} {parsed.right}"
+        return f"{left} {'==' if holds else '!='} {right}"
+    source = f"{left} {parsed.op} {right}"
     return source if holds else f"!({source})"  # not the opposite sign: neither holds for what is no number
 
 

@@ -11,6 +11,7 @@ from rosarch.extractor.suppressions import Suppression
 from rosarch.models.baseline import Baseline, BaselineEntry, compare
 from rosarch.models.findings import SEVERITIES, Check, Finding
 from rosarch.models.suppressed import COMMENT_CHECKS, Suppressed, suppress
+from rosarch.models.withheld import Withheld
 
 IGNORE = "ignore"
 CHOICES = (*SEVERITIES, IGNORE)
@@ -57,7 +58,7 @@ class Reported:
     """Findings as they are reported, sorted by place.
 
     `shown` are told to everyone; `suppressed` by comments; `known` are those of the baseline, `gone` those of it that are no more; both are
-    empty without a baseline (`compared`). `checks` are all that were made.
+    empty without a baseline (`compared`). `checks` are all that were made. `withheld` is None unless it was asked for.
     """
 
     policy: Policy
@@ -67,6 +68,7 @@ class Reported:
     known: tuple[Finding, ...] = ()
     gone: tuple[BaselineEntry, ...] = ()
     compared: bool = False
+    withheld: tuple[Withheld, ...] | None = None
 
     @property
     def failed(self) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 
@@ -21,3 +21,8 @@ class RuleSet:
 
 
 SHIPPED = RuleSet()
+
+
+def closed_world(rules: RuleSet) -> RuleSet:
+    """The same rules, which claim as though there was no more than was seen."""
+    return replace(rules, options=tuple(sorted({**dict(rules.options), "world": "closed"}.items())))

@@ -56,7 +56,7 @@ def _chain_lines(chain: Sequence[Step]) -> list[str]:
 def _inside(step: Step) -> str:
     """What a node does between two of its ports, in one line; a connection as one that need not be there."""
     if step.kind in ("connection", "answer"):
-        return f"{_port(step.source)} -> {_port(step.sink)}: whether it is there is not certain"
+        return f"{_port(step.source)} -> {_port(step.sink)}: whether it is there, and loses no message, is not certain"
     told = [f"{step.source.node} {_KINDS[step.kind]}, {step.how}: {step.source.name} -> {step.sink.name}"]
     if step.variables:
         told.append(f"through {_few(step.variables)}")

@@ -33,7 +33,16 @@ _UNBOUND = {
 
 def doctor_text(health: Health, base: Path) -> str:
     """The whole report; diagnostics show paths relative to `base`."""
-    sections = [*_head(health), *_missing(health), *_diagnostics(health, base), *_unbound(health), *_unknown(health), *_slow(health)]
+    sections = [
+        *_head(health),
+        *_missing(health),
+        *_lost(health),
+        *_diagnostics(health, base),
+        *_unused(health),
+        *_unbound(health),
+        *_unknown(health),
+        *_slow(health),
+    ]
     if not any(line.startswith("  ") for line in sections):
         sections.append("nothing is missing")
     return "\n".join(sections) + "\n"
@@ -61,6 +70,17 @@ def _missing(health: Health) -> Iterator[str]:
     yield "  -> add the package to the workspace, or build with -DCMAKE_EXPORT_COMPILE_COMMANDS=ON, which tells where headers are installed"
 
 
+def _lost(health: Health) -> Iterator[str]:
+    if health.macros:
+        yield f"macros that no header defines: {len(health.macros)}, left out where they are used"
+        yield from _some([f"{name}  {min(map(str, places))}" for name, places in sorted(health.macros.items())])
+        yield "  -> add the package that defines them to the workspace: what they declare or do is not known"
+    if health.lost:
+        yield f"functions that the parser lost: {len(health.lost)}"
+        yield from _some([f"{at}-{last}  {reason}" for at, last, reason in health.lost])
+        yield "  -> nothing of them is in the model; a header that is missing, or a bracket that does not match, is the usual cause"
+
+
 def _diagnostics(health: Health, base: Path) -> Iterator[str]:
     groups: dict[str, list[str]] = {}
     for diagnostic in health.diagnostics:
@@ -76,6 +96,14 @@ def _diagnostics(health: Health, base: Path) -> Iterator[str]:
         yield "  -> their target lists no source that exists; a generated one is not there before the build"
     for name, rows in sorted(health.violations.items()):
         yield f"{name}: {rows} rows that should not be\n  -> the rules contradict themselves: report it"
+
+
+def _unused(health: Health) -> Iterator[str]:
+    if not health.unused:
+        return
+    yield f"sources that use ROS and belong to no component: {len(health.unused)}"
+    yield from _some(health.unused)
+    yield "  -> no target builds them, nothing installs or imports them, or their library is in no program: what they make is in no model"
 
 
 def _unbound(health: Health) -> Iterator[str]:

@@ -12,6 +12,7 @@ from rosarch.models.findings import SEVERITIES, Finding
 from rosarch.models.places import Place
 from rosarch.models.policy import Reported
 from rosarch.models.system.checked import Scope
+from rosarch.models.withheld import Withheld
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
@@ -96,7 +97,15 @@ def _some(texts: list[str]) -> list[str]:
 def scope_text(scope: Scope) -> str:
     """How much was checked, and of how much nothing is known."""
     known = f", {scope.unknown} of them without a model" if scope.unknown else ""
-    return f"checked {counted(scope.systems, 'system')} with {counted(scope.nodes, 'node')}{known}"
+    more = f", {scope.open} may have more ports than were seen" if scope.open else ""
+    return f"checked {counted(scope.systems, 'system')} with {counted(scope.nodes, 'node')}{known}{more}"
+
+
+def because(each: Withheld, setting: Setting) -> list[str]:
+    """Why a claim was withheld, printable; of many reasons the first ones."""
+    return _some(
+        [f"{printable(part.node)}{': ' if part.node else ''}{printable(part.reason)} ({setting.line(part.at)})" for part in each.because]
+    )
 
 
 def severity_counts(findings: Iterable[Finding]) -> dict[str, int]:

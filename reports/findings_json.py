@@ -9,6 +9,7 @@ from typing import Any
 from rosarch.models.findings import Finding
 from rosarch.models.places import Place
 from rosarch.models.policy import Reported
+from rosarch.models.withheld import Withheld
 from rosarch.reports.findings import Setting, severity_counts, tool_version
 from rosarch.reports.printable import json_text
 
@@ -30,6 +31,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
             {"check": entry.check, "message": entry.message, "file": entry.file, "fingerprint": entry.fingerprint}
             for entry in reported.gone
         ],
+        **({} if reported.withheld is None else {"withheld": [_withheld(each) for each in reported.withheld]}),
         "summary": {**severity_counts(reported.shown), "compared": reported.compared, "failed": reported.failed},
     }
     return json_text(data)
@@ -52,6 +54,11 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "systems": list(finding.systems),
         "fingerprint": finding.fingerprint,
     }
+
+
+def _withheld(each: Withheld) -> dict[str, Any]:
+    because = [{"node": part.node or None, "reason": part.reason, **_place(part.at)} for part in each.because]
+    return {**_finding(each.finding), "because": because}
 
 
 def _place(place: Place) -> dict[str, Any]:

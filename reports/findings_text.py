@@ -14,7 +14,7 @@ from rich.text import Text
 from rosarch.models.findings import Evidence
 from rosarch.models.policy import Reported
 from rosarch.reports.excerpts import Excerpts
-from rosarch.reports.findings import Alike, Setting, alike, summary_line
+from rosarch.reports.findings import Alike, Setting, alike, because, summary_line
 from rosarch.reports.printable import printable
 
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold cyan"}
@@ -32,6 +32,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
         lines += [*_finding(each, excerpts, setting, excerpted=place != before, hint=check not in hinted), Text()]
         hinted.add(check)
         before = place
+    lines += _withheld(reported, setting)
     worst = min((finding.severity for finding in reported.shown), key=list(_STYLES).index, default="")
     hidden = "; -v shows the notes" if len(told) < len(reported.shown) else ""
     lines.append(Text(f"{summary_line(reported)}{hidden}", style=_STYLES.get(worst, "bold green")))
@@ -45,6 +46,21 @@ def findings_text(reported: Reported, setting: Setting) -> str:
     console = Console(file=buffer, force_terminal=True, highlight=False)
     console.print(Text("\n").join(lines), soft_wrap=True)
     return buffer.getvalue()
+
+
+def _withheld(reported: Reported, setting: Setting) -> Iterator[Text]:
+    """What would be findings if there were no more than was seen, each with what was not."""
+    for each in reported.withheld or ():
+        finding = each.finding
+        yield Text.assemble(
+            (f"{setting.place(finding.place)}: ", "bold"),
+            ("withheld: ", "bold"),
+            printable(finding.message),
+            (f"  [{finding.check.id}]", "dim"),
+        )
+        for reason in because(each, setting):
+            yield Text.assemble("  ", ("not seen: ", "bold"), reason)
+        yield Text()
 
 
 def _finding(each: Alike, excerpts: Excerpts, setting: Setting, *, excerpted: bool, hint: bool) -> Iterator[Text]:

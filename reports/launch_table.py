@@ -94,11 +94,13 @@ def _node_text(node: NodeStart, params: Iterable[ParamSetting], width: int, base
 
 
 def _details(node: NodeStart, params: Iterable[ParamSetting]) -> Iterable[tuple[str, str]]:
+    if node.name is None and node.called is not None:
+        yield "name", "not given here: its code decides"
     if node.conditions:
         yield "only", _conditions(node.conditions)
     if node.args:
         yield "args", _printable(node.args)
-    for remap in node.remaps:
+    for remap in node.own_remaps:
         when = f"  {_conditions(remap.conditions)}" if remap.conditions else ""
         yield "remap", f"{remap.source} -> {remap.target}{when}"
     for setting in params:

@@ -19,7 +19,7 @@ def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str
             "verdict": found.verdict,
             "states": found.states,
             "seconds": round(found.seconds, 3),
-            "notes": list(found.model.notes),
+            "notes": list(found.notes),
             "counterexample": None if found.trace is None else {**asdict(found.trace), "assumes": list(found.trace.assumes)},
         }
         for found in verdicts

@@ -15,7 +15,7 @@ def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str
     for found in verdicts:
         lines += [f"{found.property.name}: {found.verdict}", f"  {found.property.text}"]
         lines += _trace(found.trace) if found.trace else []
-        lines += [f"  note: {note}" for note in found.model.notes] if found.verdict != HOLDS else []
+        lines += [f"  note: {note}" for note in found.notes] if found.verdict != HOLDS else []
         lines.append("")
     number = sum(found.verdict == HOLDS for found in verdicts)
     most = max((found.states for found in verdicts), default=0)

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from rosarch.composition.commands import BOUND, model_of
 from rosarch.composition.cone import Watched, cone_of_influence
 from rosarch.composition.inputs import Inputs
-from rosarch.composition.model import Model
 from rosarch.composition.reactions import TooManyCases
 from rosarch.composition.system import System
 from rosarch.verification import ltl, spin, storm
@@ -21,7 +20,7 @@ from rosarch.verification.trace import Trace, trace
 from rosarch.verification.transitions import TransitionSystem, transition_system
 
 CHECKERS = {"spin": spin, "storm": storm}
-HOLDS, VIOLATED, POSSIBLE = "holds", "violated", "possibly violated"
+HOLDS, VIOLATED, POSSIBLE, UNDECIDED = "holds", "violated", "possibly violated", "undecided"
 
 
 @dataclass(frozen=True)
@@ -35,14 +34,17 @@ class Limits:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is found about a property: `holds`, `violated`, or `possibly violated`, when that needs something that is not known."""
+    """What is found about a property: `holds`, `violated`, `undecided`, or `possibly violated`, which needs something that is not known.
+
+    `notes` tell what the model leaves open, and why nothing was found out.
+    """
 
     property: Property
-    model: Model
     verdict: str
     states: int
     seconds: float
     trace: Trace | None
+    notes: tuple[str, ...]
 
 
 def chosen_checker(wanted: str | None) -> str:
@@ -77,11 +79,7 @@ def _watched(formula: Formula) -> Watched:
 def verify(
     system: System, properties: Sequence[Property], inputs: Inputs, checker: str, bound: int = BOUND, limits: Limits | None = None
 ) -> list[Verdict]:
-    """What a checker finds about each property.
-
-    Raises:
-        CheckerError: it is not installed, or gives up.
-    """
+    """What a checker finds about each property; one that costs more than the limits is `undecided`, the others are not the worse for it."""
     return [_verdict(system, item, inputs, checker, bound, limits or Limits()) for item in properties]
 
 
@@ -90,14 +88,17 @@ def _verdict(system: System, item: Property, inputs: Inputs, checker: str, bound
     try:
         transitions = model_for(system, item.formula, inputs, bound)
     except TooManyCases as error:
-        raise CheckerError(f"{item.name}: {error}") from None
+        return Verdict(item, UNDECIDED, 0, time.perf_counter() - start, None, (str(error),))
+    notes = transitions.model.notes
     try:
         found = CHECKERS[checker].check(transitions, item.formula, timeout=limits.seconds, memory=limits.memory)
     except CheckerError as error:
-        raise CheckerError(f"{item.name}: {error}{_largest(transitions) if error.large else ''}") from None
+        reason = f"{error}{_largest(transitions) if error.large else ''}"
+        return Verdict(item, UNDECIDED, 0, time.perf_counter() - start, None, (*notes, reason))
     shown = None if found.holds else _shown(transitions, item.formula, found, limits)
-    verdict = HOLDS if found.holds else POSSIBLE if shown is None or shown.assumes else VIOLATED
-    return Verdict(item, transitions.model, verdict, found.states, time.perf_counter() - start, shown)
+    sure = HOLDS if found.holds else POSSIBLE if shown is None or shown.assumes else VIOLATED
+    verdict = POSSIBLE if transitions.model.doubts else sure
+    return Verdict(item, verdict, found.states, time.perf_counter() - start, shown, notes)
 
 
 def _shown(system: TransitionSystem, formula: Formula, found: Found, limits: Limits) -> Trace | None:

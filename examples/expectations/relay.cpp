@@ -15,7 +15,7 @@ class Relay : public nodelet::Nodelet
   {
     pub_ = getNodeHandle().advertise<std_msgs::String>("out", 1);  // expect: publisher out
     sub_ = getNodeHandle().subscribe("in", 1, &Relay::onMessage, this);  // expect: subscriber in std_msgs/String
-    // expect: finding subscriber-without-publisher "*nobody publishes /Relay/again *"
+    // expect: finding subscriber-without-publisher "/Relay reads /Relay/again *"
     private_sub_ = getPrivateNodeHandle().subscribe("again", 1, &Relay::onMessage, this);  // expect: subscriber ~again
   }
 

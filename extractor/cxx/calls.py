@@ -130,12 +130,22 @@ def lower_base_construction(body: Body, base: Tree, values: list[Tree]) -> str:
     unit.add("call_unresolved", call, "dependent")
     if type_.kind in kinds.CLASSES:
         unit.add("call_constructs", call, declare_class(unit, type_))
+    if base.kind == kinds.TEMPLATE_REFERENCE and type_.kind in kinds.CLASSES:
+        unit.add("expr_type", call, _base_instance(body, base, declare_class(unit, type_)))
     if field is not None:
         unit.add("expr_type", call, declare_type(unit, field))
     for index, argument in enumerate(lowered):
         unit.add("call_argument", call, index, argument)
     body.flow.evaluate(call)
     return call
+
+
+def _base_instance(body: Body, base: Tree, class_: str) -> str:
+    """The instance of the class template `class_` that is the base: its arguments are the children of `base`."""
+    span = body.unit.span_of(base)
+    opening = _OPENING.search(span.file.data, span.end)
+    text = span.file.data[span.begin : opening.start() if opening else span.end].decode("utf-8", "replace")
+    return _written_instance(body, base, text.rstrip(), span.begin, class_)
 
 
 def is_argument_list(body: Body, value: Tree) -> bool:

@@ -88,6 +88,8 @@ def declare_function(unit: UnitFacts, cursor: Cursor) -> str:
     unit.add("function_name", identifier, name)
     if file.key:
         unit.add("location", identifier, file.key, line, column)
+    elif file.stands_in:
+        unit.add("function_undeclared", identifier)
     parent = libclang.semantic_parent(pattern)
     if parent.kind in kinds.CLASSES:
         unit.add("function_class", identifier, declare_class(unit, parent))
@@ -277,6 +279,8 @@ def declare_class(unit: UnitFacts, cursor: Cursor) -> str:
     identifier = unit.declared[pattern.d0 or 0] = _scope_name(unit, pattern)
     kind = "template" if pattern.kind in (kinds.CLASS_TEMPLATE, kinds.PARTIAL_SPECIALIZATION) else _CLASS_KINDS.get(pattern.kind, "class")
     unit.add("class", identifier, kind)
+    if unit.place(pattern)[0].stands_in:
+        unit.add("class_undeclared", identifier)
     body = libclang.definition(pattern)
     for specifier in libclang.bases(body if body.d0 and unit.sees(body) else pattern) if pattern.kind in kinds.CLASSES else ():
         declare_base_instance(unit, identifier, specifier)

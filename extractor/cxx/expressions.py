@@ -13,6 +13,7 @@ from rosarch.extractor.cxx.libclang import Tree
 from rosarch.extractor.cxx.unit import DEEPEST, StructuredBinding
 
 _ASSIGNMENTS = frozenset({"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
+_TESTS = frozenset({"!", "==", "!=", "<", "<=", ">", ">="})
 _ARITHMETIC = frozenset({"+", "-", "*", "/", "%", "<<", ">>"})
 _NUMBERS = re.compile(
     r"(?:[\s()+*/%<>-]|(?:0[xX][0-9a-fA-F]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?[uUlLfF]*|M_[A-Z0-9_]+)(?![\w.]))+"
@@ -54,7 +55,7 @@ def operator_with_operands(body: Body, tree: Tree, form: str, name: str, operand
     assigns = name in _ASSIGNMENTS
     lowered = []
     for index, operand in enumerate(operands):
-        lowered.append(lower_expression(body, operand, text=assigns))
+        lowered.append(lower_expression(body, operand, text=assigns or (name in _TESTS and _is_call(operand))))
         body.unit.add("operand", expr, index, lowered[index])
     if name in ("++", "--"):
         body.unit.add("expr_text", expr, body.unit.text(body.unit.span_of(tree)))
@@ -63,6 +64,10 @@ def operator_with_operands(body: Body, tree: Tree, form: str, name: str, operand
     if assigns or name in ("++", "--", "<<", ">>", "delete"):  # of streams, the last ones write
         body.flow.evaluate(expr)
     return expr, lowered
+
+
+def _is_call(tree: Tree) -> bool:
+    return strip(tree).kind == kinds.CALL
 
 
 def _record_constant(body: Body, tree: Tree, expr: str) -> None:
@@ -172,7 +177,7 @@ def _lower_binary(body: Body, tree: Tree) -> str:
 def _lower_logical(body: Body, tree: Tree, name: str, operands: list[Tree]) -> str:
     """The right operand of `&&` and `||` is a branch of its own when it evaluates anything."""
     left = lower_expression(body, operands[0], text=True)
-    right = body.flow.maybe(left, lambda: lower_expression(body, operands[1]), taken=name == "&&")
+    right = body.flow.maybe(left, lambda: lower_expression(body, operands[1], text=_is_call(operands[1])), taken=name == "&&")
     expr, _ = body.node(tree, "op")
     body.unit.add("operator", expr, name)
     body.unit.add("operand", expr, 0, left)

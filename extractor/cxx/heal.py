@@ -8,21 +8,20 @@ Messages of which only the name is known get the fields that code uses.
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.cxx import libclang
-from rosarch.extractor.cxx.libclang_library import Cursor
-from rosarch.extractor.cxx.unit import Span, UnitFacts
+from rosarch.extractor.cxx.includes import HEALED
+from rosarch.extractor.cxx.unit import UnitFacts
+from rosarch.extractor.cxx.unseen import Unseen
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted, kind_of_member
 from rosarch.extractor.files import read_file
 
-ROUNDS = 3
-_GAIN = 4
-ERROR_LIMIT = 2000  # beyond, a source is of another language, or of a library that is absent as a whole
+ROUNDS = 4
+ERROR_LIMIT = 50_000  # beyond, a source is of another language
 OPTIONS = libclang.KEEP_GOING | libclang.DETAILED_PREPROCESSING
 _ERROR = 3
 
@@ -53,8 +52,6 @@ _NAME_ERRORS = ("use of undeclared identifier", "unknown type name", "no templat
 _HARMLESS = ("only virtual member functions can be marked", "switch condition type")
 """Errors after which clang's tree has all that the source has."""
 _NO_TYPE = ("no type named", "no struct named", "no class named")
-
-CallPlaces = Counter[tuple[str, int]]
 
 
 @dataclass(frozen=True)
@@ -111,33 +108,6 @@ def worth_healing(facts: UnitFacts, parsed: libclang.Unit) -> bool:
     return any(facts.file(error.file).key for error in _errors(parsed) if error.file)
 
 
-def keeps_calls(first: CallPlaces, healed: CallPlaces) -> bool:
-    """Whether of the calls that clang had found in the first place none is lost, or few, and many more are found."""
-    return (first - healed).total() * _GAIN <= (healed - first).total()
-
-
-def call_places(facts: UnitFacts, declarations: Iterable[Cursor]) -> CallPlaces:
-    """How many calls begin where in files of the workspace."""
-    places: CallPlaces = Counter()
-    for declaration in declarations:
-        if facts.locate(libclang.location(declaration))[0].key is None:
-            continue
-        for call in libclang.calls_below(declaration):
-            span = facts.span(call)
-            if not _is_operator(facts, call, span):
-                places[str(span.file.path), span.begin] += 1
-    return places
-
-
-def _is_operator(facts: UnitFacts, call: Cursor, span: Span) -> bool:
-    """Whether clang takes an operator for a call: where it does not know which, nothing opens after the first operand."""
-    name = libclang.spelling(call)
-    if name:
-        return name.startswith("operator") and name != "operator()"
-    callee = facts.span(next(iter(libclang.children(call)), call))
-    return span.file.data[callee.end : span.end].lstrip()[:1] not in (b"(", b"{", b"<")
-
-
 def without_unknown(rows: dict[str, set[tuple[str | int, ...]]]) -> None:
     """Take back the types that stand for unknown ones: no type is what the rules know as unknown."""
     rows["expr_type"] = {row for row in rows["expr_type"] if UNKNOWN not in str(row[1])}
@@ -153,17 +123,26 @@ class Healed:
 
 @contextmanager
 def healed(
-    source: Path, arguments: Sequence[str], first: libclang.Unit, scratch: Path, interfaces_by_scope: bool = False
+    source: Path,
+    arguments: Sequence[str],
+    first: libclang.Unit,
+    scratch: Path,
+    interfaces_by_scope: bool = False,
+    unseen: Unseen | None = None,
 ) -> Iterator[Healed | None]:
     """Parse `source` again with declarations for what `first` lacks; yield None when that leaves no fewer errors.
 
-    `interfaces_by_scope` tells that `package::msg::Name` is a message, and so on for services and actions, as in ROS 2.
+    `interfaces_by_scope` tells that `package::msg::Name` is a message, and so on for services and actions, as in ROS 2. `unseen` are the
+    macros that nothing defines.
     """
     errors = _errors(first)
-    fewest, best = len(errors), None
-    wanted, clashes = Wanted(scratch, interfaces_by_scope), False
+    fewest, best = _trouble(errors), None
+    wanted = Wanted(scratch, interfaces_by_scope)
+    if unseen is not None:
+        wanted.undefined(unseen.bodies(UNKNOWN), unseen.defined)
+    clashes = wanted.changed
     with ExitStack() as units:
-        for number in range(ROUNDS if fewest <= ERROR_LIMIT else 0):
+        for number in range(ROUNDS if len(errors) <= ERROR_LIMIT else 0):
             wanted.changed = clashes
             _collect(wanted, errors, variables=number > 0)
             if not wanted.changed:
@@ -174,11 +153,16 @@ def healed(
                 break
             found = _errors(unit)
             clashes = wanted.ban(_clashes(found, scratch))
-            if not clashes or len(found) < fewest:
+            if not clashes or _trouble(found) < fewest:
                 errors = found  # else most follow from what is now banned
-            if len(found) < fewest:
-                best, fewest = Healed(unit, frozenset(wanted.interfaces)), len(found)
+            if _trouble(found) < fewest:
+                best, fewest = Healed(unit, frozenset(wanted.interfaces)), _trouble(found)
         yield best
+
+
+def _trouble(errors: Sequence[_Error]) -> tuple[int, int]:
+    """How many errors there are; of those the ones that lose what follows."""
+    return len(errors), sum(error.message.startswith("expected") for error in errors)
 
 
 def _clashes(errors: Iterable[_Error], scratch: Path) -> set[str]:
@@ -204,7 +188,7 @@ def _errors(unit: libclang.Unit) -> list[_Error]:
 def _with(arguments: Sequence[str], folder: Path) -> list[str]:
     """The arguments with the healed headers: searched before other stand-ins, included after the precompiled one."""
     first = arguments.index("-isystem") if "-isystem" in arguments else len(arguments)
-    return [*arguments[:first], "-isystem", str(folder), *arguments[first:], "-include", str(folder / "healed.h")]
+    return [*arguments[:first], "-isystem", str(folder), *arguments[first:], "-include", str(folder / HEALED)]
 
 
 def _collect(wanted: Wanted, errors: Sequence[_Error], variables: bool) -> None:
@@ -231,7 +215,9 @@ def _collect(wanted: Wanted, errors: Sequence[_Error], variables: bool) -> None:
         else:
             _collect_correction(wanted, error.message, quoted, place)
     for name, kind, parameters in plain:
-        if kind != "value" and not wanted.nested(name):
+        if kind == "template" and wanted.nested(name):
+            wanted.correct(name, kind)  # brought in by `using`, which does not tell
+        elif kind != "value" and not wanted.nested(name):
             wanted.name([name], kind, parameters)
     if variables or not wanted.changed:
         for name, kind, _ in plain:
@@ -383,7 +369,7 @@ def _collect_correction(wanted: Wanted, message: str, quoted: list[str], place: 
     elif message.startswith(("case value is not a constant", "enumerator value is not a constant")) and path:
         wanted.correct(path[-1], "constant")
     elif message.endswith("does not name a template but is followed by template arguments"):
-        wanted.correct(quoted[0], "function")
+        wanted.correct(quoted[0], "template" if quoted[0][:1].isupper() else "function")
         if quoted[0] in wanted.members:
             wanted.member(UNKNOWN, quoted[0], "template")
     elif message.startswith("unexpected namespace name"):

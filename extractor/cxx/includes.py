@@ -23,6 +23,8 @@ from rosarch.extractor.workspace.model import ROS1, ROS2
 
 SHIPPED = Path(__file__).parent / "headers"
 SHIPPED_DIRS = (SHIPPED / "ros", SHIPPED / "third_party", SHIPPED / "std")
+HEALED = "healed.h"  # the header that healing writes, with declarations of what is absent
+STAND_INS = frozenset({HEALED, "healing.h"})
 _SHIPPED_PREFIX = f"{SHIPPED}{os.sep}"
 PRELUDE = SHIPPED / "prelude.h"
 ROS2_PRELUDE = SHIPPED / "prelude_ros2.h"

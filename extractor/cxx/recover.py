@@ -35,6 +35,7 @@ _KEYWORDS = frozenset(
 _NUMBER = re.compile(r"[-+]?(\d+|\d*\.\d+|\d+\.\d*)([eE][-+]?\d+)?[fFuUlL]*")
 _NAME = re.compile(r"&?\s*(?:\w+\s*(?:\.|->|::)\s*)*\w+")
 _NEW = re.compile(rb"\bnew\s+$")
+_IN_EXPRESSION = re.compile(rb"(?:[=(,;{}!&|?:+<)]|\breturn|\belse)\s*$")  # in front of the name in a declaration is a type
 _TARGET = re.compile(rb"(?<![\w.>=!<+*/|&^%-])(\w+)\s*=\s*$")
 _STRINGS = re.compile(r"(?:\"(?:\\.|[^\"\\])*\"\s*)+")
 
@@ -270,9 +271,7 @@ class _Reader:
         if not _NAME.fullmatch(text):
             return None
         if text == "this":
-            expr = self.node(begin, end, "this")
-            self.unit.add("this_use", expr, self.holder.owner)
-            return expr
+            return self.this(begin, end)
         variable = None if "&" in text or "::" in text else self.variable(re.split(r"\.|->", text)[-1].strip())
         if variable is not None:
             expr = self.node(begin, end, "use")
@@ -284,6 +283,12 @@ class _Reader:
         expr = self.node(begin, end, "fn")
         for function in functions:
             self.unit.add("function_use", expr, function)
+        return expr
+
+    def this(self, begin: int, end: int | None = None) -> str:
+        """The object that the function is a method of, written or not."""
+        expr = self.node(begin, begin if end is None else end, "this")
+        self.unit.add("this_use", expr, self.holder.owner)
         return expr
 
     def _call(self, _text: str, begin: int, end: int) -> str | None:
@@ -306,7 +311,8 @@ def _recover_call(reader: _Reader, match: re.Match[bytes]) -> str | None:
         unit.add("function_name", name, name)
     close = _closing(text, match.end() - 1)
     seen = unit.call_sites[id(holder.file)]
-    if name in _KEYWORDS or close is None or not (receiver or functions) or match.end("name") in seen:
+    inherited = not (receiver or functions or made) and _may_be_inherited(reader, name, match.start("name"))
+    if name in _KEYWORDS or close is None or not (receiver or functions or inherited) or match.end("name") in seen:
         return None
     seen.add(match.end("name"))
     begin = match.start("receiver") if receiver else match.start("name")
@@ -321,12 +327,21 @@ def _recover_call(reader: _Reader, match: re.Match[bytes]) -> str | None:
             unit.add("call_constructs", call, reader.class_of(function))
     if receiver:
         unit.add("call_receiver", call, reader.expression(match.start("receiver"), match.end("receiver")))
+    elif inherited:
+        unit.add("call_receiver", call, reader.this(begin))
     for index, (start, stop) in enumerate(split(text[match.end() : close], b",")):
         if text[match.end() + start : match.end() + stop].strip():
             unit.add("call_argument", call, index, reader.expression(match.end() + start, match.end() + stop))
     _recover_target(reader, call, begin)
     _recover_types(reader, call, (match.group("types") or b"")[1:-1], [reader.class_of(function) for function in functions if made])
     return call
+
+
+def _may_be_inherited(reader: _Reader, name: str, begin: int) -> bool:
+    """Whether a call of `name`, which begins there and is of no function that is known, may be one of a method of a base class."""
+    bases = {row[0] for row in reader.unit.rows["class_base"]}
+    plain = "::" not in name and not name[:1].isupper() and reader.variable(name) is None
+    return plain and reader.holder.owner in bases and bool(_IN_EXPRESSION.search(reader.hidden, max(0, begin - 80), begin))
 
 
 def _recover_types(reader: _Reader, call: str, written: bytes, classes: list[str]) -> None:

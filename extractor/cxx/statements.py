@@ -10,6 +10,7 @@ from rosarch.extractor.cxx.calls import lower_dependent_construction
 from rosarch.extractor.cxx.declarations import declare_parameter, declare_variable
 from rosarch.extractor.cxx.expressions import lower_expression
 from rosarch.extractor.cxx.libclang import Tree
+from rosarch.extractor.cxx.libclang_library import Cursor
 from rosarch.extractor.cxx.unit import DEEPEST, StructuredBinding
 from rosarch.extractor.flow import Flow
 
@@ -49,9 +50,16 @@ def lower_lambda(body: Body, tree: Tree) -> str:
         if child.kind == kinds.PARAMETER:
             declare_parameter(unit, function, index, child.cursor)
             index += 1
+        elif child.kind == kinds.VARIABLE_REFERENCE:
+            _capture(body, expr, libclang.target(child))
         elif child.kind == kinds.COMPOUND:
             lower_body(inner, child)
     return expr
+
+
+def _capture(body: Body, expr: str, target: Cursor) -> None:
+    if target.kind in (kinds.VARIABLE, kinds.PARAMETER):
+        body.unit.add("lambda_captures", expr, declare_variable(body.unit, target))
 
 
 def lower_body(body: Body, tree: Tree) -> None:

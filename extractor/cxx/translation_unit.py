@@ -12,12 +12,14 @@ from pathlib import Path
 from rosarch.extractor.cache import extractor_version, hash_of
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.assumed import assumed_classes
-from rosarch.extractor.cxx.heal import OPTIONS, call_places, healed, keeps_calls, without_unknown, worth_healing
+from rosarch.extractor.cxx.heal import OPTIONS, files_with_errors, healed, without_unknown, worth_healing
 from rosarch.extractor.cxx.includes import CUDA_PRELUDE, Folders, HeaderFinder, Includes, prelude_of, shipped_dirs
+from rosarch.extractor.cxx.kept_calls import call_places, keeps_calls
 from rosarch.extractor.cxx.libclang_library import Cursor, Location
 from rosarch.extractor.cxx.recover import declared_names, recover
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.unit import SourceFiles, UnitFacts, file_key
+from rosarch.extractor.cxx.unseen import unseen
 from rosarch.extractor.cxx.walk import walk_declaration
 from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.files import path_text
@@ -153,16 +155,21 @@ def parsed_unit(
     arguments = arguments_of(unit, includes, prelude)
     with deep_recursion(), libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts, declarations = _declarations(sources, includes, parsed, headers)
+        hidden = None
         if heal and unit.language != "c" and worth_healing(facts, parsed):
-            with healed(unit.source, arguments, parsed, finder.scratch, unit.middleware == ROS2) as better:
+            hidden = unseen(facts, parsed, files_with_errors(facts, parsed))
+            with healed(unit.source, arguments, parsed, finder.scratch, unit.middleware == ROS2, hidden) as better:
                 if better:
                     again, found = _declarations(sources, includes, better.unit, headers, better.interfaces)
                     if keeps_calls(call_places(facts, declarations), call_places(again, found)):
                         _walk(again, found, headers)
                         without_unknown(again.rows)
+                        hidden.tell(again, better.unit)
                         yield better.unit, again
                         return
         _walk(facts, declarations, headers)
+        if hidden:
+            hidden.tell(facts, parsed)
         yield parsed, facts
 
 

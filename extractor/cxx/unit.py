@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rosarch.extractor.cxx import libclang
+from rosarch.extractor.cxx.includes import STAND_INS
 from rosarch.extractor.cxx.libclang import MACRO_BIT, Tree
 from rosarch.extractor.cxx.libclang_library import Cursor, Location, Range, Type
 from rosarch.extractor.files import path_text, read_file
@@ -38,6 +39,11 @@ class SourceFile:
         self.key = file_key(relative) if relative else None
         self.label = self.key or path_text(path.name)
         self._starts: list[int] | None = None
+
+    @property
+    def stands_in(self) -> bool:
+        """Whether rosarch made up what this header declares: the headers of it are absent."""
+        return self.key is None and self.path.name in STAND_INS
 
     def line_column(self, offset: int) -> tuple[int, int]:
         """Return line and column (bytes), both from 1, of a byte offset."""

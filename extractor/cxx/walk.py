@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.body import Body
 from rosarch.extractor.cxx.calls import is_argument_list, lower_base_construction
@@ -21,6 +23,7 @@ from rosarch.extractor.cxx.statements import lower_body, lower_variable
 from rosarch.extractor.cxx.unit import FunctionSpan, UnitFacts
 from rosarch.extractor.flow import Flow
 
+_INSTANCE = re.compile(rb"\s*<(?:[^<>(){};]|<(?:[^<>(){};]|<[^<>(){};]*>)*>)*>\s*[({]")  # up to the values of an instance of a template
 _TRANSPARENT = frozenset({kinds.NAMESPACE, kinds.LINKAGE_SPEC, kinds.UNEXPOSED_DECLARATION})
 
 
@@ -106,25 +109,44 @@ def walk_function(unit: UnitFacts, cursor: Cursor) -> None:
 
 def _walk_initialisers(body: Body, tree: Tree) -> None:
     """A constructor's initialiser list: a reference to field, base or the class itself, then its value."""
-    initialisers: list[tuple[Tree | None, list[Tree]]] = [(None, [])]
+    initialisers: list[tuple[list[Tree], list[Tree]]] = [([], [])]
     for child in tree.children:
         if kinds.is_expression(child.kind):
             initialisers[-1][1].append(child)
+        elif initialisers[-1][1]:
+            initialisers.append(([child], []))
         else:
-            initialisers.append((child, []))
-    for target, values in initialisers:
-        if target is not None and values and _is_unnamed_construction(body, target, values[0]):
+            initialisers[-1][0].append(child)
+    for references, values in initialisers:
+        target = _initialised(body, references) if values else None
+        if target is not None and _is_unnamed_construction(body, target, values[0]):
             body.unit.add("call_receiver", lower_base_construction(body, target, values), body.this())
-        elif target is not None and values and _is_object(target) and is_argument_list(body, values[0]):
+        elif target is not None and _is_object(target) and is_argument_list(body, values[0]):
             field = declare_variable(body.unit, libclang.target(target))
             body.unit.add("field_initializer", body.function, field, lower_base_construction(body, target, values))
         else:
             _walk_values(body, target, values)
 
 
+def _initialised(body: Body, references: list[Tree]) -> Tree | None:
+    """Which of the `references` before the values gets them: a template, with those within its brackets as children, or else the last."""
+    for index, reference in enumerate(references):
+        if reference.kind == kinds.TEMPLATE_REFERENCE:
+            span = body.unit.span_of(reference)
+            instance = _INSTANCE.match(span.file.data, span.end)
+            if instance and all(body.unit.span_of(inner).end < instance.end() for inner in references[index + 1 :]):
+                reference.children = references[index + 1 :]
+                return reference
+    return references[-1] if references else None
+
+
 def _is_unnamed_construction(body: Body, target: Tree, value: Tree) -> bool:
     """In a template, clang gives the arguments of a base's constructor without a call of this."""
-    return bool(body.owner) and target.kind == kinds.TYPE_REFERENCE and body.unit.span_of(target).begin < body.unit.span_of(value).begin
+    return (
+        bool(body.owner)
+        and target.kind in (kinds.TYPE_REFERENCE, kinds.TEMPLATE_REFERENCE)
+        and body.unit.span_of(target).begin < body.unit.span_of(value).begin
+    )
 
 
 def _is_object(target: Tree) -> bool:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from rosarch.datalog.whole import write_whole
 from rosarch.extractor.cxx.assumed import assumed_struct, assumed_text
-from rosarch.extractor.cxx.includes import SHIPPED
+from rosarch.extractor.cxx.includes import HEALED, SHIPPED
 
 UNKNOWN = "rosarch_healed::unknown"
 
@@ -111,7 +111,8 @@ class Wanted:
 
     `messages` holds, by header and struct, the members of messages of which only the name is known, each with its kind (`type` for one of
     a field's type); `interfaces` the headers of those that the source does not include, where `interfaces_by_scope` tells that such names
-    are those of interfaces; `bases` the absent base classes of a class of the workspace; `read` the files whose members are wanted.
+    are those of interfaces; `bases` the absent base classes of a class of the workspace; `read` the files whose members are wanted;
+    `defined` are macros that are never wanted: they are there.
     """
 
     scratch: Path
@@ -119,6 +120,7 @@ class Wanted:
     interfaces: set[str] = field(default_factory=set)
     top: dict[str, Node] = field(default_factory=dict)
     macros: dict[str, str] = field(default_factory=dict)
+    defined: set[str] = field(default_factory=set)
     members: dict[str, str] = field(default_factory=dict)
     messages: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
     bases: dict[str, set[str]] = field(default_factory=dict)
@@ -183,8 +185,16 @@ class Wanted:
 
     def macro(self, name: str, body: str) -> None:
         """Want a macro."""
-        if name not in self.banned and self.macros.get(name) != body:
+        if name not in self.banned | self.defined and self.macros.get(name) != body:
             self.macros[name], self.changed = body, True
+
+    def undefined(self, bodies: Mapping[str, str], defined: Collection[str]) -> None:
+        """Want macros by their bodies; one that calls its own name needs a function of it. Those that are `defined` are never wanted."""
+        for name, body in bodies.items():
+            self.macro(name, body)
+            if body.startswith(f"(...) {name}("):
+                self.name([name], "function")
+        self.defined |= {*bodies, *defined}
 
     def correct(self, name: str, kind: str) -> None:
         """Take what was declared as class or value for something else: clang does not accept it where it is used."""
@@ -268,9 +278,12 @@ class Wanted:
         lines = ["#pragma once", f"#define ROSARCH_UNKNOWN_MEMBERS {unknown}", f'#include "{SHIPPED / "healing.h"}"']
         lines += ["#include <boost/shared_ptr.hpp>", *_render_all(self.top, False)]
         lines += [f'#include "{header}"' for header in sorted(self.interfaces)]
-        lines += [f"#define {name}{body}" for name, body in sorted(self.macros.items())]
+        lines += [
+            f"#ifndef {name}\n#define {name}{'' if body.startswith('(') else ' '}{body}\n#endif"
+            for name, body in sorted(self.macros.items())
+        ]
         files = {header: self._message_text(header) for header, _ in sorted(self.messages)}
-        files["healed.h"] = "\n".join(lines) + "\n"
+        files[HEALED] = "\n".join(lines) + "\n"
         key = hashlib.sha1("\0".join([*files, *files.values()]).encode(), usedforsecurity=False).hexdigest()[:16]
         folder = self.scratch / "healed" / key
         for name, text in files.items():

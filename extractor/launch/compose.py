@@ -34,6 +34,7 @@ from .names import global_namespace
 from .scope import Scope
 from .state import Exhausted, Handler, State
 from .unknowns import cleaned
+from .views import views_of
 from .xml_reader import Element, read_launch
 
 MAX_INCLUDE_DEPTH = 60
@@ -214,8 +215,9 @@ class _Composer:
 def finished(state: State, references: Iterable[Reference]) -> Composition:
     """The result, with unknown parts of texts as the source writes them."""
     shown = state.unknowns.render
+    nodes = tuple(_rendered_node(node, state) for node in state.nodes)
     return Composition(
-        nodes=tuple(_rendered_node(node, state) for node in state.nodes),
+        nodes=nodes,
         tests=tuple(_rendered_node(node, state) for node in state.tests),
         params=tuple(_rendered_param(setting, state) for settings in state.params.values() for setting in settings),
         includes=tuple(replace(include, text=shown(include.text)) for include in state.includes),
@@ -228,6 +230,8 @@ def finished(state: State, references: Iterable[Reference]) -> Composition:
         passed=tuple(replace(argument, name=shown(argument.name), value=shown(argument.value)) for argument in state.passed),
         remaps=tuple(_rendered_remap(remap, state) for remap in state.remaps),
         worlds=tuple(state.worlds.values()),
+        views=views_of(state, nodes),
+        commands=tuple(state.commands),
         references=tuple(references),
     )
 
@@ -243,7 +247,8 @@ def _rendered_declaration(argument: ArgumentDeclared, state: State) -> ArgumentD
 
 
 def _rendered_remap(remap: Remap, state: State) -> Remap:
-    return replace(remap, source=state.unknowns.render(remap.source), target=state.unknowns.render(remap.target))
+    shown = state.unknowns.render
+    return replace(remap, source=shown(remap.source), target=shown(remap.target), node=_shown(remap.node, state))
 
 
 def _rendered_param(setting: ParamSetting, state: State) -> ParamSetting:
@@ -294,4 +299,5 @@ def _rendered_node(node: NodeStart, state: State) -> NodeStart:
         test_name=_shown(node.test_name, state),
         called=_shown(node.called, state),
         container=_shown(node.container, state),
+        given=tuple(replace(one, nodes=shown(one.nodes), setting=_rendered_param(one.setting, state)) for one in node.given),
     )

@@ -177,7 +177,7 @@ def _yaml_text(state: State, file: str) -> str | None:
     if state.unknowns.is_open(file):
         return None
     try:
-        if not state.files.is_file(file):
+        if not (state.files.is_file(file) or state.files.packages.makes(file)):
             raise LaunchError("file", file, f"no such file: {file}")
         return state.files.read_text(file)
     except LaunchError as error:
@@ -188,14 +188,21 @@ def _yaml_text(state: State, file: str) -> str | None:
 def _load(state: State, element: Element, text: str, name: str, setting: ParamSetting) -> None:
     """Set what a YAML text says; `name` is empty when parameters go to the scope's namespace."""
     state.spend(YAML_COST * len(text))
+    unread = replace(setting, name=canonical(setting.name))
     try:
         data, lines = state.files.yaml(text)
     except YamlError as error:
+        if state.unknowns.is_open(text):
+            state.unread.append(unread)
+            return
         line = error.line if setting.source else element.line + error.line - 1
         path = setting.source or state.here.path
         message = f"invalid YAML at {path}:{line}:{error.column}: {error.message}"
         raise LaunchError("yaml", path, message) from None
     data = {} if data is None else data
+    if not name and isinstance(data, str) and state.unknowns.is_open(data):
+        state.unread.append(unread)  # it may be a map
+        return
     if not name and not isinstance(data, dict):
         raise LaunchError("rosparam-name", "param", "YAML that is not a map needs an attribute `param`")
     first = Place(setting.source, 1) if setting.source else replace(state.here, line=element.line)

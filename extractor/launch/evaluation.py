@@ -87,7 +87,7 @@ def evaluate(expression: str, lookup: Callable[[str], Any], functions: Mapping[s
 
 
 @lru_cache(maxsize=4096)
-def _parsed_once(expression: str) -> ast.Expression:
+def parsed_once(expression: str) -> ast.Expression:
     """The tree of an expression that is only read: the same one is often evaluated many times."""
     return _parsed(expression)
 
@@ -112,7 +112,7 @@ class Evaluator:
         if len(expression) > MAX_LENGTH:
             raise Unsupported(f"more than {MAX_LENGTH} characters")
         try:
-            return self.value(_parsed_once(expression.lstrip(" \t")).body)
+            return self.value(parsed_once(expression.lstrip(" \t")).body)
         except (SyntaxError, ValueError) as error:
             raise EvalFailed(error.msg if isinstance(error, SyntaxError) else str(error)) from None
         except (RecursionError, MemoryError):

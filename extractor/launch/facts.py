@@ -35,6 +35,8 @@ from .values import Binary, automatic
 if TYPE_CHECKING:
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
+    from .views import View
+
 Rows = dict[str, set[tuple[Any, ...]]]
 _LONG = 4096  # characters of a value; a robot's description is no name of anything
 
@@ -52,8 +54,15 @@ class _Writer:
         self.rows: Rows = {}
 
     def write(self, composition: Composition) -> Rows:
-        for start, node in starts(composition):
+        nodes = dict(starts(composition))
+        views = {view.path: view for view in composition.views}
+        for start, node in nodes.items():
             self.node(start, node)
+            for view in (views[word] for word in node_arguments(node).plain if word in views):
+                self.view(start, view)
+            if node.first:
+                first = next(other for other, one in nodes.items() if one.lines == node.first and one.full_name == node.full_name)
+                self.add("started_again", start, first)
         for setting in composition.params:
             self.param(setting)
         for setting in composition.unread:
@@ -75,8 +84,13 @@ class _Writer:
             self.plugin(plugin)
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
-            subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable") else problem.subject
-            self.add("launch_problem", self.place(problem.place), problem.kind, subject, problem.message, effect)
+            subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable", "params-file") else problem.subject
+            message = problem.message.replace(self.root + os.sep, "")  # places are shown relative to the workspace: so are paths in words
+            self.add("launch_problem", self.place(problem.place), problem.kind, subject, message, effect)
+            if problem.kind == "package":
+                self.reference(PackageNamed(problem.subject, None, problem.place))
+        for command in composition.commands:
+            self.add("commands_run", self.place(command))
         for reference in composition.references:
             self.reference(reference)
         return self.rows
@@ -102,16 +116,18 @@ class _Writer:
         self.add("started", start, node.package, node.type)
         self.add("started_name", start, name, namespace)
         self.add("started_version", start, node.ros)
-        if node.called is not None and node.name is None:
-            self.add("started_unnamed", start)
         if node.container is not None:
             self.add("loaded_into", start, node.container)
         for depth, place in enumerate(node.lines):
             self.add("started_at", start, depth, self.place(place))
         for condition in node.conditions:
             self.add("started_if", start, str(condition))
-        for remap in node.remaps:
+        for remap in node.own_remaps:
             self.add("started_remap", start, canonical(remap.source), canonical(remap.target), self.place(remap.place))
+        for file in node.params_files:
+            self.add("params_given", start, self.path(file.path))
+            for section in file.sections:
+                self.add("params_section", self.path(file.path), section.nodes, section.expression, self.place(section.place))
         here = self.place(node.lines[-1])
         for source, target in arguments.remaps:
             self.add("started_remap", start, canonical(source), canonical(target), here)
@@ -124,6 +140,8 @@ class _Writer:
         """A parameter's value."""
         place = self.place(setting.place)
         self.add("param_set", setting.name, *kind_and_text(setting.value), place)
+        for condition in setting.conditions:
+            self.add("param_set_if", setting.name, str(condition))
         if setting.source:
             self.add("param_source", setting.name, place, self.path(setting.source))
 
@@ -134,6 +152,20 @@ class _Writer:
         self.add("simulated_plugin", key, library_name(plugin.filename), place)
         for element, text in plugin.elements:
             self.add("plugin_element", key, element, text)
+
+    def view(self, start: str, view: View) -> None:
+        """What a viewer shows by its configuration."""
+        self.add("view_given", start, self.path(view.path))
+        for part in view.parts:
+            self.add("view_part", start, part.role, part.class_name, self.place(part.place))
+            for topic in part.topics:
+                place = self.place(topic.place)
+                port = f"{start}#{place}"
+                self.add("view_topic", start, port, part.class_name, topic.property)
+                self.add("interface_port", start, port, "publisher" if part.role == "tool" else "subscriber", topic.name)
+                self.add("interface_port_at", port, place)
+                for policy, setting in topic.qualities:
+                    self.add("interface_port_quality", port, policy, setting)
 
     def declared(self, argument: ArgumentDeclared) -> None:
         """An argument that a launch file declares."""
@@ -210,9 +242,9 @@ def kind_and_text(value: Any) -> tuple[str, str]:
 
 
 def library_name(filename: str) -> str:
-    """The file of a plug-in's library: gazebo adds what is missing."""
+    """The file of a plug-in's library: simulators add what is missing."""
     name = os.path.basename(filename.strip())
-    return name if name.endswith(".so") else f"{name}.so"
+    return f"{'' if name.startswith('lib') else 'lib'}{name}{'' if name.endswith('.so') else '.so'}"
 
 
 def started(composition: Composition) -> Iterator[tuple[str, str, tuple[str, ...]]]:

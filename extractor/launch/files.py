@@ -130,6 +130,8 @@ class Files:
         try:
             status = os.stat(full)
         except (FileNotFoundError, NotADirectoryError):
+            if self.packages.makes(full):
+                raise LaunchError("made", path, f"{path} is made when its package is built") from None
             raise LaunchError("file", path, f"no such file: {path}") from None
         except (OSError, ValueError) as error:
             raise LaunchError("unreadable", path, f"{path} cannot be read: {getattr(error, 'strerror', None) or error}") from None

@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.diagnostics import Diagnostic
 
+from .formulas import Formula, Not, possible
+
 if TYPE_CHECKING:
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
+
+    from .views import View
 
 
 @dataclass(frozen=True, order=True)
@@ -28,39 +32,49 @@ class Place:
 class Condition:
     """An `if` (`holds`) or `unless`. One whose value cannot be known: what carries it is there in one of two alternatives.
 
-    `key` is equal for conditions that have the same value, `text` is what is shown.
+    `text` is what is shown, `value` what it means.
     """
 
     text: str
     holds: bool
     place: Place
-    key: str = field(repr=False)
+    value: Formula = field(repr=False)
 
     def __str__(self) -> str:
         return f"{'if' if self.holds else 'unless'} {self.text}"
 
-    def excludes(self, other: Condition) -> bool:
-        """Whether both cannot hold at once."""
-        return self.key == other.key and self.holds != other.holds
+    @property
+    def formula(self) -> Formula:
+        """What has to be so for the condition to hold."""
+        return self.value if self.holds else Not(self.value)
 
     def contrary(self) -> Condition:
         """The condition that holds when this one does not."""
         return replace(self, holds=not self.holds)
 
 
+def together(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> bool | None:
+    """Whether two things with these conditions can be there at once; None when it is not known."""
+    return possible(tuple(dict.fromkeys(condition.formula for condition in (*one, *other))))
+
+
 def exclusive(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> bool:
     """Whether two things with these conditions are never there at once."""
-    return any(mine.excludes(theirs) for mine in one for theirs in other)
+    return bool(one and other) and together(one, other) is False
 
 
 @dataclass(frozen=True)
 class Remap:
-    """One remapping, with names as written; `conditions` are those of the `<remap>` itself, not of the node that has it."""
+    """One remapping, with names as written; `conditions` are those of the `<remap>` itself, not of the node that has it.
+
+    With a `node`, it is for the nodes of a process that are called so.
+    """
 
     source: str
     target: str
     place: Place
     conditions: tuple[Condition, ...] = ()
+    node: str | None = None
 
 
 @dataclass(frozen=True)
@@ -68,8 +82,9 @@ class NodeStart:
     """A `<node>` or `<test>` that is started. `lines` lead from the launch file given to the line of the node.
 
     `namespace` begins and ends with a slash; `respawn_delay` is in seconds. `ros` is the version of ROS. Where a launch file of ROS 2 does
-    not name a node, `called` is what it may be called; with a `container` (its absolute name), `type` is a class that is loaded there.
-    `conditions` are those that cannot be known, `held` those that are known to hold.
+    not name a node, `called` is what it may be called and `given` what its process sets; with a `container` (its absolute name), `type` is
+    a class that is loaded there. `params_files` are the files of parameters that it is given. `conditions` are those that cannot be known,
+    `held` those that are known to hold. `first` are the lines of the first node of this name, when this is another one.
     """
 
     package: str
@@ -93,11 +108,23 @@ class NodeStart:
     called: str | None = None
     container: str | None = None
     held: tuple[Condition, ...] = ()
+    first: tuple[Place, ...] = ()
+    given: tuple[ProcessSetting, ...] = ()
+    params_files: tuple[ParamsGiven, ...] = ()
 
     @property
     def full_name(self) -> str:
         """The node's name in its namespace."""
         return self.namespace + (self.name or self.called or "")
+
+    @property
+    def own_remaps(self) -> tuple[Remap, ...]:
+        """The remappings that hold for it: not those for other nodes of its process, and of several for one name the first."""
+        found: dict[tuple[str, tuple[Condition, ...]], Remap] = {}
+        for remap in self.remaps:
+            if remap.node in (None, self.name or self.called) and not remap.source.startswith("__"):
+                found.setdefault((remap.source, remap.conditions), remap)
+        return tuple(found.values())
 
 
 @dataclass(frozen=True)
@@ -120,6 +147,35 @@ class ParamSetting:
     def place(self) -> Place:
         """Where the value is written."""
         return self.written or self.lines[-1]
+
+
+@dataclass(frozen=True)
+class ProcessSetting:
+    """A parameter, by the name that nodes know it by, that is set for those nodes of a process whose full names match `nodes`.
+
+    When it is not `read`, the file that it stands for could not be read.
+    """
+
+    nodes: str
+    setting: ParamSetting
+    read: bool = True
+
+
+@dataclass(frozen=True)
+class ParamsSection:
+    """What a file of parameters says, at `place`, for the nodes that it calls `nodes`, whose full names match `expression`."""
+
+    nodes: str
+    expression: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class ParamsGiven:
+    """The file of parameters at `path`, which a node of ROS 2 is given, be any of its sections for it or not."""
+
+    path: str
+    sections: tuple[ParamsSection, ...]
 
 
 @dataclass(frozen=True)
@@ -251,8 +307,9 @@ class Composition:
 
     `params` has one setting per parameter, and more only where conditions are unknown; `cleared` are namespaces whose parameters are
     removed first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could
-    not be read sets parameters in; the `source` of each is that file. `references` are what
-    the files read name, in all branches. `ros` is the version of ROS that they are for.
+    not be read sets parameters in; the `source` of each is that file. `views` are the configurations that viewers are given,
+    `commands` where events are emitted and commands run that are no nodes, `references` what the files read name, in all branches. `ros` is
+    the version of ROS that they are for.
     """
 
     nodes: tuple[NodeStart, ...]
@@ -268,6 +325,8 @@ class Composition:
     passed: tuple[ArgumentPassed, ...] = ()
     remaps: tuple[Remap, ...] = ()
     worlds: tuple[World, ...] = ()
+    views: tuple[View, ...] = ()
+    commands: tuple[Place, ...] = ()
     references: tuple[Reference, ...] = ()
     ros: int = 1
 
@@ -294,4 +353,4 @@ class LaunchError(Exception):
     @property
     def is_limit(self) -> bool:
         """Whether a file is only not read here: roslaunch would read it."""
-        return self.kind in ("outside", "size")
+        return self.kind in ("outside", "size", "made")

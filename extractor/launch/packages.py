@@ -1,7 +1,8 @@
 """Where packages lie: the crawl of rospkg, which answers `$(find package)`.
 
 This differs from the crawl of `extractor.workspace`, which follows the build tools: here only CATKIN_IGNORE hides, metapackages are no
-packages, and a `manifest.xml` makes its folder a package of the folder's name. Sources: rospkg.rospack; roslaunch finds what rospkg finds.
+packages, and a `manifest.xml` makes its folder a package of the folder's name. Packages below packages, which rospkg does not see and which
+may be built all the same, come last. Sources: rospkg.rospack; roslaunch finds what rospkg finds.
 Where rospkg depends on the order in which the file system lists folders, the alphabetical one counts.
 """
 
@@ -13,14 +14,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
+from rosarch.extractor import tracing
 from rosarch.extractor.files import is_folder, read_file
-from rosarch.extractor.package_names import quick_name, quick_text
+from rosarch.extractor.package_names import NO_PACKAGES, quick_name, quick_text
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _WORD = re.compile(r"[\w.+-]+")
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _LINE_COMMENT = re.compile(r"#.*")
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
+_MAKING = re.compile(
+    r"\b(?:(?:configure_file|add_custom_command|add_custom_target|execute_process|(xacro_add_files))\s*\("
+    r"|file\s*\(\s*(?:WRITE|APPEND|GENERATE|CONFIGURE|DOWNLOAD|RENAME|COPY_FILE|CREATE_LINK)\b)((?:[^()]|\([^()]*\))*)",
+    re.IGNORECASE,
+)
+"""The commands of CMake that make files, with their words."""
 
 
 class PackagePath:
@@ -30,6 +38,7 @@ class PackagePath:
         self.folders = tuple(os.path.abspath(folder) for folder in folders)
         self._names: dict[str, frozenset[str]] = {}
         self._paths: dict[str, dict[str, list[str]]] = {}
+        self._made: dict[str, frozenset[str]] = {}
 
     @cached_property
     def packages(self) -> dict[str, str]:
@@ -51,6 +60,21 @@ class PackagePath:
             self._names[folder] = _names_and_words(self.paths_in(folder))
         return self._names[folder]
 
+    def makes(self, path: str) -> bool:
+        """Whether the build of its package makes the file `path`: from a template beside it, or by a command that names it."""
+        tracing.probe(f"{path}.in")
+        if os.path.isfile(f"{path}.in"):
+            return True
+        folder = max((folder for folder in self.packages.values() if path.startswith(folder + os.sep)), key=len, default=None)
+        return folder is not None and os.path.basename(path) in self._made_in(folder)
+
+    def _made_in(self, folder: str) -> frozenset[str]:
+        if folder not in self._made:
+            paths = self.paths_in(folder)
+            build_files = (path for name in paths if name == "CMakeLists.txt" or name.endswith(".cmake") for path in paths[name])
+            self._made[folder] = frozenset(name for path in build_files for name in _made_by(path))
+        return self._made[folder]
+
     def paths_in(self, folder: str) -> Mapping[str, Sequence[str]]:
         """The paths of the files below a package's folder, by their names."""
         if folder not in self._paths:
@@ -71,22 +95,33 @@ def _names_and_words(paths: Mapping[str, Sequence[str]]) -> frozenset[str]:
     return frozenset(found)
 
 
-def _words_of(build_file: str) -> list[str]:
+def _text_of(build_file: str) -> str:
     try:
         text = read_file(build_file).decode(errors="replace")
     except OSError:
-        return []  # where it is evaluated, that is reported
+        return ""  # where it is evaluated, that is reported
     text = _LINE_COMMENT.sub("", text)
     project = _PROJECT.search(text)
-    return _WORD.findall(text.replace("${PROJECT_NAME}", project[1]) if project else text)
+    return text.replace("${PROJECT_NAME}", project[1]) if project else text
+
+
+def _words_of(build_file: str) -> list[str]:
+    return _WORD.findall(_text_of(build_file))
+
+
+def _made_by(build_file: str) -> Iterator[str]:
+    for expands, words in _MAKING.findall(_text_of(build_file)):
+        for word in _WORD.findall(words):
+            yield word.removesuffix(".xacro") if expands else word
 
 
 def _packages_below(top: str, roots: tuple[str, ...]) -> Iterator[tuple[str, str]]:
     """Name and folder of each package; links that lead out of all `roots` are not followed."""
     visited = {os.path.realpath(top)}
-    stack = [top]
+    inner: list[tuple[str, str]] = []
+    stack = [(top, False)]
     while stack:
-        folder = stack.pop()
+        folder, inside = stack.pop()
         try:
             with os.scandir(folder) as scan:
                 entries = sorted(scan, key=lambda entry: entry.name, reverse=True)
@@ -97,21 +132,27 @@ def _packages_below(top: str, roots: tuple[str, ...]) -> Iterator[tuple[str, str
             continue
         if "package.xml" in names and not _is_metapackage(f"{folder}/package.xml"):
             name = quick_name(f"{folder}/package.xml")
-            if name:
+            if name and inside:
+                inner.append((name, folder))
+            elif name:
                 yield name, folder
         elif "manifest.xml" in names:
             yield os.path.basename(folder), folder
-        if names & {"package.xml", "manifest.xml", "rospack_nosubdirs"} or folder.startswith("/usr/share/"):
+        if names & {"manifest.xml", "rospack_nosubdirs"} or folder.startswith("/usr/share/"):
             continue
+        inside |= "package.xml" in names
+        if inside and os.path.basename(os.path.dirname(folder)) == "share":
+            continue  # installed
         for entry in entries:
-            if entry.name.startswith(".") or not is_folder(entry):
+            if entry.name.startswith(".") or (inside and entry.name in NO_PACKAGES) or not is_folder(entry):
                 continue
             if entry.is_symlink():
                 real = os.path.realpath(entry.path)
                 if real in visited or f"{folder}/".startswith(real + "/") or not f"{real}/".startswith(roots):
                     continue
                 visited.add(real)
-            stack.append(entry.path)
+            stack.append((entry.path, inside))
+    yield from inner
 
 
 def _is_file(entry: os.DirEntry[str]) -> bool:

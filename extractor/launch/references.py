@@ -45,9 +45,8 @@ def _files(element: Element, attribute: str, text: str, place: Place, packages: 
         resolved = _FIND.sub(lambda match: packages.find(match[1]) or match[0], found)
         file = os.path.normpath(resolved.replace("$(dirname)", os.path.dirname(os.path.abspath(place.path))))
         if "$(" not in file:
-            for path in (file, f"{file}.in"):
-                tracing.probe(path)
-            yield FileNamed(role, file, not (os.path.exists(file) or os.path.exists(f"{file}.in")), place)
+            tracing.probe(file)
+            yield FileNamed(role, file, not (os.path.exists(file) or packages.makes(file)), place)
 
 
 def _program(element: Element, place: Place, packages: PackagePath) -> Iterator[Reference]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from .files import Files
+from .formulas import Test, truth
 from .model import (
     ArgumentDeclared,
     ArgumentPassed,
@@ -19,6 +20,7 @@ from .model import (
     Remap,
     World,
     exclusive,
+    together,
 )
 from .names import canonical, parents
 from .scope import Scope, settle
@@ -50,6 +52,7 @@ class State:
         self.params: dict[str, list[ParamSetting]] = {}
         self.unread: list[ParamSetting] = []
         self.worlds: dict[str, World] = {}
+        self.commands: dict[Place, None] = {}
         self.includes: list[Include] = []
         self.declared: list[ArgumentDeclared] = []
         self.passed: list[ArgumentPassed] = []
@@ -173,14 +176,15 @@ class State:
     def condition_written(self, element: Element) -> tuple[Condition, ...]:
         """The `if` or `unless` of an element, as written."""
         found = [(name, element.attributes[name]) for name in ("if", "unless") if name in element.attributes]
-        return tuple(Condition(text, name == "if", self.here, text) for name, text in found)
+        return tuple(Condition(text, name == "if", self.here, Test(text)) for name, text in found)
 
     def _unknown_condition(self, text: str, holds: bool, scope: Scope) -> tuple[Condition, ...] | None:
         """A condition is new unless the element is already within the same one, or within its contrary."""
-        condition = Condition(self.unknowns.render(text), holds, self.here, text)
-        for outer in scope.conditions:
-            if outer.key == condition.key:
-                return () if outer.holds == holds else None
+        condition = Condition(self.unknowns.render(text), holds, self.here, truth(self.unknowns, text))
+        if exclusive(scope.conditions, (condition,)):
+            return None
+        if exclusive(scope.conditions, (condition.contrary(),)):
+            return ()
         self.own_conditions = (condition,)
         return self.own_conditions
 
@@ -200,12 +204,10 @@ class State:
         settle(self.params, setting)
 
     def add_node(self, node: NodeStart, fatal: bool = True) -> None:
-        """Start a node; two of one name are refused, or (not `fatal`) only reported, unless they are alternatives."""
-        self.nodes.append(node)
-        if not node.name:
-            return
-        others = self.named.setdefault(node.full_name, [])
-        other = next((other for other in others if not exclusive(node.conditions, other.conditions)), None)
+        """Start a node; two of one name are refused, or (not `fatal`) only reported, unless they are alternatives, or may be."""
+        others = [] if not node.name or self.unknowns.is_open(node.full_name) else self.named.setdefault(node.full_name, [])
+        other = next((other for other in others if together(node.conditions, other.conditions)), None)
+        self.nodes.append(node if other is None else replace(node, first=other.lines))
         if other is not None:
             message = f"a second node `{node.full_name}`, the first is at {other.lines[-1]}"
             self.report(LaunchError("duplicate-node", node.full_name, message), fatal)

@@ -12,7 +12,8 @@ from typing import Any, Protocol
 
 from rosarch.extractor.diagnostics import shortened
 
-from .evaluation import EvalFailed, UnknownInvolved, Unsupported, evaluate, is_known_value
+from .decisions import decision
+from .evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, evaluate, is_known_value
 from .model import LaunchError
 from .packages import PackagePath
 from .scope import Scope
@@ -139,7 +140,11 @@ class Resolver:
         else:
             if isinstance(value, str) or (is_known_value(value) and not isinstance(value, set)):  # the text of a set has no order
                 return str(value)
-        return self.unknowns.mark(f"$(eval {self.unknowns.render(expression)})", scope.filename, tuple(sorted(scope.args.items())))
+        known = tuple(sorted(scope.args.items()))
+        mark = self.unknowns.mark(f"$(eval {self.unknowns.render(expression)})", scope.filename, known)
+        if mark not in self.unknowns.truths:
+            self.unknowns.truths[mark] = decision(expression, Evaluator(lambda name: self._eval_name(name, scope), functions))
+        return mark
 
     def _eval_name(self, name: str, scope: Scope) -> Any:
         """The value of an argument that an expression names like a variable."""

@@ -16,6 +16,7 @@ from rosarch.extractor.xml_reader import XmlError
 
 from .files import Files
 from .model import Composition, LaunchError, Place, Problem
+from .templates import is_template
 from .versions import compose
 from .xml_reader import read_launch
 
@@ -29,15 +30,16 @@ _FIND = re.compile(r"\$\((?:find|find-pkg-share) ([^()$]+)\)")
 _NAME = re.compile(r"[\w.-]+")
 
 
-def launch_files(folder: Path | str) -> list[str]:
-    """The launch files below a folder, sorted; hidden folders and those that CATKIN_IGNORE hides are left out."""
+def launch_files(folder: Path | str, *, templates: bool = False) -> list[str]:
+    """The launch files below a folder, sorted, without hidden folders, those that CATKIN_IGNORE hides and (unless asked for) templates."""
     found: list[str] = []
     for here, folders, names in os.walk(folder):
         if "CATKIN_IGNORE" in names:
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
-        found += [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES) or _is_ros2(folder, here, name)]
+        paths = [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES) or _is_ros2(folder, here, name)]
+        found += [path for path in paths if templates or not is_template(path, folder)]
     return found
 
 

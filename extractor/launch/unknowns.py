@@ -9,6 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Hashable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .formulas import Formula
 
 _FIRST = 0x100000
 _CAPACITY = 0xFFF0
@@ -27,15 +31,26 @@ def with_unknowns_as(replacement: str, text: str) -> str:
     return _MARK.sub(replacement, text)
 
 
+def may_be(text: str, known: str) -> bool:
+    """Whether `text`, which has unknown parts, may turn out to be `known`."""
+    return re.fullmatch(".*".join(map(re.escape, _MARK.split(text))), known, re.DOTALL) is not None
+
+
 def cleaned(text: str) -> str:
     """`text` as read from outside, without characters that mean an unknown here or cannot be written."""
     return text if text.isascii() else _UNUSABLE.sub(_REPLACEMENT, text)
 
 
+def marks_in(text: str) -> frozenset[str]:
+    """The unknown parts of `text`."""
+    return frozenset() if text.isascii() else frozenset(_MARK.findall(text))
+
+
 class Unknowns:
-    """The unknowns of one composition."""
+    """The unknowns of one composition. `truths` tells when those that are Booleans are true."""
 
     def __init__(self) -> None:
+        self.truths: dict[str, Formula] = {}
         self._texts: list[str] = []
         self._marks: dict[Hashable, str] = {}
         self._numbers: dict[str, int] = {}

@@ -25,7 +25,7 @@ Handler = Callable[["World", Made, Context], None]
 HANDLERS: dict[str, Handler] = {}
 _SILENT = frozenset(
     {
-        *("LogInfo", "Shutdown", "EmitEvent", "UnregisterEventHandler", "ReadyToTest", "LifecycleTransition", "SetROSLogDir"),
+        *("LogInfo", "Shutdown", "UnregisterEventHandler", "ReadyToTest", "SetROSLogDir"),
         # groups do this; by hand it is next to never done
         *("PushLaunchConfigurations", "PopLaunchConfigurations", "PushEnvironment", "PopEnvironment", "ResetEnvironment"),
     }
@@ -85,6 +85,7 @@ def _visit_made(world: World, action: Made, context: Context) -> None:
     try:
         handler = HANDLERS.get(action.kind)
         with conditional(world, action.arguments.get("condition"), context) as starts:
+            state.scope = Scope("/", context.file, conditions=context.conditions)
             if handler is not None and starts:
                 handler(world, action, context)
             elif handler is None and action.kind not in _SILENT:
@@ -165,6 +166,12 @@ def _visit_outcome(world: World, outcome: Any, context: Context) -> None:
     visit(world, outcome, context)
 
 
+@carries_out("EmitEvent", "LifecycleTransition")
+def _emit(world: World, _made: Made, _context: Context) -> None:
+    """Who is told to do what is not followed."""
+    world.state.commands.setdefault(world.state.here)
+
+
 @carries_out("DeclareLaunchArgument")
 def _declare(world: World, made: Made, context: Context) -> None:
     state = world.state
@@ -174,7 +181,7 @@ def _declare(world: World, made: Made, context: Context) -> None:
     state.declared.append(ArgumentDeclared(context.file, name, None, default, state.here))
     if name not in context.configurations:
         if default is None:
-            state.report(LaunchError("arg", name, f"argument `{name}` must be passed, it has no default"))
+            state.report(LaunchError("argument", name, f"argument `{name}` must be passed, it has no default"))
             default = state.unknowns.mark(f"$(var {name})", context.file)
         context.configurations[name] = default
     choices = made.arguments.get("choices")

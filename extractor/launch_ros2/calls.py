@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.model import Place
+from rosarch.extractor.launch.formulas import Test
+from rosarch.extractor.launch.model import Condition, LaunchError, Place
 
-from .expressions import Expressions, Raised, Undecided, is_certain
+from .decisions import is_certain
+from .expressions import Expressions, Raised, Undecided
 from .natives import attribute
 from .natives_files import environment_item
 from .registry import KNOWN_MODULES, NATIVES
 from .values import (
     CLASSES,
+    KEYWORDS,
     NOTHING,
     Bound,
     Class,
@@ -42,6 +46,18 @@ _OBJECTS = (Made, Instance, Class, PathText, TextFile, Module)
 _DECORATORS = frozenset({"staticmethod", "classmethod", "property", "cached_property"})
 
 
+GENERAL = frozenset({"Exception", "BaseException"})
+
+
+@dataclass
+class Attempt:
+    """A `try`: the exceptions that it handles by name, and the conditions without which one of `kinds` is raised."""
+
+    handled: frozenset[str]
+    missed: list[Condition] = field(default_factory=list)
+    kinds: frozenset[str] = frozenset()
+
+
 class Calls(Expressions):
     """What is called, and what is asked of objects."""
 
@@ -50,6 +66,7 @@ class Calls(Expressions):
         self.world = world
         self.modules: dict[str, ModuleFrame] = {}
         self.depth = 0
+        self.attempts: list[Attempt] = []
         self.kinds: dict[int, str] = {}
 
     def text(self, value: Any) -> str:
@@ -58,6 +75,20 @@ class Calls(Expressions):
     def misunderstood(self, place: Place, message: str) -> None:
         """Report what was not understood, once."""
         self.world.state.warn("python", message, message, place)
+
+    def installs(self, package: str) -> bool:
+        return self.world.state.files.packages.find(package) is not None
+
+    def optional(self, kinds: set[str], what: str) -> bool:
+        """Whether the launch file goes on when an exception of these kinds tells that `what` is not there; on goes the case that it is."""
+        attempt = next((one for one in reversed(self.attempts) if one.handled & (kinds | GENERAL)), None)
+        if attempt is None:
+            return False
+        condition = Condition(what, True, self.world.state.here, Test(what))
+        attempt.missed.append(condition)
+        attempt.kinds = attempt.kinds or frozenset(kinds | GENERAL)
+        self.path.append(condition)
+        return True
 
     def builtin(self, node: ast.Name, frame: Frame) -> Any:
         return NATIVES.get(node.id) or super().builtin(node, frame)
@@ -212,6 +243,7 @@ class Calls(Expressions):
                 return self.unknown(node, frame)
             wrapped = {name: self._callable(value) for name, value in named.items()}
             return self.weighed(function(*map(self._callable, arguments), **wrapped))
+        self.world.hand(*arguments, *named.values())
         return self.unknown(node, frame)
 
     def _plain(self, value: Any) -> bool:
@@ -259,6 +291,8 @@ class Calls(Expressions):
     def make(self, kind: str, arguments: list[Any], named: dict[str, Any], place: Place) -> Made:
         """An object of a class of launch."""
         names = CLASSES[kind]
+        for name in named.keys() - KEYWORDS.get(kind, named.keys()):
+            self.world.state.report(LaunchError("keyword", name, f"{kind} has no argument `{name}`"), place=place)
         given = {**dict(zip(names, arguments, strict=False)), **named}
         return Made(kind, given, place, tuple(arguments[len(names) :]))
 
@@ -321,9 +355,9 @@ class Calls(Expressions):
             owner[key] = value
 
     def close(self, file: TextFile) -> None:
-        """The end of a `with` block of a file: what was written into it can be read."""
-        if file.text is not None:
-            self.world.written[file.name] = file.text
+        """What was written into a file can be read."""
+        if file.written:
+            self.world.written[file.name] = self.world.content_of(file.name) if file.text is None else file.text
 
 
 def _bound(function: Function, arguments: list[Any], named: dict[str, Any]) -> Iterator[tuple[str, Any]]:

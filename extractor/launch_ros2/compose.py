@@ -9,7 +9,7 @@ from pathlib import Path
 
 from rosarch.extractor.launch.compose import finished
 from rosarch.extractor.launch.files import Files
-from rosarch.extractor.launch.model import Composition, FileNamed, LaunchError, PackageNamed, Place, Reference
+from rosarch.extractor.launch.model import Composition, FileNamed, LaunchError, Place, Reference
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import Exhausted, State
 from rosarch.extractor.launch.unknowns import cleaned
@@ -59,8 +59,6 @@ def _references(world: World) -> tuple[Reference, ...]:
     """What the launch files name, as far as it was come across."""
     found: dict[Reference, None] = dict.fromkeys(world.references)
     for problem in world.state.problems:
-        if problem.kind == "package":
-            found[PackageNamed(problem.subject, None, problem.place)] = None
-        elif problem.kind == "file" and os.path.isabs(problem.subject):
+        if problem.kind == "file" and os.path.isabs(problem.subject):
             found[FileNamed("value", problem.subject, True, problem.place)] = None
     return tuple(found)

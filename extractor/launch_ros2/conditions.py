@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rosarch.extractor.launch.formulas import Formula, Test, equals, truth
 from rosarch.extractor.launch.model import Condition, LaunchError
 from rosarch.extractor.launch.values import boolean
 
@@ -55,19 +56,22 @@ def _compared(world: World, condition: Made, context: Context) -> bool | Conditi
     if value == other:
         return wanted
     if world.state.unknowns.is_open(value) or world.state.unknowns.is_open(other):
-        return _open(world, f"{value} == {other}", wanted)
+        unsure, sure = (value, other) if world.state.unknowns.is_open(value) else (other, value)
+        known = not world.state.unknowns.is_open(sure)
+        return _open(world, f"{value} == {other}", wanted, equals(unsure, sure) if known else None)
     return not wanted
 
 
-def _open(world: World, text: str, wanted: bool) -> Condition:
-    return Condition(world.state.unknowns.render(text), wanted, world.state.here, text)
+def _open(world: World, text: str, wanted: bool, value: Formula | None = None) -> Condition:
+    unknowns = world.state.unknowns
+    return Condition(unknowns.render(text), wanted, world.state.here, value or truth(unknowns, text))
 
 
 def condition_held(world: World, condition: Any) -> Condition:
     """A condition that holds, as it is written."""
     wanted = not isinstance(condition, Made) or condition.kind != "UnlessCondition"
     text = _written(world, condition)
-    return Condition(text, wanted, condition.place if isinstance(condition, Made) else world.state.here, text)
+    return Condition(text, wanted, condition.place if isinstance(condition, Made) else world.state.here, Test(text))
 
 
 def _written(world: World, value: Any) -> str:

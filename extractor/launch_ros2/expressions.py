@@ -9,17 +9,16 @@ import ast
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from rosarch.extractor.diagnostics import shortened
 from rosarch.extractor.launch.eval_functions import BUILTINS, METHODS, TooLarge, format_text, size_of
-from rosarch.extractor.launch.evaluation import BINARY, COMPARE, CONVERSIONS, PYTHON_ERRORS, UNARY, check_size
+from rosarch.extractor.launch.evaluation import BINARY, CONVERSIONS, PYTHON_ERRORS, UNARY, check_size
+from rosarch.extractor.launch.formulas import Every, Not, Some
 from rosarch.extractor.launch.model import Condition, Place
 from rosarch.extractor.launch.unknowns import cleaned, is_known
 
-from .values import NOTHING, Either, Frame, Function, Instance, Made, PathText, Unknown
+from .decisions import Decisions, is_certain, is_object, source_of
+from .values import NOTHING, Either, Frame, Function, Installed, Instance, Made, PathText, Unknown, Written
 
 MAX_STEPS = 5_000_000
-MAX_PARTS = 100_000
-"""Of a value that is looked at as a whole: what lists share counts each time, as in the text that would be made of it."""
 _SIZE_COST = 64
 _MAKING = (ast.BinOp, ast.JoinedStr, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)  # what may make something large
 _TEXTS = (str, Unknown, Either)
@@ -41,21 +40,13 @@ class Raised(Exception):
         self.kind, self.message, self.place = kind, message, place
 
 
-class Expressions:
+class Expressions(Decisions):
     """The values of expressions. `file` and `path` say where interpretation is, and under which unknown conditions."""
 
     def __init__(self) -> None:
         self.steps = 0
         self.path: list[Condition] = []
         self._method: dict[type[ast.AST], Callable[[Any, Frame], Any] | None] = {}
-
-    def place(self, node: ast.AST, frame: Frame) -> Place:
-        """Where a piece of source is."""
-        return Place(frame.module.file, getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1)
-
-    def unknown(self, node: ast.expr, frame: Frame, reason: str = "") -> Unknown:
-        """The value of an expression that cannot be told."""
-        return Unknown(_source(node), self.place(node, frame), reason)
 
     def method_for(self, node: ast.expr | ast.stmt) -> Callable[[Any, Frame], Any] | None:
         """What interprets nodes of this kind, if anything does."""
@@ -89,12 +80,6 @@ class Expressions:
         if isinstance(value, (str, list, dict, tuple, set, int)):
             self.step(size_of(value) // _SIZE_COST)
         return value
-
-    def truth(self, value: Any) -> bool | None:
-        """Whether a value counts as true; None when that is not known."""
-        if isinstance(value, (Unknown, Either)) or (isinstance(value, str) and not is_known(value)):
-            return None
-        return True if _is_object(value) else bool(value)
 
     # -- atoms ----------------------------------------------------------------------------------------------------------------
 
@@ -132,15 +117,13 @@ class Expressions:
         spec = "" if node.format_spec is None else self.value(node.format_spec, frame)
         return METHODS[str]["format"]("{:" + spec + "}", CONVERSIONS[node.conversion](value)) if isinstance(spec, str) else spec
 
-    def text(self, value: Any) -> str:
-        """An unknown as a part of a text."""
-        raise NotImplementedError
-
     def _list(self, node: ast.List, frame: Frame) -> Any:
         return list(self._items(node.elts, frame))
 
     def _tuple(self, node: ast.Tuple, frame: Frame) -> Any:
-        return tuple(self._items(node.elts, frame))
+        written = Written(self._items(node.elts, frame))
+        written.place = self.place(node, frame)
+        return written
 
     def _set(self, node: ast.Set, frame: Frame) -> Any:
         return set(self._items(node.elts, frame))
@@ -165,8 +148,8 @@ class Expressions:
         """The items of a value; a single unknown one where these cannot be told."""
         if isinstance(value, (list, tuple, set, dict, range, str)) and (not isinstance(value, str) or is_known(value)):
             return list(value)
-        if isinstance(value, (Unknown, Either, Made, Instance, str)):
-            return [Unknown(f"each of {_source(node)}", self.place(node, frame))]
+        if isinstance(value, (Unknown, Either, Made, Instance, Installed, str)):
+            return [Unknown(f"each of {source_of(node)}", self.place(node, frame))]
         raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))
 
     # -- operators ------------------------------------------------------------------------------------------------------------
@@ -185,7 +168,7 @@ class Expressions:
             if isinstance(left, str) and isinstance(right, str):
                 return left + right
             if (isinstance(left, list) and isinstance(right, list)) or (isinstance(left, tuple) and isinstance(right, tuple)):
-                return type(left)((*left, *right))
+                return [*left, *right] if isinstance(left, list) else (*left, *right)
             if isinstance(left, str) != isinstance(right, str) and isinstance(left, _TEXTS) and isinstance(right, _TEXTS):
                 return self.text(left) + self.text(right)
             if isinstance(left, list) and isinstance(right, (Unknown, Either)):
@@ -193,7 +176,7 @@ class Expressions:
         if isinstance(op, ast.Mod) and isinstance(left, str) and is_known(left) and is_certain(right):
             return format_text(left, right)
         function = BINARY.get(type(op))
-        if function is None or not (is_certain(left) and is_certain(right)) or _is_object(left) or _is_object(right):
+        if function is None or not (is_certain(left) and is_certain(right)) or is_object(left) or is_object(right):
             return self.unknown(node, frame)
         check_size(op, left, right)
         return function(left, right)
@@ -202,64 +185,59 @@ class Expressions:
         value = self.value(node.operand, frame)
         if isinstance(node.op, ast.Not):
             truth = self.truth(value)
-            return self.unknown(node, frame) if truth is None else not truth
+            return self.undecided(node, frame, Not(self.formula(value))) if truth is None else not truth
         return UNARY[type(node.op)](value) if is_certain(value) else self.unknown(node, frame)
 
     def _boolop(self, node: ast.BoolOp, frame: Frame) -> Any:
-        wanted, unsure = isinstance(node.op, ast.Or), False
+        depth = len(self.path)
+        try:
+            return self._joined_truth(node, frame)
+        finally:
+            del self.path[depth:]
+
+    def _joined_truth(self, node: ast.BoolOp, frame: Frame) -> Any:
+        wanted, parts = isinstance(node.op, ast.Or), []
         found: Any = None
         for operand in node.values:
             found = self.value(operand, frame)
             truth = self.truth(found)
-            unsure |= truth is None
+            if truth is None:
+                condition = self.condition(operand, found, frame)
+                parts.append(condition.value)
+                self.path.append(condition.contrary() if wanted else condition)  # otherwise the next ones are not asked
             if truth is wanted:
                 break
-        else:
-            return self.unknown(node, frame) if unsure else found
-        return self.unknown(node, frame) if unsure and not isinstance(found, bool) else found
+        if not parts or (truth is wanted and isinstance(found, bool)):
+            return found
+        return self.unknown(node, frame) if truth is wanted else self.undecided(node, frame, (Some if wanted else Every)(tuple(parts)))
 
     def _compare(self, node: ast.Compare, frame: Frame) -> Any:
         left = self.value(node.left, frame)
         for operation, operand in zip(node.ops, node.comparators, strict=True):
             right = self.value(operand, frame)
-            result = self._compared(operation, left, right)
+            result = self.compared(operation, left, right)
             if result is None:
-                return self.unknown(node, frame)
+                means = self.meaning(operation, left, right) if len(node.ops) == 1 else None
+                return self.unknown(node, frame) if means is None else self.undecided(node, frame, means)
             if not result:
                 return False
             left = right
         return True
 
-    def _compared(self, operation: ast.cmpop, left: Any, right: Any) -> bool | None:
-        """Whether one comparison holds; None when that is not known."""
-        if isinstance(left, (Unknown, Either)) or isinstance(right, (Unknown, Either)):
-            return None
-        if (
-            isinstance(operation, (ast.Is, ast.IsNot))
-            or _is_object(left)
-            or (_is_object(right) and not isinstance(operation, (ast.In, ast.NotIn)))
-        ):
-            same = left is right or (isinstance(left, PathText) and left == right)
-            return same if isinstance(operation, (ast.Is, ast.Eq)) else not same if isinstance(operation, (ast.IsNot, ast.NotEq)) else None
-        if isinstance(operation, (ast.Eq, ast.NotEq)) and isinstance(left, str) and left == right:
-            return isinstance(operation, ast.Eq)
-        if isinstance(operation, (ast.In, ast.NotIn)) and isinstance(right, dict) and is_certain(left):
-            return (left in right) is isinstance(operation, ast.In)
-        if not (is_certain(left) and is_certain(right)):
-            return None
-        return bool(COMPARE[type(operation)](left, right))
-
     def _ifexp(self, node: ast.IfExp, frame: Frame) -> Any:
-        truth = self.truth(self.value(node.test, frame))
+        test = self.value(node.test, frame)
+        truth = self.truth(test)
         if truth is not None:
             return self.value(node.body if truth else node.orelse, frame)
-        condition = self.condition(node.test, frame)
-        return either(condition, self.value(node.body, frame), self.value(node.orelse, frame))
+        condition = self.condition(node.test, test, frame)
+        return either(condition, self._under(condition, node.body, frame), self._under(condition.contrary(), node.orelse, frame))
 
-    def condition(self, test: ast.expr, frame: Frame) -> Condition:
-        """A condition of the launch file that cannot be known."""
-        text = _source(test)
-        return Condition(text, True, self.place(test, frame), f"{frame.module.file}: {text}")
+    def _under(self, condition: Condition, node: ast.expr, frame: Frame) -> Any:
+        self.path.append(condition)
+        try:
+            return self.value(node, frame)
+        finally:
+            self.path.remove(condition)
 
     def _namedexpr(self, node: ast.NamedExpr, frame: Frame) -> Any:
         frame.variables[node.target.id] = found = self.value(node.value, frame)
@@ -322,12 +300,14 @@ class Expressions:
             self.step()
             inner = Frame({}, frame.module, frame)
             self.assign(first.target, item, inner)
-            tests = [self.truth(self.value(test, inner)) for test in first.ifs]
-            if False in tests:
+            tests = [(test, self.value(test, inner)) for test in first.ifs]
+            if any(self.truth(value) is False for _, value in tests):
                 continue
-            unsure = next((test for test, truth in zip(first.ifs, tests, strict=True) if truth is None), None)
+            unsure = [self.condition(test, value, frame) for test, value in tests if self.truth(value) is None]
             for found in self._generated(rest, inner, made):
-                yield found if unsure is None else either(self.condition(unsure, frame), found, NOTHING)
+                for condition in unsure:
+                    found = either(condition, found, NOTHING)
+                yield found
 
     def assign(self, target: ast.expr, value: Any, frame: Frame) -> None:
         """Bind names, items or attributes to a value."""
@@ -344,31 +324,4 @@ def either(condition: Condition, first: Any, second: Any) -> Any:
 
 
 def _equal(first: Any, second: Any) -> bool:
-    return is_certain(first) and is_certain(second) and not _is_object(first) and bool(first == second)
-
-
-def is_certain(value: Any) -> bool:
-    """Whether a value has nothing unknown in it, and is not too large to look: lists may hold each other, and themselves."""
-    stack, parts = [value], 0
-    while stack:
-        item = stack.pop()
-        parts += 1
-        if parts > MAX_PARTS:
-            return False
-        if isinstance(item, (Unknown, Either)) or item is NOTHING or (isinstance(item, str) and not is_known(item)):
-            return False
-        if isinstance(item, (list, tuple, set)):
-            stack.extend(item)
-        elif isinstance(item, dict):
-            stack.extend((*item.keys(), *item.values()))
-        elif isinstance(item, PathText):
-            stack.append(item.text)
-    return True
-
-
-def _is_object(value: Any) -> bool:
-    return not (value is None or isinstance(value, (bool, int, float, str, bytes, list, tuple, set, dict, range, slice)))
-
-
-def _source(node: ast.expr) -> str:
-    return shortened(ast.unparse(node), 80)
+    return is_certain(first) and is_certain(second) and not is_object(first) and bool(first == second)

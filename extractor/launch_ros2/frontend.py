@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import LaunchError, Place
@@ -31,6 +32,12 @@ class Entity:
 
 Maker = Callable[["World", Entity], "Made | None"]
 MAKERS: dict[str, Maker] = {}
+ATTRIBUTES = {
+    words[0]: frozenset((*words[1:], "if", "unless"))
+    for line in (Path(__file__).parent / "attributes.txt").read_text(encoding="utf-8").splitlines()
+    if (words := line.split())[0] != "#"
+}
+"""The elements of which all attributes are known, with these."""
 
 
 def element(*names: str) -> Callable[[Maker], Maker]:
@@ -57,6 +64,7 @@ def _actions(world: World, children: list[Entity], inside: str) -> Iterator[Made
         if maker is None:
             world.state.report(LaunchError("unknown-element", child.name, f"unknown element <{child.name}> in <{inside}>"))
             continue
+        _report_unexpected(world, child)
         try:
             made = maker(world, child)
         except LaunchError as error:
@@ -65,6 +73,17 @@ def _actions(world: World, children: list[Entity], inside: str) -> Iterator[Made
         if made is not None:
             made.arguments["condition"] = _condition(child)
             yield made
+
+
+def _report_unexpected(world: World, child: Entity) -> None:
+    """Report the attributes that an element cannot have: launch reads no file with one."""
+    known = ATTRIBUTES.get(child.name.replace("-", "_"), child.attributes.keys())
+    for name, value in child.attributes.items():
+        if name not in known and not isinstance(value, (list, dict)):
+            world.state.report(LaunchError("attribute", name, f"<{child.name}> cannot have the attribute `{name}`"), place=child.place)
+    for inner in child.children:
+        if child.name != "group":  # whose children are actions
+            _report_unexpected(world, inner)
 
 
 def _condition(child: Entity) -> Made | None:

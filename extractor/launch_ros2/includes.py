@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.compose import MAX_INCLUDE_DEPTH, MAX_INCLUDES
@@ -49,7 +50,7 @@ def _include(world: World, made: Made, context: Context) -> None:
     state.includes.append(Include(path, file if entities is not None else None, lines, context.conditions, passes_all=True))
     if file is None or entities is None:
         return
-    before = len(state.declared), len(world.asked), len(state.includes)
+    before = len(state.declared), len(world.asked), len(state.includes), len(state.unread)
     with context.included(file, place):
         visit(world, entities, context)
     world.here(place)
@@ -57,15 +58,19 @@ def _include(world: World, made: Made, context: Context) -> None:
         state.warn("unused-argument", name, f"{path} neither declares nor uses the argument `{name}` that is passed to it")
 
 
-def _unused(world: World, passed: Iterable[str], file: str, before: tuple[int, int, int]) -> list[str]:
+def _unused(world: World, passed: Iterable[str], file: str, before: tuple[int, int, int, int]) -> list[str]:
     """The arguments that an included file, and all that it includes, have no use for; none where not all of that is known."""
     state = world.state
-    declared, asked, included = before
+    declared, asked, included, unread = before
     inner = state.includes[included:]
     known = {argument.name for argument in state.declared[declared:]} | set(world.asked[asked:])
-    if not known or any(include.file is None for include in inner):
+    # a file of parameters that is not known may use it, as may Python that is not understood
+    if not known or any(include.file is None for include in inner) or len(state.unread) > unread:
         return []
-    texts = [state.files.read_text(path) for path in dict.fromkeys([file, *(include.file for include in inner if include.file)])]
+    files = dict.fromkeys([file, *(include.file for include in inner if include.file)])
+    if any(problem.kind == "python" and problem.place.path in files for problem in state.problems):
+        return []
+    texts = [state.files.read_text(path) for path in files]
     return [name for name in passed if name not in known and not any(name in text for text in texts)]
 
 
@@ -118,7 +123,7 @@ def _python(world: World, file: str) -> Any:
         module = run.run_module(name, file, text, is_launch_file=True)
         function = module.variables.get("generate_launch_description") or module.variables.get("generate_test_description")
         if function is None:
-            raise LaunchError("python", file, f"{file} has no function generate_launch_description")
+            raise LaunchError("python", file, f"{Path(file).name} has no function generate_launch_description")
         found = run.apply(function, [], {}) if isinstance(function, Function) else function
         return found[0] if isinstance(found, tuple) and found else found
     except SyntaxError as error:
@@ -130,6 +135,6 @@ def _python(world: World, file: str) -> Any:
         reason = f"{error.kind}: {error.message}" if isinstance(error, Raised) else str(error) or "too much depends on what is not known"
         run.misunderstood(place, f"not understood from here on: {reason}")
         frame = module or run.modules.get(name)
-        return frame.described[-1] if frame and frame.described else Unknown(file, place)
+        return frame.described[-1] if frame and frame.described else Unknown(Path(file).name, place)
     finally:
         run.path, run.depth = kept, depth

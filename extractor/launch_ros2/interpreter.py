@@ -13,7 +13,7 @@ from typing import Any
 from rosarch.extractor.launch.model import Condition
 from rosarch.extractor.python_syntax import parse_python
 
-from .calls import Calls
+from .calls import GENERAL, Attempt, Calls
 from .expressions import Raised, Stopped, Undecided, either
 from .values import MODULES, NOTHING, Class, Constructor, Either, Frame, Instance, Made, Module, ModuleFrame, TextFile, Unknown
 
@@ -139,7 +139,8 @@ class Interpreter(Calls):
     def _unpack(self, targets: Sequence[ast.expr], value: Any, frame: Frame) -> None:
         star = next((index for index, one in enumerate(targets) if isinstance(one, ast.Starred)), None)
         if not isinstance(value, (list, tuple)) or (star is None and len(value) != len(targets)):
-            if isinstance(value, (list, tuple)):
+            # an item that is not known may stand for each of many
+            if isinstance(value, (list, tuple)) and not any(isinstance(item, Unknown) for item in value):
                 raise Raised("ValueError", "wrong number of values to unpack", self.place(targets[0], frame))
             value = [Unknown(ast.unparse(target), self.place(target, frame)) for target in targets]
             star = None
@@ -226,13 +227,14 @@ class Interpreter(Calls):
     # -- blocks ---------------------------------------------------------------------------------------------------------------
 
     def _do_if(self, node: ast.If, frame: Frame) -> None:
-        truth = self.truth(self.value(node.test, frame))
+        test = self.value(node.test, frame)
+        truth = self.truth(test)
         if truth is not None:
             self.block(node.body if truth else node.orelse, frame)
             return
         if len(self.path) >= MAX_FORKS:
             raise Undecided
-        self._both(self.condition(node.test, frame), node, frame)
+        self._both(self.condition(node.test, test, frame), node, frame)
 
     def _both(self, holds: Condition, node: ast.If, frame: Frame) -> None:
         """Both branches of an undecided `if`, and what they come to."""
@@ -315,6 +317,46 @@ class Interpreter(Calls):
         raise Stopped("a loop with too many rounds")
 
     def _do_try(self, node: ast.Try, frame: Frame) -> None:
+        attempt = Attempt(frozenset(name for handler in node.handlers for name in _names_of(handler)))
+        before, depth = dict(frame.variables), len(self.path)
+        self.attempts.append(attempt)
+        returned: _Return | None = None
+        try:
+            self._attempt(node, frame)
+        except _Return as found:
+            returned = found
+        finally:
+            self.attempts.pop()
+            del self.path[depth:]
+        if attempt.missed:
+            self._instead(attempt, node, before, returned, frame)
+        elif returned is not None:
+            raise returned
+
+    def _instead(self, attempt: Attempt, node: ast.Try, before: dict[str, Any], returned: _Return | None, frame: Frame) -> None:
+        """The handler of what may have been raised, besides what comes without."""
+        holds = attempt.missed[0]
+        handler = next(one for one in node.handlers if _names_of(one) & attempt.kinds)
+        after = dict(frame.variables)
+        frame.variables.clear()
+        frame.variables.update(before)
+        if returned is not None:  # what follows comes after the handler only
+            frame.returns.append((holds, returned.value))
+            self.path.append(holds.contrary())
+            self.block(handler.body, frame)
+            return
+        handled, left, dead = self._branch(handler.body, holds.contrary(), frame)
+        if left is not None:
+            frame.returns.append((holds.contrary(), left[0]))
+        if dead or left is not None:
+            self.path.append(holds)
+            self._take(after, None, frame)
+            return
+        self._take(
+            {name: either(holds, after.get(name, NOTHING), handled.get(name, NOTHING)) for name in {**after, **handled}}, None, frame
+        )
+
+    def _attempt(self, node: ast.Try, frame: Frame) -> None:
         try:
             try:
                 self.block(node.body, frame)
@@ -352,7 +394,6 @@ def _all_of(module: Any) -> dict[str, Any]:
     return {name: value for name, value in module.frame.variables.items() if not name.startswith("_")}
 
 
-_GENERAL = frozenset({"Exception", "BaseException"})
 _RELATED = {
     "OSError": {"FileNotFoundError", "EnvironmentError", "IOError"},
     "FileNotFoundError": {"OSError", "EnvironmentError", "IOError"},
@@ -361,8 +402,12 @@ _RELATED = {
 
 def _handles(handler: ast.ExceptHandler, error: Raised) -> bool:
     """Whether a handler is for an exception of this kind, by the names of both."""
+    return bool(_names_of(handler) & (GENERAL | {error.kind} | _RELATED.get(error.kind, set())))
+
+
+def _names_of(handler: ast.ExceptHandler) -> set[str]:
+    """The exceptions that a handler is for; one without a name is for all."""
     if handler.type is None:
-        return True
+        return set(GENERAL)
     kinds = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
-    names = {ast.unparse(kind).rpartition(".")[2] for kind in kinds}
-    return bool(names & (_GENERAL | {error.kind} | _RELATED.get(error.kind, set())))
+    return {ast.unparse(kind).rpartition(".")[2] for kind in kinds}

@@ -14,11 +14,11 @@ from rosarch.extractor.launch.unknowns import is_known
 
 from .conditions import holds
 from .context import Context
-from .expressions import is_certain
+from .decisions import is_certain
 from .natives_files import FILE_METHODS, PATH_METHODS
 from .registry import NATIVES, native
 from .substitutions import perform
-from .values import NOTHING, Bound, Class, Constructor, Either, Function, Instance, Made, Native, PathText, TextFile, Unknown
+from .values import NOTHING, Bound, Class, Constructor, Either, Function, Installed, Instance, Made, Native, PathText, TextFile, Unknown
 
 if TYPE_CHECKING:
     from .calls import Calls
@@ -30,6 +30,8 @@ def attribute(run: Calls, owner: Any, name: str) -> Any:
     """`owner.name` for values of Python's and of launch; NOTHING when it is not known."""
     if isinstance(owner, Native):
         return _of_native(owner, name)
+    if isinstance(owner, Installed):
+        return Native(name, lambda _run: owner) if name == "keys" else NOTHING
     if isinstance(owner, (Unknown, Either, Constructor)) or owner is None:
         return NOTHING
     method = next((table.get(name) for kinds, table in _METHODS if isinstance(owner, kinds)), None)
@@ -47,7 +49,7 @@ def attribute(run: Calls, owner: Any, name: str) -> Any:
 
 
 def _of_plain(owner: Any, name: str) -> Any:
-    method = METHODS.get(type(owner), {}).get(name)
+    method = METHODS.get(tuple if isinstance(owner, tuple) else type(owner), {}).get(name)
     if method is None:
         return NOTHING
 
@@ -220,6 +222,14 @@ _TYPES: dict[str, Any] = {
 }
 
 
+@native("type")
+def _type(_run: Calls, value: Any, *more: Any) -> Any:
+    if isinstance(value, Instance) and not more:
+        return value.of
+    name = next((name for name, kind in _TYPES.items() if type(value) is kind), "tuple" if isinstance(value, tuple) else "")
+    return NATIVES.get(name) or BUILTINS.get(name, NOTHING) if not more else NOTHING
+
+
 @native("isinstance")
 def _isinstance(_run: Calls, value: Any, kinds: Any) -> Any:
     if isinstance(value, (Unknown, Either)):
@@ -248,6 +258,8 @@ def _items_of(name: str) -> _Call:
     def call(run: Calls, *arguments: Any, **named: Any) -> Any:
         if any(isinstance(item, (Unknown, Either, Made, Instance)) for item in arguments):
             return NOTHING
+        if arguments and isinstance(arguments[0], Installed):
+            return arguments[0]
         key = named.pop("key", None)
         if key is not None:
             named["key"] = lambda item: run.apply(key, [item], {}) if isinstance(key, (Function, Bound, Native)) else key(item)
@@ -295,7 +307,7 @@ def _copied_deeply(_run: Calls, value: Any) -> Any:
                 copies[id(value)] = items
                 items += map(copy, value)
             else:
-                return tuple(map(copy, value)) if type(value) is tuple else set(value) if type(value) is set else value
+                return tuple(map(copy, value)) if isinstance(value, tuple) else set(value) if type(value) is set else value
         return copies[id(value)]
 
     return copy(value)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import yaml
 
+from rosarch.extractor.launch.formulas import Test
 from rosarch.extractor.launch.model import LaunchError
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.unknowns import is_known
@@ -16,7 +17,7 @@ from rosarch.extractor.launch.yaml_values import Loader, YamlError
 
 from .expressions import Raised
 from .registry import native
-from .values import NOTHING, Either, Instance, Made, PathText, TextFile, Unknown
+from .values import NOTHING, Either, Installed, Instance, Made, PathText, TextFile, Unknown, installed
 
 if TYPE_CHECKING:
     from .calls import Calls
@@ -99,6 +100,7 @@ PATH_METHODS: dict[str, _Call] = {
     "with_suffix": lambda _run, owner, suffix: PathText(os.path.splitext(owner.text)[0] + suffix),
     "with_name": lambda _run, owner, name: PathText(os.path.join(os.path.dirname(owner.text), name)),
     "read_text": lambda run, owner, *_more, **_named: _read_text(run, owner.text),
+    "write_text": lambda run, owner, text, *_more, **_named: _write_text(run, owner, text),
     "open": lambda run, owner, *more, **named: _open(run, owner, *more, **named),
     **dict.fromkeys(("exists", "is_file", "is_dir"), _there),
 }
@@ -106,14 +108,14 @@ PATH_METHODS: dict[str, _Call] = {
 
 def _read_text(run: Calls, path: str) -> Any:
     world = run.world
-    if path not in world.written and world.state.unknowns.is_open(path):
-        return world.state.unknowns.mark(f"$(file-content {world.state.unknowns.render(path)})", path)
+    if path not in world.written and (world.state.unknowns.is_open(path) or world.is_handed(path)):
+        return world.content_of(path)
     try:
         return world.source_of(path)
     except LaunchError as error:
-        if error.kind in ("file", "unreadable"):
+        if error.kind in ("file", "unreadable") and not run.optional({"FileNotFoundError", "OSError"}, path):
             world.state.report(error)
-        return world.state.unknowns.mark(f"$(file-content {path})")
+        return world.content_of(path)
 
 
 @native("open")
@@ -121,17 +123,24 @@ def _open(run: Calls, path: Any, mode: Any = "r", *_more: Any, **_named: Any) ->
     text = _path(path)
     if text is None:
         return NOTHING
-    if isinstance(mode, str) and "w" in mode:
-        return TextFile(text, "")
-    return TextFile(text, _read_text(run, text))
+    if isinstance(mode, str) and ("w" in mode or "x" in mode):
+        run.world.written[text] = ""
+        return TextFile(text, "", written=True)
+    found = _read_text(run, text)
+    return TextFile(text, found, written=not isinstance(mode, str) or "a" in mode or "+" in mode)
 
 
 def _read(_run: Calls, owner: TextFile, *_more: Any) -> Any:
     return NOTHING if owner.text is None else owner.text
 
 
-def _write(_run: Calls, owner: TextFile, text: Any) -> None:
+def _write(run: Calls, owner: TextFile, text: Any) -> None:
     owner.text = owner.text + text if isinstance(text, str) and owner.text is not None else None
+    run.close(owner)
+
+
+def _write_text(run: Calls, owner: PathText, text: Any, *_more: Any, **_named: Any) -> None:
+    run.close(TextFile(owner.text, text if isinstance(text, str) else None, written=True))
 
 
 FILE_METHODS: dict[str, _Call] = {
@@ -144,7 +153,7 @@ FILE_METHODS: dict[str, _Call] = {
 
 @native("tempfile.NamedTemporaryFile", "tempfile.TemporaryFile")
 def _temporary(run: Calls, *_arguments: Any, **_named: Any) -> Any:
-    return TextFile(run.world.new_file(), "")
+    return TextFile(run.world.new_file(), "", written=True)
 
 
 @native("tempfile.mktemp", "tempfile.mkdtemp", "tempfile.gettempdir")
@@ -186,6 +195,7 @@ def _dump(run: Calls, data: Any, stream: Any = None, **_named: Any) -> Any:
     text = NOTHING if plain is NOTHING else yaml.dump(plain, Dumper=_DUMPER, sort_keys=False, allow_unicode=True, width=1 << 20)
     if isinstance(stream, TextFile):
         stream.text = None if text is NOTHING else (stream.text or "") + text
+        run.close(stream)
         return None
     return text
 
@@ -248,4 +258,17 @@ def _prefix(run: Calls, package: Any) -> Any:
 
 @native("ament_index_python.resources.has_resource", "ament_index_python.has_resource")
 def _has_resource(run: Calls, kind: Any, name: Any = None, **_named: Any) -> Any:
-    return True if kind == "packages" and isinstance(name, str) and run.world.state.files.packages.find(name) else NOTHING
+    if kind != "packages" or not isinstance(name, str) or not is_known(name):
+        return NOTHING
+    there = installed(name)
+    return True if run.installs(name) else Unknown(there, run.world.state.here, truth=Test(there))
+
+
+@native("ament_index_python.packages.get_packages_with_prefixes", "ament_index_python.get_packages_with_prefixes")
+def _packages(_run: Calls) -> Any:
+    return Installed()
+
+
+@native("ament_index_python.resources.get_resources", "ament_index_python.get_resources")
+def _resources(_run: Calls, kind: Any, **_named: Any) -> Any:
+    return Installed() if kind == "packages" else NOTHING

@@ -1,35 +1,27 @@
-"""Parameters of ROS 2 nodes: values given in launch files, and files of parameters for the nodes whose names these say.
-
-Source: rcl_yaml_param_parser: keys are names of nodes, which may be nested as namespaces and have `*` for one part of a name and `**` for
-any number; below `ros__parameters` maps are nested with dots.
-"""
+"""Parameters of ROS 2 nodes: values given in launch files, and files of parameters for the nodes whose names these say."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
-from rosarch.extractor.launch.state import PART_COST, YAML_COST
-from rosarch.extractor.launch.yaml_values import KeyLines, Loader, RepeatedKeysLoader, YamlError, load_yaml
-from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
+from rosarch.extractor.launch.state import PART_COST
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
 
 from .context import Context, Given
+from .params_files import ALL, ParamsFile, chosen, leaves, matches, params_file
 from .substitutions import perform
-from .texts import parsed
 from .values import NOTHING, Either, Instance, Made, Unknown
 
 if TYPE_CHECKING:
     from .world import World
 
-_SECTION = "ros__parameters"
-
 
 @dataclass(frozen=True)
 class Setting:
-    """A parameter of a node: its name, with dots, its value, the file it is from and the line there."""
+    """A parameter of the nodes that match `nodes`: its name, with dots, its value, the file it is from and the line there."""
 
     name: str
     value: Any
@@ -37,6 +29,11 @@ class Setting:
     conditions: tuple[Condition, ...] = ()
     source: str | None = None
     written: Place | None = None
+    nodes: str = ALL
+
+    def is_for(self, node: str) -> bool:
+        """Whether the node of this (absolute) name gets it."""
+        return matches(self.nodes, node)
 
 
 @dataclass(frozen=True)
@@ -48,31 +45,31 @@ class Unread:
 
 
 @dataclass(frozen=True)
-class Section:
-    """What a file says for the nodes that `pattern` names."""
+class Read:
+    """A file of parameters that was read, whomever it is for; `path` is where it lies in the sources."""
 
-    pattern: str
-    values: Mapping[Any, Any]
-    keys: tuple[str, ...]
+    path: str
+    file: ParamsFile
 
 
-def settings(world: World, given: Given, names: tuple[str, ...], context: Context) -> Iterator[Setting | Unread]:
-    """What one entry of a list of parameters sets for a node that has one of these (absolute) names."""
+def settings(world: World, given: Given, name: str | None, context: Context) -> Iterator[Setting | Unread | Read]:
+    """What one entry of a list of parameters sets for the node of this (absolute) name; without a name, for any node."""
     value = given.value
     if given.name is not None:
-        yield from _flat(given.name, evaluated(world, value, context), given)
+        found = _flat(given.name, evaluated(world, value, context), given)
+        yield from (replace(setting, nodes=given.node or ALL) for setting in found)
     elif isinstance(value, Mapping):
         yield from _of_map(world, value, given, context)
     elif isinstance(value, Either):
         for condition, one in value.alternatives():
             if one is not NOTHING:
-                yield from settings(world, Given(one, given.place, (*given.conditions, condition)), names, context)
+                yield from settings(world, Given(one, given.place, (*given.conditions, condition)), name, context)
     elif isinstance(value, Made) and value.kind in ("Parameter", "ParameterGroup"):
         yield from _of_parameter(world, "", value, given, context)
     elif isinstance(value, Unknown):
         yield Unread(world.as_text(value), given.place)
     elif value is not None and value is not NOTHING:
-        yield from _of_file(world, value, given, names, context)
+        yield from _of_file(world, value, given, name, context)
 
 
 def _of_map(world: World, value: Mapping[Any, Any], given: Given, context: Context, prefix: str = "") -> Iterator[Setting]:
@@ -147,86 +144,31 @@ def yaml_value(source: str) -> Any:
 # -- files --------------------------------------------------------------------------------------------------------------------
 
 
-def _of_file(world: World, value: Any, given: Given, names: tuple[str, ...], context: Context) -> Iterator[Setting | Unread]:
+def _of_file(world: World, value: Any, given: Given, name: str | None, context: Context) -> Iterator[Setting | Unread | Read]:
     state = world.state
     substituted = isinstance(value, Made) and value.kind == "ParameterFile" and bool(value.arguments.get("allow_substs"))
     path = perform(world, value, context)
+    if not path:  # launch_ros goes on without a file
+        return
     if path not in world.written and state.unknowns.is_open(path):
         yield Unread(path, given.place)
         return
     world.here(given.place)
     try:
-        sections, lines = sections_of(world, path, context if substituted else None)
-        wanted = chosen(sections, (given.node,) if given.node is not None else names)
+        file = params_file(world, path, context if substituted else None)
+        wanted = chosen(file.sections, given.node or name)
     except LaunchError as error:
         state.report_unread(error)
         yield Unread(path, given.place)
         return
+    shown = None if path in world.written else world.located(path)
+    if shown is not None:
+        if file.refusal is not None:
+            state.report(LaunchError("params-file", path, file.refusal.message), fatal=False, place=Place(shown, file.refusal.line))
+        if given.node is None:
+            yield Read(shown, file)
     for section in wanted:
-        for name, found, keys in _leaves("", section.values, section.keys):
-            line = lines.get(keys)
-            written = Place(world.located(path), line) if line and path not in world.written else None
-            yield Setting(name, found, given.place, given.conditions, path, written)
-
-
-def sections_of(world: World, path: str, context: Context | None) -> tuple[list[Section], KeyLines]:
-    """The sections of a file of parameters, and the lines of its keys; with a context, substitutions in its text are performed.
-
-    Raises:
-        LaunchError: it cannot be read, or is no YAML.
-    """
-    text = world.source_of(path)
-    if context is not None and "$(" in text:
-        text = perform(world, parsed(text, Place(path, 1)), context)
-    if text not in world.parameter_texts:
-        world.state.spend(YAML_COST * len(text))
-        try:
-            data, lines = world.state.files.yaml(text, RepeatedKeysLoader)
-        except YamlError as error:
-            raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
-        world.parameter_texts[text] = (list(_sections("", data, ())) if isinstance(data, dict) else [], lines)
-    return world.parameter_texts[text]
-
-
-def _sections(outer: str, data: Mapping[Any, Any], keys: tuple[str, ...]) -> Iterator[Section]:
-    for key, value in data.items():
-        if key == _SECTION and isinstance(value, dict):
-            yield Section(outer or "/**", value, (*keys, key))
-        elif isinstance(value, dict) and isinstance(key, str):
-            yield from _sections(f"{outer}/{key.strip('/')}", value, (*keys, key))
-
-
-def chosen(sections: list[Section], names: tuple[str, ...]) -> list[Section]:
-    """The sections that are for a node; general ones first, which those for its very name override."""
-    return [section for section in sections if any(matcher(section.pattern).fullmatch(name) for name in names)]
-
-
-def matcher(pattern: str) -> Pattern:
-    """The names of nodes that a key of a file stands for.
-
-    Raises:
-        LaunchError: it is too long to be matched.
-    """
-    parts = []
-    for part in pattern.strip("/").split("/"):
-        parts.append(b"(/[^/]+)*" if part == "**" else b"/" + re.escape(encoded(part)).replace(rb"\*", b"[^/]*"))
-    try:
-        return compiled(b"".join(parts), pattern)
-    except PatternError as error:
-        raise LaunchError("yaml", pattern, str(error)) from None
-
-
-def _leaves(prefix: str, values: Mapping[Any, Any], keys: tuple[str, ...]) -> Iterator[tuple[str, Any, tuple[str, ...]]]:
-    for key, value in values.items():
-        name = f"{prefix}{key}"
-        if isinstance(value, dict):
-            yield from _leaves(f"{name}.", value, (*keys, str(key)))
-        else:
-            yield name, value, (*keys, str(key))
-
-
-def likely_name(sections: list[Section], namespace: str, known: tuple[str, ...]) -> str | None:
-    """The name of a node that a launch file does not name: that of the one that a file is for; of several, one that is among `known`."""
-    last = dict.fromkeys(section.pattern.rpartition("/")[2] for section in sections if "*" not in section.pattern.rpartition("/")[2])
-    names = [name for name in last if any(matcher(section.pattern).fullmatch(f"{namespace}/{name}") for section in sections)]
-    return names[0] if len(names) == 1 else next((name for name in known if name in names), None)
+        for local, found, keys in leaves("", section.values, section.keys):
+            line = file.lines.get(keys)
+            written = Place(shown, line) if line and shown is not None else None
+            yield Setting(local, found, given.place, given.conditions, path, written, ALL if given.node else section.pattern)

@@ -5,17 +5,30 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.model import ComponentNamed, LaunchError, NodeStart, PackageNamed, ParamSetting, Place, ProgramNamed, Remap
+from rosarch.extractor.launch.model import (
+    ComponentNamed,
+    LaunchError,
+    NodeStart,
+    PackageNamed,
+    ParamSetting,
+    ParamsGiven,
+    ParamsSection,
+    Place,
+    ProcessSetting,
+    ProgramNamed,
+    Remap,
+)
 from rosarch.extractor.launch.names import canonical, ns_join
 
 from .actions import carries_out, conditional, joined
 from .context import Context, Given
-from .parameters import Setting, Unread, likely_name, sections_of, settings, yaml_value
+from .parameters import Read, Setting, Unread, settings, yaml_value
+from .params_files import ALL, expression, likely_name, params_file
 from .substitutions import perform
-from .values import Either, Instance, Made, Unknown
+from .values import Either, Instance, Made, Unknown, Written
 
 if TYPE_CHECKING:
     from .world import World
@@ -36,6 +49,8 @@ class RosArguments:
 
 @carries_out("Node", "LifecycleNode")
 def _node(world: World, made: Made, context: Context) -> None:
+    if "autostart" in made.arguments:
+        world.state.commands.setdefault(world.state.here)
     start_node(world, made, context)
 
 
@@ -132,7 +147,7 @@ def _start(
         name=name,
         namespace=f"{namespace}/",
         lines=lines,
-        remaps=tuple(_for_node(remaps, called, context)),
+        remaps=tuple(_for_node(remaps, name, context)),
         args=args,
         respawn=made.arguments.get("respawn") is True,
         output=made.arguments["output"] if isinstance(made.arguments.get("output"), str) else None,
@@ -142,26 +157,45 @@ def _start(
         called=called,
         container=container,
     )
-    for given in params:
-        for found in settings(world, given, (started.full_name,), context):
-            _set(world, started, found, context)
-    if world.state.unknowns.is_open(started.full_name):
-        world.state.nodes.append(started)
-    else:
-        world.state.add_node(started, fatal=False)
+    started = _with_parameters(world, started, params, context)
+    world.state.add_node(started, fatal=False)
     return started
 
 
-def _set(world: World, started: NodeStart, found: Setting | Unread, context: Context) -> None:
+def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], context: Context) -> NodeStart:
+    """The node, whose parameters are set; one without a name keeps what is given to its process, for the name that its code tells."""
+    kept: list[ProcessSetting] = []
+    files: dict[str, ParamsGiven] = {}
+    for given in params:
+        for found in settings(world, given, started.name and started.full_name, context):
+            if isinstance(found, Read):
+                files[found.path] = _sections(found)
+                continue
+            setting = _setting(world, found, context)
+            if isinstance(found, Unread):
+                kept.append(ProcessSetting(ALL, setting, read=False))
+                world.state.unread.append(replace(setting, name=started.full_name))
+                continue
+            kept.append(ProcessSetting(found.nodes, setting))
+            if found.is_for(started.full_name):
+                world.state.set_param(replace(setting, name=f"{started.full_name}/{setting.name}"))
+    return replace(started, params_files=tuple(files.values()), given=() if started.name else tuple(kept))
+
+
+def _sections(read: Read) -> ParamsGiven:
+    """For whom a file of parameters is."""
+    lines = ((section, read.file.lines.get(section.keys[:-1], 1)) for section in read.file.sections)
+    return ParamsGiven(read.path, tuple(ParamsSection(one.pattern, expression(one.pattern), Place(read.path, line)) for one, line in lines))
+
+
+def _setting(world: World, found: Setting | Unread, context: Context) -> ParamSetting:
+    """What is set, by the name that the node knows it by."""
+    lines = (*context.lines, found.place)
     if isinstance(found, Unread):
-        lines = (*context.lines, found.place)
-        world.state.unread.append(ParamSetting(started.full_name, None, lines, context.conditions, found.file))
-        return
+        return ParamSetting("", None, lines, context.conditions, found.file)
     conditions = (*context.conditions, *(one for one in found.conditions if one not in context.conditions))
     plugins = world.described.get(found.value, ()) if isinstance(found.value, str) else ()
-    name = f"{started.full_name}/{found.name}"
-    lines = (*context.lines, found.place)
-    world.state.set_param(ParamSetting(name, found.value, lines, conditions, found.source, found.written, plugins))
+    return ParamSetting(found.name, found.value, lines, conditions, found.source, found.written, plugins)
 
 
 def _inferred(world: World, params: list[Given], namespace: str, known: tuple[str, ...], context: Context) -> str | None:
@@ -173,7 +207,7 @@ def _inferred(world: World, params: list[Given], namespace: str, known: tuple[st
         if world.state.unknowns.is_open(path) and path not in world.written:
             continue
         try:
-            name = likely_name(sections_of(world, path, None)[0], namespace, known)
+            name = likely_name(params_file(world, path, None).sections, namespace, known)
         except LaunchError:
             continue  # reported where it is read
         if name is not None:
@@ -181,20 +215,24 @@ def _inferred(world: World, params: list[Given], namespace: str, known: tuple[st
     return None
 
 
-def _for_node(remaps: Iterable[Remap], called: str, context: Context) -> Iterator[Remap]:
-    """The remappings of a node: `node:from` is for the node of that name only."""
-    seen: set[str] = set()
+def _for_node(remaps: Iterable[Remap], name: str | None, context: Context) -> Iterator[Remap]:
+    """The remappings of a node: `node:from` is for the node of that name only. One without a name has those for any node."""
+    seen: set[tuple[str, str]] = set()
     for remap in remaps:
-        node, colon, source = remap.source.partition(":")
-        if colon and "/" not in node:
-            if node != called:
-                continue
-        else:
-            source = remap.source
+        node, source = _prefixed(remap.source)
+        if name and ((node and node != name) or source.startswith("__")):
+            continue
         conditions = tuple(one for one in remap.conditions if one not in context.conditions)
-        if source not in seen:  # the first rule that fits counts
-            yield Remap(canonical(_private(source)), canonical(_private(remap.target)), remap.place, conditions)
-            seen.update([source] if not conditions else [])
+        own = None if name else node or None
+        if ("", source) not in seen and (own or "", source) not in seen:  # the first rule that fits counts
+            yield Remap(canonical(_private(source)), canonical(_private(remap.target)), remap.place, conditions, own)
+            seen.update([(own or "", source)] if not conditions else [])
+
+
+def _prefixed(source: str) -> tuple[str, str]:
+    """The node that a rule is for ("" for all) and what it changes there."""
+    node, colon, rest = source.partition(":")
+    return (node, rest) if colon and "/" not in node else ("", source)
 
 
 def _private(name: str) -> str:
@@ -220,6 +258,8 @@ def _names_in(world: World, package: str, place: Place) -> frozenset[str] | None
         return None
     packages = world.state.files.packages
     folder = packages.find(package)
+    if folder is None and world.is_guarded(package):
+        return None
     world.references.append(PackageNamed(package, folder, place))
     return None if folder is None else packages.names_in(folder)
 
@@ -231,6 +271,7 @@ def _given(made: Made) -> list[Given]:
 
 
 def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
+    """The remappings of an action, each where it is written: of a list that several actions get, that is one place."""
     found = made.get("remappings")
     remaps: list[Remap] = []
     stack: list[tuple[Any, tuple[Any, ...]]] = [(item, ()) for item in reversed(_as_list(found))]
@@ -239,7 +280,7 @@ def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
         if isinstance(item, Either):
             stack.append((item.first, (*conditions, item.condition)))
         elif isinstance(item, (list, tuple)) and len(item) in (2, 3) and not isinstance(item[0], tuple):
-            place = item[2] if len(item) == 3 else made.place
+            place = item[2] if len(item) == 3 else item.place if isinstance(item, Written) else made.place
             remap = Remap(perform(world, item[0], context), perform(world, item[1], context), place, (*context.conditions, *conditions))
             remaps.append(remap)
             world.state.remaps.append(remap)
@@ -285,8 +326,9 @@ def _ros_arguments(world: World, words: list[str]) -> RosArguments:
         elif word in ("-r", "--remap") and rest:
             _remap(world, rest.pop(0), found)
         elif word in ("-p", "--param") and rest:
-            name, _, value = rest.pop(0).partition(":=")
-            found.params.append(Given(yaml_value(value), world.state.here, name=name.rpartition(":")[2]))
+            source, _, value = rest.pop(0).partition(":=")
+            node, name = _prefixed(source)
+            found.params.append(Given(yaml_value(value), world.state.here, name=name, node=f"/{node}" if node else None))
         elif word == "--params-file" and rest:
             found.params.append(Given(rest.pop(0), world.state.here))
     return found
@@ -294,9 +336,9 @@ def _ros_arguments(world: World, words: list[str]) -> RosArguments:
 
 def _remap(world: World, rule: str, found: RosArguments) -> None:
     source, _, target = rule.partition(":=")
-    if source.rpartition(":")[2] in ("__node", "__name"):
+    if source in ("__node", "__name"):
         found.name = target
-    elif source.rpartition(":")[2] == "__ns":
+    elif source == "__ns":
         found.namespace = target
     else:
         found.remaps.append(Remap(source, target, world.state.here))
@@ -308,6 +350,9 @@ def _process(world: World, made: Made, context: Context) -> None:
     description = made.get("process_description")
     source = description if isinstance(description, Made) else made
     words = [*_words_of(world, source.get("cmd"), context), *_words_of(world, source.get("args"), context)]
+    world.hand(words)
     if len(words) > 3 and os.path.basename(words[0]) == "ros2" and words[1] == "run":
         node = Made("Node", {"package": words[2], "executable": words[3], "arguments": words[4:]}, made.place)
         start_node(world, node, context)
+    else:
+        world.state.commands.setdefault(world.state.here)

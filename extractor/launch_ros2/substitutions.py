@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import ast
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.commands import words_of
+from rosarch.extractor.launch.decisions import text_decision
 from rosarch.extractor.launch.descriptions import evaluated
 from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, no_name
+from rosarch.extractor.launch.formulas import Every, Formula, Not, Some, Test, bounded, equals
 from rosarch.extractor.launch.model import ArgumentUsed, LaunchError
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.values import boolean
@@ -44,7 +46,8 @@ def perform(world: World, value: Any, context: Context) -> str:
         text = "".join([perform(world, item, context) for item in value])
     elif isinstance(value, Made):
         performer = _PERFORMERS.get(value.kind)
-        text = performer(world, value, context) if performer else world.state.unknowns.mark(f"$({value.kind})", value.place)
+        # code of the launch file may have set a configuration to anything
+        text = world.as_text(performer(world, value, context)) if performer else world.state.unknowns.mark(f"$({value.kind})", value.place)
     elif isinstance(value, Instance):
         text = _by_method(world, value, context)
     elif isinstance(value, Either):
@@ -95,7 +98,7 @@ def _configuration(world: World, made: Made, context: Context) -> str:
     if "default" in made.arguments and made.arguments["default"] is not None:
         return perform(world, made.arguments["default"], context)
     if not _is_open(world, name):
-        world.state.report(LaunchError("arg", name, f"launch configuration `{name}` is not set"))
+        world.state.report(LaunchError("configuration", name, f"launch configuration `{name}` is not set"))
     return _mark(world, f"$(var {_rendered(world, name)})", context.file)
 
 
@@ -183,6 +186,7 @@ def _command(world: World, made: Made, context: Context) -> str:
     """What a command prints: it is not run. rosarch evaluates xacro files itself."""
     command = perform(world, made.get("command"), context)
     unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
+    world.hand(command)
     try:
         words = words_of(command)
         call = xacro_call(words)
@@ -208,13 +212,20 @@ def _expression(world: World, made: Made, context: Context) -> str:
         value = evaluator(no_name, {}).evaluate(text)
     except EvalFailed as error:
         if _is_open(world, text):  # the unknown may be a part of the expression itself
-            return _mark(world, f"$(eval {_rendered(world, text)})", text)
+            return _undecided(world, text)
         raise LaunchError("eval", text, f"the expression `{_rendered(world, text)}` fails: {error}") from None
     except (Unsupported, UnknownInvolved):
         value = NOTHING
     if value is not NOTHING and is_known_value(value) and not isinstance(value, set):
         return str(value)
-    return value if isinstance(value, str) else _mark(world, f"$(eval {_rendered(world, text)})", text)
+    return value if isinstance(value, str) else _undecided(world, text)
+
+
+def _undecided(world: World, text: str) -> str:
+    mark, truths = _mark(world, f"$(eval {_rendered(world, text)})", text), world.state.unknowns.truths
+    if mark not in truths:
+        truths[mark] = text_decision(text, lambda lookup: _WithUnknowns(lookup, {}))
+    return mark
 
 
 class _WithUnknowns(Evaluator):
@@ -234,9 +245,11 @@ def _boolean(world: World, text: str) -> bool | None:
         raise LaunchError("condition", text, f"`{text}` is not true or false") from None
 
 
-def _told(world: World, found: bool | None, name: str, *texts: str) -> str:
+def _told(world: World, found: bool | None, name: str, texts: Sequence[str], means: Callable[[], Formula]) -> str:
     if found is None:
-        return _mark(world, f"$({name} {' '.join(_rendered(world, text) for text in texts)})", *texts)
+        mark = _mark(world, f"$({name} {' '.join(_rendered(world, text) for text in texts)})", *texts)
+        world.state.unknowns.truths.setdefault(mark, bounded(means(), mark))
+        return mark
     return "true" if found else "false"
 
 
@@ -244,13 +257,13 @@ def _told(world: World, found: bool | None, name: str, *texts: str) -> str:
 def _not(world: World, made: Made, context: Context) -> str:
     text = perform(world, made.get("value"), context)
     found = _boolean(world, text)
-    return _told(world, None if found is None else not found, "not", text)
+    return _told(world, None if found is None else not found, "not", [text], lambda: Not(world.truth(text)))
 
 
 @performs("BooleanSubstitution")
 def _bool(world: World, made: Made, context: Context) -> str:
     text = perform(world, made.get("value"), context)
-    return _told(world, _boolean(world, text), "bool", text)
+    return _told(world, _boolean(world, text), "bool", [text], lambda: world.truth(text))
 
 
 @performs("AndSubstitution", "OrSubstitution", "AllSubstitution", "AnySubstitution")
@@ -260,7 +273,8 @@ def _both(world: World, made: Made, context: Context) -> str:
     values = [_boolean(world, text) for text in texts]
     wanted = made.kind in ("OrSubstitution", "AnySubstitution")
     found = wanted if wanted in values else None if None in values else not wanted
-    return _told(world, found, made.kind.removesuffix("Substitution").lower(), *texts)
+    joined = Some if wanted else Every
+    return _told(world, found, made.kind.removesuffix("Substitution").lower(), texts, lambda: joined(tuple(map(world.truth, texts))))
 
 
 @performs("EqualsSubstitution", "NotEqualsSubstitution")
@@ -268,9 +282,18 @@ def _equals(world: World, made: Made, context: Context) -> str:
     texts = [perform(world, made.arguments.get(side), context) for side in ("left", "right")]
     left, right = texts
     name = "equals" if made.kind == "EqualsSubstitution" else "not-equals"
-    if left != right and _is_open(world, left, right):
-        return _told(world, None, name, left, right)
-    return _told(world, (left == right or _same_value(left, right)) is (name == "equals"), name)
+    found = None if left != right and _is_open(world, left, right) else (left == right or _same_value(left, right)) is (name == "equals")
+    return _told(world, found, name, texts, lambda: _equal(world, left, right) if name == "equals" else Not(_equal(world, left, right)))
+
+
+def _equal(world: World, left: str, right: str) -> Formula:
+    """When two texts, one of them not known, are equal."""
+    subject, value = (left, right) if _is_open(world, left) else (right, left)
+    if _is_open(world, value):
+        return Test(f"{left} == {right}", opaque=True)
+    if value.lower() in ("true", "false", "1", "0"):
+        return world.truth(subject) if value.lower() in ("true", "1") else Not(world.truth(subject))
+    return equals(subject, value)
 
 
 def _same_value(left: str, right: str) -> bool:

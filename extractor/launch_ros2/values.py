@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rosarch.extractor.launch.formulas import Formula
 from rosarch.extractor.launch.model import Condition, Place
 
 
@@ -25,13 +26,20 @@ class Made:
         return next((self.arguments[name] for name in names if self.arguments.get(name) is not None), None)
 
 
+class Written(tuple[Any, ...]):
+    """A tuple that a launch file writes at `place`."""
+
+    place: Place
+
+
 @dataclass(frozen=True, eq=False)
 class Unknown:
-    """A value that cannot be told; `text` is how the source writes it, `reason` why."""
+    """A value that cannot be told; `text` is how the source writes it, `reason` why. `truth` is when a Boolean is true."""
 
     text: str
     place: Place
     reason: str = ""
+    truth: Formula | None = None
 
 
 class Nothing:
@@ -174,20 +182,47 @@ class PathText:
         return PathText(str(Path(self.text, *parts)))
 
 
+@dataclass(frozen=True)
+class Installed:
+    """The packages that are installed where launch runs, as a map of names or a list of them."""
+
+
+def installed(package: str) -> str:
+    """What conditions say of a package that is there."""
+    return f"the package {package} is installed"
+
+
 @dataclass(eq=False)
 class TextFile:
     """An open file: its text as far as it was read or written, None when that is not known."""
 
     name: str
     text: str | None
+    written: bool = False
 
 
 CLASSES: dict[str, tuple[str, ...]] = {}
 """The classes of launch with the names of their parameters."""
+KEYWORDS: dict[str, frozenset[str]] = {}
+"""The classes of launch of which all names of parameters are known, with these."""
 MODULES: dict[str, list[str]] = {}
 """The modules of launch with the names of their classes."""
-for _line in (Path(__file__).parent / "api.txt").read_text(encoding="utf-8").splitlines():
-    if not _line.startswith("#"):
-        _module, _name, *_parameters = _line.split()
-        CLASSES[_name] = tuple(_parameters)
-        MODULES.setdefault(_module, []).append(_name)
+
+
+def _read_api() -> None:
+    shared: dict[str, list[str]] = {}
+    for line in (Path(__file__).parent / "api.txt").read_text(encoding="utf-8").splitlines():
+        words, bar, keywords = line.partition(" |")
+        first, *rest = words.split()
+        if first.startswith("@"):
+            shared[first] = rest
+        elif first != "#":
+            name, *parameters = rest
+            CLASSES[name] = tuple(parameters)
+            MODULES.setdefault(first, []).append(name)
+            if bar:
+                named = (one for word in keywords.split() for one in shared.get(word, [word]))
+                KEYWORDS[name] = KEYWORDS.get(name, frozenset()).union(parameters, named)
+
+
+_read_api()

@@ -8,17 +8,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.eval_functions import TooLarge, size_of
+from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, bounded, choice, tests_of, truth
 from rosarch.extractor.launch.model import LaunchError, Place, Reference
 from rosarch.extractor.launch.state import State
-from rosarch.extractor.launch.yaml_values import KeyLines
+from rosarch.extractor.launch.unknowns import is_known, may_be
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 from .interpreter import Interpreter
-from .values import Either, PathText, Unknown
+from .values import Either, PathText, Unknown, installed
 
 if TYPE_CHECKING:
-    from .parameters import Section
+    from .params_files import ParamsFile
 
+MAX_HANDED = 1000
+_NO_PACKAGE = {"PackageNotFoundError", "KeyError", "LookupError"}
 _KNOWN = Path(__file__).parent / "known"
 _KNOWN_NAMES = frozenset(path.stem for path in _KNOWN.glob("*.txt"))
 
@@ -31,10 +34,11 @@ class World:
         self.interpreter = Interpreter(self)
         self.written: dict[str, str] = {}
         self.described: dict[str, tuple[SimulatorPlugin, ...]] = {}
-        self.parameter_texts: dict[str, tuple[list[Section], KeyLines]] = {}
+        self.parameter_texts: dict[str, ParamsFile] = {}
         self.performed: dict[tuple[int, frozenset[tuple[str, str]]], tuple[Any, str]] = {}
         self.references: list[Reference] = []
         self.asked: list[str] = []
+        self.handed: list[str] = []
         self.temporary = 0
 
     @property
@@ -53,7 +57,10 @@ class World:
             if first == second:
                 return first
             shown = [self.state.unknowns.render(text) for text in (first, second)]
-            return self.state.unknowns.mark(f"$({value.condition.text} ? {shown[0]} : {shown[1]})", value.condition.key)
+            condition = value.condition.formula
+            mark = self.state.unknowns.mark(f"$({value.condition.text} ? {shown[0]} : {shown[1]})", condition)
+            self.state.unknowns.truths.setdefault(mark, bounded(choice(condition, *map(self.truth, (first, second))), mark))
+            return mark
         if isinstance(value, Unknown):
             return self.state.unknowns.mark(f"$({value.text})", value.place.path)
         try:
@@ -61,6 +68,12 @@ class World:
         except TooLarge as error:
             return self.state.unknowns.mark(f"$({error})")
         return str(value)
+
+    def truth(self, text: str) -> Formula:
+        """When a text counts as true."""
+        if self.state.unknowns.is_open(text):
+            return truth(self.state.unknowns, text)
+        return TRUE if text.lower().strip() in ("true", "1") else FALSE
 
     def share(self, package: str) -> str:
         """The folder of a package, where its `share` is from; a mark when it is not on the package path."""
@@ -70,8 +83,14 @@ class World:
         folder = state.files.packages.find(package)
         if folder is not None:
             return folder
-        state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
+        if not self.is_guarded(package) and not self.interpreter.optional(_NO_PACKAGE, installed(package)):
+            state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
         return state.unknowns.mark(f"$(find-pkg-share {package})")
+
+    def is_guarded(self, package: str) -> bool:
+        """Whether what is carried out happens under a condition that asks whether the package is there."""
+        conditions = (*self.interpreter.path, *self.state.scope.conditions)
+        return any(test.subject == installed(package) for one in conditions for test in tests_of(one.value))
 
     def new_file(self) -> str:
         """The name of a temporary file."""
@@ -86,7 +105,33 @@ class World:
         """
         if path in self.written:
             return self.written[path]
+        if self.is_handed(path):
+            return self.content_of(path)
         return self.state.files.read_text(self.located(path))
+
+    def content_of(self, path: str) -> str:
+        """What stands in a file, when that is not known."""
+        return self.state.unknowns.mark(f"$(file-content {self.state.unknowns.render(path)})", path)
+
+    def hand(self, *values: Any) -> None:
+        """Note what programs and functions get that are not seen here: they may write the files that it names."""
+        stack = list(values)
+        while stack and len(self.handed) < MAX_HANDED:
+            value = stack.pop()
+            if isinstance(value, PathText):
+                value = value.text
+            if isinstance(value, str) and "/" in value:
+                self.handed.append(value)
+            elif isinstance(value, (list, tuple)):
+                stack += value[:MAX_HANDED]
+
+    def is_handed(self, path: str) -> bool:
+        """Whether a file that is not there may be written meanwhile: under a path that is not known, or with other arguments than now."""
+        if self.state.files.is_file(self.located(path)):
+            return False
+        name = os.path.basename(path)
+        written = any(may_be(text, path) or os.path.basename(text) == name for text in self.written if is_known(text[-1:]))
+        return written or any(path in text for text in self.handed)
 
     def located(self, path: str) -> str:
         """Where a file lies in the sources that is installed at `path`: packages may install it from elsewhere in their folder."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import sys
 from collections import defaultdict
 from dataclasses import dataclass, field
 
@@ -63,6 +64,8 @@ class Facts:
         if function.own:
             for index, parameter in enumerate(function.parameters):
                 self.add("function_parameter", name, index, self.variable(parameter))
+        elif function.undeclared and function.name.partition("::")[0].partition(".")[0] not in sys.stdlib_module_names:
+            self.add("function_undeclared", name)
         return name
 
     def _overrides(self, function: Function, owner: Class) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Sequence
 
-from . import strings
+from rosarch.extractor.python_syntax import import_call
+
+from . import definitions, strings
 from .body import Body
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
 from .program import external_name, names_class
@@ -17,6 +19,9 @@ def lower_call(body: Body, node: ast.Call) -> str:
     formatted = strings.format_call(body, node)
     if formatted is not None:
         return formatted
+    imported = import_call(node, body.module.package)
+    if imported is not None:
+        definitions.run_modules(body, node, [imported[0]])
     values = by_name(body.inference.callee_values(node, body.scope))
     functions, classes = _callees(body, node, values)
     receiver, skipped = _receiver(body, node, values)
@@ -65,6 +70,8 @@ def _receiver(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[str
         return lower(body, node.args[0]), 1
     if not owners or any(isinstance(owner, InstanceValue) for owner in owners):
         return lower(body, node.func.value), 0
+    if isinstance(node.func.value, ast.Call):
+        lower(body, node.func.value)  # it is no object, yet made by a call
     return None, 0
 
 
@@ -82,8 +89,11 @@ def _callees(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[list
         match value:
             case FunctionValue(function, _):
                 functions.append(function)
+            case ClassValue(cls) if cls.factory:
+                functions.append(cls.factory)
             case ClassValue(cls):
                 classes.append(cls)
+                functions += [function for function in cls.entered() if function.of_class]
             case ExternalValue(path) if names_class(path):
                 classes.append(program.external_class(path))
             case ExternalValue(path):

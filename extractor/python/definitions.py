@@ -61,6 +61,8 @@ def lower_definition(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -
     """A function is made: its decorators are called with it."""
     function = body.module.functions.get(node)
     if function is not None:
+        if isinstance(node, ast.AsyncFunctionDef):
+            body.facts.add("function_annotation", body.facts.function(function), "async")
         _decorators(body, node.decorator_list, function)
         lower_function(body, function)
 
@@ -94,27 +96,24 @@ def lower_class(body: Body, node: ast.ClassDef) -> None:
 
 def lower_import(body: Body, node: ast.Import | ast.ImportFrom) -> None:
     """A module of the workspace runs when it is imported first."""
+    if isinstance(node, ast.Import):
+        run_modules(body, node, [alias.name for alias in node.names])
+    else:
+        path = absolute_name(node.module or "", node.level, body.module.package)
+        run_modules(body, node, [path, *(f"{path}.{alias.name}" for alias in node.names)])
+
+
+def run_modules(body: Body, node: ast.AST, paths: Sequence[str]) -> None:
+    """The modules at `paths`, and the packages that they are in, are imported: those of the workspace run."""
     program = body.facts.program
-    for path in _imported(body, node):
+    parts = [path.split(".") for path in paths]
+    for path in dict.fromkeys(".".join(names[:count]) for names in parts for count in range(1, len(names) + 1)):
         module = program.modules.get(path)
         if module is not None and not module.stub and module is not body.module:
             call = body.node(node, "call")
             body.facts.add("call", call, "import")
             body.facts.add("call_function", call, body.facts.function(module.function))
             body.flow.evaluate(call)
-
-
-def _imported(body: Body, node: ast.Import | ast.ImportFrom) -> list[str]:
-    if isinstance(node, ast.Import):
-        wholes = [alias.name for alias in node.names]
-    else:
-        path = absolute_name(node.module or "", node.level, body.module.package)
-        wholes = [path, *(f"{path}.{alias.name}" for alias in node.names)]
-    found = []
-    for whole in wholes:
-        parts = whole.split(".")
-        found += [".".join(parts[:count]) for count in range(1, len(parts) + 1)]
-    return list(dict.fromkeys(found))
 
 
 def _lower_statements(body: Body, nodes: Sequence[ast.stmt]) -> None:

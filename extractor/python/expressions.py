@@ -223,7 +223,12 @@ def _slice(body: Body, node: ast.Slice) -> str:
 
 def _unary(body: Body, node: ast.expr) -> str:
     assert isinstance(node, ast.UnaryOp)
-    return body.operator(node, _UNARY[type(node.op)], lower(body, node.operand))
+    return body.operator(node, _UNARY[type(node.op)], _tested(body, node.operand))
+
+
+def _tested(body: Body, node: ast.expr) -> str:
+    """An operand of a test; calls, which may be tests themselves, with their text."""
+    return lower(body, node, text=isinstance(node, ast.Call))
 
 
 def _binary(body: Body, node: ast.expr) -> str:
@@ -265,7 +270,7 @@ def _logical(body: Body, node: ast.expr) -> str:
     name = "&&" if isinstance(node.op, ast.And) else "||"
     left = lower(body, node.values[0], text=True)
     for part in node.values[1:]:
-        right = body.flow.maybe(left, lambda part=part: lower(body, part), taken=name == "&&")  # type: ignore[misc]
+        right = body.flow.maybe(left, lambda part=part: _tested(body, part), taken=name == "&&")  # type: ignore[misc]
         left = body.operator(node, name, left, right)
         if part is not node.values[-1]:
             whole = ast.copy_location(ast.Pass(), node)
@@ -281,10 +286,10 @@ def _compare(body: Body, node: ast.expr) -> str:
         expr = body.operator(node, "==", lower(body, node.left), lower(body, node.comparators[0]))
         body.facts.add("expr_constant", expr, "1" if body.module.main else "0")
         return expr
-    left = lower(body, node.left)
+    left = _tested(body, node.left)
     result = ""
     for op, other in zip(node.ops, node.comparators, strict=True):
-        right = lower(body, other)
+        right = _tested(body, other)
         expr = body.operator(node, _COMPARED[type(op)], left, right)
         result = body.operator(node, "&&", result, expr) if result else expr
         left = right
@@ -325,6 +330,15 @@ def _passed(body: Body, node: ast.expr) -> str:
     return lower(body, node.value)
 
 
+def _yield(body: Body, node: ast.Yield) -> str:
+    """Of a function that makes a context, what it hands to the block of a `with` is what a call of it gives."""
+    expr = unknown(body, node)
+    function = body.scope.function
+    if function is not None and function.is_context and node.value is not None:
+        body.facts.add("return_value", body.function, lower(body, node.value))
+    return expr
+
+
 def _walrus(body: Body, node: ast.expr) -> str:
     from .statements import assign
 
@@ -356,6 +370,7 @@ _FORMS: dict[type[ast.AST], Callable[[Body, Any], str]] = {
     ast.SetComp: lower_comprehension,
     ast.GeneratorExp: lower_comprehension,
     ast.DictComp: lower_comprehension,
+    ast.Yield: _yield,
     ast.NamedExpr: _walrus,
     ast.Await: _passed,
     ast.Starred: _passed,

@@ -16,7 +16,8 @@ from rosarch.extractor.workspace.model import PythonEntry
 from .body import Body, Facts
 from .definitions import lower_module
 from .inference import Inference
-from .model import Function, Module
+from .model import Class, Function, Module, Symbol
+from .normal import name_attributes
 from .program import Program
 from .scopes import open_module
 from .source import Problem, read_source
@@ -52,9 +53,11 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
             return
         for line, column in _dynamic_imports(nodes):
             problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
+    name_attributes(parsed.tree)
     relative = path_text(path.relative_to(root))
     main = path == entry.file and entry.function is None
     module = Module(name, parsed.tree, file_key(relative), relative, tuple(parsed.data.split(b"\n")), main, path.name == "__init__.py")
+    module.left_out = parsed.left_out
     open_module(module)
     yield module
 
@@ -66,6 +69,8 @@ def _rows(modules: dict[str, Module], entry: PythonEntry, problems: list[SourceP
     for module in modules.values():
         facts.add("source_file", module.key, module.path)
         facts.add("source_language", module.key, "python")
+        if module.left_out:
+            facts.add("source_lost", module.key, module.left_out, module.left_out, "a syntax error, with all that follows")
         try:
             lower_module(Body(facts, module, module.scope, Flow()), module)
         except RecursionError:
@@ -73,11 +78,20 @@ def _rows(modules: dict[str, Module], entry: PythonEntry, problems: list[SourceP
     first = modules.get(entry.module)
     if first is not None:
         facts.add("program_entry", first.function.identifier)
-        function = program.symbol_of(entry.module, entry.function) if entry.function else None
+        function = _entered(program, entry) if entry.function else None
         if isinstance(function, Function):
             facts.add("program_entry", facts.function(function))
     facts.rows["class_by_reference"].add(("?",))
     return dict(facts.rows)
+
+
+def _entered(program: Program, entry: PythonEntry) -> Symbol | None:
+    """What the entry point names: a function of the module, or one of a class in it (`Talker.main`)."""
+    first, *rest = (entry.function or "").split(".")
+    symbol = program.symbol_of(entry.module, first)
+    for name in rest:
+        symbol = symbol.find(name) if isinstance(symbol, Class) else None
+    return symbol
 
 
 def _levels(tree: ast.Module) -> Iterator[list[ast.AST]]:

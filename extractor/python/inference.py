@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import ast
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import TypeVar
 
+from rosarch.extractor.python_syntax import import_call
+
+from .assumed import assume_classes
 from .containers import DEEPEST, Path, index_of, taken_from, written_parts
+from .handing import handed_on
 from .model import (
     NOTHING,
     Class,
@@ -25,7 +29,7 @@ from .model import (
     Variable,
 )
 from .program import Program, instance, names_class
-from .shapes import annotation_of, arguments_of, by_name, field_of, last_name, name_of_value, parts_of, place, returned, super_of, unpacked
+from .shapes import arguments_of, by_name, field_of, last_name, name_of_value, place, returned, super_of
 
 Key = TypeVar("Key")
 _ROUNDS = 8
@@ -51,6 +55,13 @@ class Inference:
         self._known: dict[Variable | Function, dict[Path, Values]] = defaultdict(lambda: {(): NOTHING})
         """What is known of variables and of what functions return: of these themselves, and of their parts that were asked for."""
         self._expressions: dict[tuple[ast.expr, Scope], Values] = {}
+        self._taken_for: dict[tuple[ast.expr, Scope], Values] = {}
+        self._rounds()
+        while assume_classes(self, self._modules):
+            self._rounds()
+
+    def _rounds(self) -> None:
+        """Add all that follows from what is known."""
         for _ in range(_ROUNDS):
             if not self._round():
                 break
@@ -97,48 +108,22 @@ class Inference:
                     for path in list(known):
                         new |= _grow(known, path, self.part(argument, path, scope))
             elif function.node is not None:
-                for parameter, values in self._handed_on(call, function, scope):
+                for parameter, values in handed_on(self, call, function, scope):
                     new |= _grow(self._known[parameter], (), values)
         return new
-
-    def _handed_on(self, call: ast.Call, function: Function, scope: Scope) -> Iterator[tuple[Variable, Values]]:
-        """What a declared function gives to those that it is given: `type[T]` to `Callable[[T], ...]`, and what goes with it."""
-        given = [(annotation_of(parameter), argument) for parameter, argument in arguments_of(call, function).items()]
-        arguments = [(annotation, self.values(argument, scope)) for annotation, argument in given]
-        packs = {unpacked(kind): [self.values(part, scope) for part in parts] for kind, node in given if (parts := parts_of(node))}
-        known: dict[str, Values] = {}
-        for annotation, values in arguments:
-            match annotation:
-                case ast.Name(id=name):
-                    known[name] = values
-                case ast.Subscript(value=ast.Name(id="type"), slice=ast.Name(id=name)):
-                    known[name] = frozenset(self._object(value) for value in values if self._is_class(value))
-        rest = [self.values(argument, scope) for argument in call.args[sum(parameter.positional for parameter in function.parameters) :]]
-        for annotation, values in arguments:
-            for taker in (value.function for value in values if isinstance(value, FunctionValue) and value.function.own):
-                if pack := unpacked(annotation):
-                    yield from zip(taker.parameters, packs.get(pack, []), strict=False)
-                match annotation:
-                    case ast.Subscript(value=ast.Name(id="Callable"), slice=ast.Tuple(elts=[ast.List(elts=types), _])):
-                        taken = [known.get(part.id, NOTHING) if isinstance(part, ast.Name) else NOTHING for part in types]
-                        yield from zip(taker.parameters, taken, strict=False)
-                    case ast.Subscript(value=ast.Name(id="Callable"), slice=ast.Tuple(elts=[ast.Name(), _])) if rest:
-                        yield from zip(taker.parameters[-len(rest) :], rest, strict=False)
-
-    @staticmethod
-    def _is_class(value: Value) -> bool:
-        return isinstance(value, ClassValue) or (isinstance(value, ExternalValue) and names_class(value.path))
 
     def callees(self, call: ast.Call, scope: Scope) -> list[Function]:
         """The functions that `call` may enter, constructors too."""
         found: list[Function] = []
         for value in by_name(self.callee_values(call, scope)):
-            symbol = value.function if isinstance(value, FunctionValue) else None
-            if isinstance(value, (ClassValue, InstanceValue)):
-                member = value.cls.find("__init__" if isinstance(value, ClassValue) else "__call__")
-                symbol = member if isinstance(member, Function) else None
-            if symbol is not None:
-                found.append(symbol)
+            match value:
+                case FunctionValue(function, _):
+                    found.append(function)
+                case ClassValue(cls):
+                    found += cls.entered()
+                case InstanceValue(cls):
+                    called = cls.find("__call__")
+                    found += [called] if isinstance(called, Function) else []
         return found
 
     def _outer_target(self, module: Module, target: ast.expr, source: Source | None) -> None:
@@ -174,8 +159,17 @@ class Inference:
         key = (node, scope)
         found = self._expressions.get(key)
         if found is None:
-            found = self._expressions[key] = self._infer(node, scope)
+            found = self._expressions[key] = self._infer(node, scope) or self._taken_for.get(key, NOTHING)
         return found
+
+    def take_for(self, node: ast.expr, scope: Scope, cls: Class) -> bool:
+        """Take what `node` stands for, of which nothing is known, for an object of `cls`; whether this is new."""
+        variables = [variable for variable in self.named(node, scope) if variable.module is not None and not variable.module.stub]
+        if not variables:
+            self._expressions.pop((node, scope), None)
+            return _grow(self._taken_for, (node, scope), instance(cls))
+        self._expressions.clear()
+        return any([_grow(self._known[variable], (), instance(cls)) for variable in variables])
 
     def variable(self, variable: Variable) -> Values:
         """What a variable may hold."""
@@ -196,6 +190,8 @@ class Inference:
     def _source(self, source: Source, path: Path) -> Values:
         if source.part == "annotation":
             return self.annotated(source.expr, source.scope, path)
+        if source.part == "entered" and (entering := self.entering(source.expr, source.scope)):
+            return frozenset().union(*(self._held(function, (*source.path, *path)) for function in entering))
         if source.part == "inside":
             return self.part(source.expr, (*source.path, *path[1:]), source.scope) if path else NOTHING
         return self.part(source.expr, (*source.path, *path), source.scope)
@@ -214,6 +210,8 @@ class Inference:
             match node:
                 case ast.Name() | ast.Attribute():
                     holders = self.named(node, scope)
+                case ast.Call(func=ast.Attribute(value=above, attr="__subclasses__"), args=[]) if len(path) == 1:
+                    found |= self._subclasses(self.values(above, scope))
                 case ast.Call(func=ast.Name(id="range" | "xrange")):
                     found |= instance(self._builtin("int"))
                 case ast.Call():
@@ -221,6 +219,12 @@ class Inference:
             for holder in holders:
                 found |= self._held(holder, path)
         return frozenset(found)
+
+    def _subclasses(self, classes: Values) -> Values:
+        """The classes of the program that derive from one of `classes` directly."""
+        above = {value.cls for value in classes if isinstance(value, ClassValue)}
+        own = (cls for module in self._modules for cls in module.classes.values())
+        return frozenset(ClassValue(cls) for cls in own if not above.isdisjoint(cls.bases))
 
     def annotated(self, node: ast.expr | None, scope: Scope, path: Path = ()) -> Values:
         """Objects of the class that an annotation names, or of those that it names for the part at `path`."""
@@ -246,12 +250,12 @@ class Inference:
             case ast.Name() | ast.Attribute() if path or last_name(node) in _ANYTHING:
                 return NOTHING
             case ast.Name() | ast.Attribute():
-                return frozenset(
-                    self._object(value) for value in self.program.dotted(node, scope) if not isinstance(value, (ModuleValue, FunctionValue))
-                )
+                named = self.program.dotted(node, scope)
+                return frozenset(self.object_of(value) for value in named if not isinstance(value, (ModuleValue, FunctionValue)))
         return NOTHING
 
-    def _object(self, value: Value) -> Value:
+    def object_of(self, value: Value) -> Value:
+        """An object of the class that `value` is."""
         if isinstance(value, ExternalValue):
             return InstanceValue(self.program.external_class(value.path))
         return InstanceValue(value.cls) if isinstance(value, ClassValue) else value
@@ -366,12 +370,15 @@ class Inference:
     def _call(self, node: ast.Call, scope: Scope) -> Values:
         if isinstance(node.func, ast.Name) and node.func.id == "super" and scope.owner is not None:
             return NOTHING  # see `super_of`
+        imported = import_call(node, scope.module.package)
+        if imported is not None:
+            return frozenset({ModuleValue(imported[1], self.program.module(imported[1]))})
         container = taken_from(node)
         result = set(self.part(container, (None,), scope) if container is not None else NOTHING)
         for value in self.callee_values(node, scope):
             match value:
                 case ClassValue(cls):
-                    result.add(InstanceValue(cls))
+                    result |= self.returns(cls.factory) if cls.factory else {InstanceValue(cls)}
                 case FunctionValue(function, _):
                     result |= self.returns(function)
                 case ExternalValue(path):
@@ -381,6 +388,12 @@ class Inference:
                     called = cls.find("__call__")
                     result |= self.returns(called) if isinstance(called, Function) else NOTHING
         return frozenset(result)
+
+    def entering(self, node: ast.expr, scope: Scope) -> list[Function]:
+        """The methods `__enter__` of the workspace that `with` may call on the value of `node`."""
+        objects = (value.cls for value in by_name(self.values(node, scope)) if isinstance(value, InstanceValue))
+        found = (cls.find("__enter__") or cls.find("__aenter__") for cls in objects)
+        return [symbol for symbol in found if isinstance(symbol, Function) and symbol.own]
 
     def returns(self, function: Function) -> Values:
         """What a function returns."""
@@ -393,7 +406,7 @@ class Inference:
             return self.part(function.node.body, path, function.scope)
         if function.node.returns is not None:
             return self.annotated(function.node.returns, function.scope.parent or function.scope, path)
-        return frozenset().union(*(self.part(value, path, function.scope) for value in returned(function.node)))
+        return frozenset().union(*(self.part(value, path, function.scope) for value in returned(function)))
 
 
 def _add_source(variable: Variable, source: Source) -> None:

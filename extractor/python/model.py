@@ -16,7 +16,8 @@ FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 class Module:
     """A module: of the workspace (then `key` and `path` name its file), or a declaration (`stub`) of one that is elsewhere.
 
-    `main` tells that it is run as a program, and not imported. `outer_targets` are assigned to, and neither names nor members of `self`.
+    `main` tells that it is run as a program, and not imported. What stands from the line `left_out` on was not read (0: all was).
+    `outer_targets` are assigned to, and neither names nor members of `self`.
     """
 
     name: str
@@ -26,6 +27,7 @@ class Module:
     lines: tuple[bytes, ...] = ()
     main: bool = False
     is_package: bool = False
+    left_out: int = 0
     scope: Scope = field(init=False)
     function: Function = field(init=False)
     functions: dict[ast.AST, Function] = field(default_factory=dict)
@@ -52,7 +54,7 @@ class Module:
 
 @dataclass(eq=False)
 class Class:
-    """A class; one that no source declares has no `node` and no `module`."""
+    """A class; one that no source declares has no `node` and no `module`. When its bases are `assumed`, how it is made is not known."""
 
     name: str
     module: Module | None = None
@@ -61,6 +63,7 @@ class Class:
     bases: list[Class] = field(default_factory=list)
     fields: dict[str, Variable] = field(default_factory=dict)
     enumeration: bool = False
+    assumed: bool = False
 
     @property
     def own(self) -> bool:
@@ -85,13 +88,33 @@ class Class:
 
     def find(self, name: str, *, above: bool = False) -> Symbol | None:
         """What objects of the class call `name`; from `above`, as `super()` finds it, what they would without the class itself."""
-        found = islice(self.ancestors(), 1 if above else 0, None)
-        return next((symbol for cls in found if (symbol := cls.member(name)) is not None), None)
+        for cls in islice(self.ancestors(), 1 if above else 0, None):
+            symbol = cls.member(name)
+            if symbol is not None or (cls.assumed and name == "__init__"):
+                return symbol
+        return None
+
+    def entered(self) -> list[Function]:
+        """What making an object enters: `__new__`, and then, unless it gives something else, `__init__`."""
+        made = self.find("__new__")
+        maker = [made] if isinstance(made, Function) else []
+        first = self.find("__init__")
+        return maker if maker and maker[0].is_factory else [*maker, *([first] if isinstance(first, Function) else [])]
+
+    @property
+    def factory(self) -> Function | None:
+        """The `__new__` that gives something else than an object of the class."""
+        made = self.find("__new__")
+        return made if isinstance(made, Function) and made.is_factory else None
 
 
 @dataclass(eq=False)
 class Function:
-    """A function with a body in the workspace, a declared one (of a stub), or one that is only known by name (no `node`)."""
+    """A function with a body in the workspace, a declared one (of a stub), or one that is only known by name (no `node`).
+
+    `of_class` tells that its first parameter is the class; `is_factory`, that it is a `__new__` that makes no object of its class;
+    `is_context`, that what it yields is what `with` gives.
+    """
 
     identifier: str
     name: str
@@ -104,6 +127,13 @@ class Function:
     receiver: str = ""
     is_property: bool = False
     of_class: bool = False
+    is_factory: bool = False
+    is_context: bool = False
+
+    @property
+    def undeclared(self) -> bool:
+        """Whether nothing but its name is known: neither the workspace nor a stub declares it, nor its class."""
+        return self.node is None and not (self.owner is not None and self.owner.node is not None)
 
     @property
     def own(self) -> bool:
@@ -117,7 +147,10 @@ class Function:
 
 @dataclass(frozen=True)
 class Source:
-    """What a variable gets in `scope`: by its `part` the value of `expr` at `path`, the same as an element (inside), or an annotation."""
+    """What a variable gets in `scope`: by its `part` the value of `expr` at `path`, the same as an element (inside), or an annotation.
+
+    Of what `with` enters, it is what the object gives (entered).
+    """
 
     expr: ast.expr
     scope: Scope

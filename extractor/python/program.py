@@ -26,6 +26,7 @@ from .model import (
     Variable,
 )
 from .scopes import open_module
+from .shapes import field_of
 
 STUBS = Path(__file__).parent / "stubs"
 """Declarations of the client libraries, and of some modules of Python: what headers are for C++."""
@@ -51,6 +52,12 @@ class Program:
                     found = self.dotted(base, outer or module.scope)
                     cls.bases += [value.cls for value in found if isinstance(value, ClassValue) and cls not in value.cls.ancestors()]
                     cls.bases += [self.external_class(value.path) for value in found if isinstance(value, ExternalValue)]
+        for module in modules:
+            for cls in module.classes.values():
+                for variable in list(cls.fields.values()):
+                    inherited = field_of(cls, variable)
+                    if inherited is not variable:
+                        inherited.sources += variable.sources
 
     def module(self, name: str) -> Module | None:
         """The module called `name`, of the workspace or declared."""

@@ -10,6 +10,8 @@ from rosarch.extractor.python_syntax import absolute_name
 from .model import Class, Function, FunctionNode, Import, Module, Scope, Source, Symbol, Variable
 from .shapes import defaults_of, place
 
+_OF_CLASS = frozenset({"__new__", "__init_subclass__", "__class_getitem__"})
+"""Methods of the class itself, without a decorator that says so."""
 _ENUMERATIONS = frozenset({"Enum", "IntEnum", "Flag", "IntFlag", "StrEnum"})
 
 
@@ -60,7 +62,7 @@ class _Binder:
             case ast.With() | ast.AsyncWith():
                 for item in node.items:
                     if item.optional_vars is not None:
-                        self._target(item.optional_vars, item.context_expr, None)
+                        self._source(item.optional_vars, Source(item.context_expr, self.scope, "entered"), None)
             case ast.Try():
                 for handler in node.handlers:
                     if handler.name:
@@ -115,7 +117,13 @@ class _Binder:
         function.is_property = not isinstance(node, ast.Lambda) and any(
             _decorator(d) in ("property", "cached_property") for d in node.decorator_list
         )
-        function.of_class = not isinstance(node, ast.Lambda) and any(_decorator(d) == "classmethod" for d in node.decorator_list)
+        function.of_class = not isinstance(node, ast.Lambda) and (
+            name in _OF_CLASS or any(_decorator(d) == "classmethod" for d in node.decorator_list)
+        )
+        function.is_context = not isinstance(node, ast.Lambda) and any(
+            _decorator(d).rpartition(".")[2] in ("contextmanager", "asynccontextmanager") for d in node.decorator_list
+        )
+        function.is_factory = name == "__new__" and not _calls(node, "__new__")
         module.functions[node] = function
         scope = function.scope = Scope("function", module, self.scope, function=function, owner=self.scope.owner)
         self._parameters(function, scope, node.args)
@@ -249,6 +257,11 @@ class _Binder:
         scope.names[name] = variable
         self.module.variables.append(variable)
         return variable
+
+
+def _calls(node: ast.AST, name: str) -> bool:
+    """Whether a method called `name` is called in `node`."""
+    return any(isinstance(part, ast.Call) and isinstance(part.func, ast.Attribute) and part.func.attr == name for part in ast.walk(node))
 
 
 def _kind(node: FunctionNode, owner: Class | None) -> str:

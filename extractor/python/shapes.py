@@ -44,13 +44,18 @@ def super_of(node: ast.expr, scope: Scope) -> Class | None:
     return None
 
 
-def returned(node: ast.AST) -> Iterable[ast.expr]:
-    """The values that a function returns, not those of functions in it."""
+def returned(function: Function) -> Iterable[ast.expr]:
+    """The values that a function returns, or hands to the block of a `with`; not those of functions in it."""
+    return _given(function.node, ast.Yield if function.is_context else ast.Return) if function.node is not None else ()
+
+
+def _given(node: ast.AST, kind: type[ast.Return | ast.Yield]) -> Iterable[ast.expr]:
+    passed = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef, *([ast.expr] if kind is ast.Return else []))
     for child in ast.iter_child_nodes(node):
-        if isinstance(child, ast.Return) and child.value is not None:
-            yield child.value
-        elif not isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef, ast.expr)):
-            yield from returned(child)
+        if isinstance(child, kind):
+            yield from [child.value] if child.value is not None else ()
+        elif not isinstance(child, passed):
+            yield from _given(child, kind)
 
 
 def field_of(cls: Class, variable: Variable) -> Variable:

@@ -26,11 +26,15 @@ class Problem:
 
 @dataclass(frozen=True)
 class Parsed:
-    """A source as Python 3 has it: its bytes (UTF-8), its tree, and what there is to say about it."""
+    """A source as Python 3 has it: its bytes (UTF-8), its tree, and what there is to say about it.
+
+    What stands from the line `left_out` on is not read (0: all is).
+    """
 
     data: bytes
     tree: ast.Module
     problems: tuple[Problem, ...] = ()
+    left_out: int = 0
 
 
 def read_source(path: Path) -> Parsed | Problem:
@@ -61,7 +65,7 @@ def _partial(text: str, error: Problem, problems: tuple[Problem, ...]) -> Parsed
         tree = _parse("\n".join(lines[:index]))
         if isinstance(tree, ast.Module):
             kept = Problem(error.line, error.column, f"{error.message}; what stands from line {index + 1} on is left out")
-            return Parsed("\n".join(lines[:index]).encode(), tree, (*problems, kept))
+            return Parsed("\n".join(lines[:index]).encode(), tree, (*problems, kept), index + 1)
     return error
 
 

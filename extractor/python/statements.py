@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from . import definitions
 from .body import Body
 from .model import Variable
+from .shapes import field_of
 
 _AUGMENTED: dict[type[ast.operator], str] = {
     ast.Add: "+=", ast.Sub: "-=", ast.Mult: "*=", ast.Div: "/=", ast.FloorDiv: "/=", ast.Mod: "%=", ast.Pow: "*=",
@@ -60,6 +61,8 @@ def _declares(body: Body, target: ast.expr, value: str, node: ast.stmt) -> bool:
     variable = _variable(body, target)
     if variable is None or variable.first is not node:
         return False
+    if variable.owner is not None:
+        variable = field_of(variable.owner, variable)
     body.facts.add("variable_initializer", body.facts.variable(variable), value)
     body.flow.evaluate(value)
     return True
@@ -229,10 +232,24 @@ def _with(body: Body, node: ast.With | ast.AsyncWith) -> None:
     from .expressions import lower
 
     for item in node.items:
-        value = lower(body, item.context_expr, text=True)
+        value = _entered(body, item.context_expr, lower(body, item.context_expr, text=True))
         if item.optional_vars is not None:
             assign(body, item.optional_vars, value, item.optional_vars)
     lower_statements(body, node.body)
+
+
+def _entered(body: Body, node: ast.expr, value: str) -> str:
+    """What `with` gives: what the method `__enter__` of the workspace returns, else the object itself."""
+    entering = body.inference.entering(node, body.scope)
+    if not entering:
+        return value
+    call = body.node(node, "call")
+    body.facts.add("call", call, "__enter__")
+    body.facts.add("call_receiver", call, value)
+    for function in entering:
+        body.facts.add("call_function", call, body.facts.function(function))
+    body.flow.evaluate(call)
+    return call
 
 
 def _try(body: Body, node: ast.Try) -> None:

@@ -105,6 +105,8 @@ class PackageDraft:
 
     include_dirs: list[str] = field(default_factory=list)
     libraries: list[str] = field(default_factory=list)
+    export_sets: dict[str, list[str]] = field(default_factory=dict)
+    exported_sets: list[str] = field(default_factory=list)
     depends: list[str] = field(default_factory=list)
     cfg_extras: list[str] = field(default_factory=list)
     message_files: list[str] = field(default_factory=list)

@@ -1,7 +1,8 @@
 """CMake commands that ask what is installed. Everything is: the whole source is to be seen, not what this machine could build.
 
 A package of the workspace gives its own include folders and libraries. Any other is found, without include folders, with a library
-name that matches nothing (`<name>::<name>`) and the version of the assumed distribution (`options`). `defines` override.
+name that matches nothing (`<name>::<name>`) and the version of the assumed distribution (`options`); a condition that asks for more of
+what it may set gets a yes (`cmake_questions`). `defines` override.
 """
 
 from __future__ import annotations
@@ -57,11 +58,12 @@ def find_one(run: Evaluator, name: str, words: list[str] | None = None) -> None:
         run.draft.found_packages.append(name)
         folders, libraries = exported(run, [name])
         _set_found(run, name, folders, libraries)
+        run.assume(f"{name}_DIR", f"{run.world.path(name)}/cmake")
         _evaluate_extras(run, name, found)
         return
     if _local_module(run, name):
         return
-    _set_found(run, name, [], [f"{name}::{name}"])
+    _set_absent(run, name)
     version = run.versions.get(name)
     if version is None and words and words[0][:1].isdigit():
         version = words[0]
@@ -74,7 +76,7 @@ def _local_module(run: Evaluator, name: str) -> bool:
     for folder in run.elements("CMAKE_MODULE_PATH"):
         path = os.path.join(run.source_path(folder), f"Find{name}.cmake")
         if not run.is_outside(path) and os.path.isfile(path):
-            _set_found(run, name, [], [f"{name}::{name}"])
+            _set_absent(run, name)
             run.run_file(path)
             run.assume(f"{name}_FOUND", "1")
             run.assume(f"{name.upper()}_FOUND", "1")
@@ -91,6 +93,13 @@ def _set_found(run: Evaluator, name: str, folders: list[str], libraries: list[st
             run.assume(f"{prefix}_{suffix}", join_list(libraries))
 
 
+def _set_absent(run: Evaluator, name: str) -> None:
+    """What a package sets that is installed on some machine, not on this one."""
+    run.found.update((name, name.upper()))
+    _set_found(run, name, [], [f"{name}::{name}"])
+    run.assume(f"{name}_DIR", f"/usr/lib/cmake/{name}")
+
+
 def _set_version(run: Evaluator, name: str, version: str) -> None:
     numbers = [*version.split("."), "0", "0"][:3]
     for prefix in dict.fromkeys((name, name.upper())):
@@ -103,8 +112,6 @@ def _set_version(run: Evaluator, name: str, version: str) -> None:
 def _evaluate_extras(run: Evaluator, name: str, found: PackageDraft) -> None:
     """`CFG_EXTRAS` of `catkin_package` and `CONFIG_EXTRAS` of ament run in every package that finds this one."""
     folder = run.world.path(name)
-    if found.cfg_extras:
-        run.assume(f"{name}_DIR", f"{folder}/cmake")
     for extra in found.cfg_extras:
         for path in (f"{folder}/cmake/{extra}", f"{folder}/{extra}", f"{folder}/cmake/{extra}.in"):
             if os.path.isfile(path) and name != run.package and path not in run.included:
@@ -139,12 +146,11 @@ def set_catkin(run: Evaluator, components: list[str]) -> None:
     run.set("catkin_INCLUDE_DIRS", join_list(folders))
     run.set("catkin_LIBRARIES", join_list([*libraries, *(f"{name}::{name}" for name in missing)]))
     run.set("catkin_EXPORTED_TARGETS", "catkin_EXPORTED_TARGETS")
-    project = run.get("PROJECT_NAME") or run.package
     run.set("CATKIN_DEVEL_PREFIX", f"{run.build}/devel")
-    run.set("CATKIN_PACKAGE_BIN_DESTINATION", f"lib/{project}")
+    run.set("CATKIN_PACKAGE_BIN_DESTINATION", f"lib/{run.project}")
     run.set("CATKIN_PACKAGE_LIB_DESTINATION", "lib")
-    run.set("CATKIN_PACKAGE_SHARE_DESTINATION", f"share/{project}")
-    run.set("CATKIN_PACKAGE_INCLUDE_DESTINATION", f"include/{project}")
+    run.set("CATKIN_PACKAGE_SHARE_DESTINATION", f"share/{run.project}")
+    run.set("CATKIN_PACKAGE_INCLUDE_DESTINATION", f"include/{run.project}")
     run.set("CATKIN_GLOBAL_INCLUDE_DESTINATION", "include")
     if run.get("BUILD_SHARED_LIBS") is None:
         run.set("BUILD_SHARED_LIBS", "ON")
@@ -172,7 +178,7 @@ def _pkg_check_modules(run: Evaluator, call: Call) -> None:
     if not call.args:
         return
     prefix = call.args[0]
-    _set_found(run, prefix, [], [f"{prefix}::{prefix}"])
+    _set_absent(run, prefix)
     run.assume(f"{prefix}_LDFLAGS", "")
     modules = [re.split("[<>=]", word)[0] for word in call.args[1:] if word not in _SECTIONS]
     version = next((run.versions[module] for module in modules if module in run.versions), None)
@@ -193,6 +199,13 @@ def _check(run: Evaluator, call: Call) -> None:
     place = variable.get(call.name, len(call.args) - 1 if "source" not in call.name else 1)
     if place < len(call.args) and run.get(call.args[place]) is None:
         run.assume(call.args[place], "1")
+
+
+@command("check_language", "enable_language")
+def _check_language(run: Evaluator, call: Call) -> None:
+    """There is a compiler for each language."""
+    if call.args:
+        run.assume(f"CMAKE_{call.args[0]}_COMPILER", f"/usr/bin/{call.args[0].lower()}")
 
 
 @command("find_package_handle_standard_args")

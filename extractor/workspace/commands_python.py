@@ -6,6 +6,11 @@ Sources: cmake-commands(7) on `install`, catkin's `catkin_install_python`, ament
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from rosarch.extractor.files import read_file
 
 from .cmake_state import Call
 from .commands_values import parse_keywords
@@ -13,6 +18,7 @@ from .evaluator import Evaluator, command
 
 _KINDS = ["TARGETS", "IMPORTED_RUNTIME_ARTIFACTS", "FILES", "PROGRAMS", "DIRECTORY", "SCRIPT", "CODE", "EXPORT", "RUNTIME_DEPENDENCY_SET"]
 _SINGLES = ["DESTINATION", "RENAME", "COMPONENT", "TYPE"]
+_PROGRAMS = re.compile(r"(?:[^/]+/)*lib/[^/]+/*")  # where `rosrun` and `ros2 run` look, with all below
 _LISTS = ["PERMISSIONS", "CONFIGURATIONS"]
 
 
@@ -20,10 +26,37 @@ _LISTS = ["PERMISSIONS", "CONFIGURATIONS"]
 def _install(run: Evaluator, call: Call) -> None:
     """Programs are files that are copied; in a test-only branch they are no part of the system."""
     words, _rest = parse_keywords(call.args, ["OPTIONAL", "EXCLUDE_FROM_ALL"], _SINGLES, [*_KINDS, *_LISTS])
+    if words.get("EXPORT"):
+        run.draft.export_sets.setdefault(words["EXPORT"][0], []).extend(words.get("TARGETS", []))
     renamed = (words.get("RENAME") or [""])[0]
     if not run.testing:
         for name in words.get("PROGRAMS", []):
             run.draft.programs.append((renamed or os.path.basename(name), run.source_path(name)))
+        if _PROGRAMS.fullmatch((words.get("DESTINATION") or [""])[0]):
+            for folder in words.get("DIRECTORY", []):
+                run.draft.programs.extend((os.path.basename(path), path) for path in _scripts_below(run.source_path(folder)))
+
+
+def _scripts_below(folder: str) -> Iterator[str]:
+    """The files in a folder that are copied to where programs are looked for, and say what runs them."""
+    for here, folders, names in os.walk(folder):
+        folders.sort()
+        for path in (f"{here}/{name}" for name in sorted(names)):
+            if _is_script(path):
+                yield path
+
+
+def _is_script(path: str) -> bool:
+    try:
+        return read_file(Path(path)).startswith(b"#!")
+    except OSError:
+        return False
+
+
+@command("cs_install_scripts")
+def _cs_install_scripts(run: Evaluator, call: Call) -> None:
+    """What catkin_simple calls the installation of programs."""
+    _install(run, Call(call.command, ["PROGRAMS", *call.args], call.file))
 
 
 @command("ament_python_install_package")

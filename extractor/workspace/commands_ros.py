@@ -15,11 +15,12 @@ from .commands_find import exported, find_one
 from .commands_targets import add_target, find_target
 from .commands_values import parse_keywords
 from .evaluator import Evaluator, command
-from .model import EXECUTABLE, INTERFACE, SHARED, TEST
+from .model import EXECUTABLE, INTERFACE, TEST
 
 
 @command("catkin_package")
-def _catkin_package(run: Evaluator, call: Call) -> None:
+def export_package(run: Evaluator, call: Call) -> None:
+    """What a catkin package hands on to those that find it."""
     lists = ["INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"]
     words, _rest = parse_keywords(call.args, ["SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION"], [], lists)
     draft = run.draft
@@ -28,28 +29,28 @@ def _catkin_package(run: Evaluator, call: Call) -> None:
     draft.depends.extend(words.get("CATKIN_DEPENDS", []))
     draft.depends.extend(name for name in words.get("DEPENDS", []) if run.world.find(name) is not None)
     draft.cfg_extras.extend(words.get("CFG_EXTRAS", []))
-    project = run.get("PROJECT_NAME") or run.package
-    run.set(f"{project}_EXPORTED_TARGETS", f"{project}_EXPORTED_TARGETS")
+    run.set(f"{run.project}_EXPORTED_TARGETS", f"{run.project}_EXPORTED_TARGETS")
 
 
-_INTERFACES = {
-    "add_message_files": ("msg", "message_files"),
-    "add_service_files": ("srv", "service_files"),
-    "add_action_files": ("action", "action_files"),
-}
+_INTERFACES = {"msg": "message_files", "srv": "service_files", "action": "action_files"}
+_COMMANDS = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
 
 
-@command(*_INTERFACES)
+@command(*_COMMANDS)
 def _add_interface_files(run: Evaluator, call: Call) -> None:
-    extension, attribute = _INTERFACES[call.name]
+    extension = _COMMANDS[call.name]
     words, unparsed = parse_keywords(call.args, ["NOINSTALL"], ["DIRECTORY", "BASE_DIR"], ["FILES"])
     folder = run.source_path((words.get("DIRECTORY") or [extension])[0])
-    names = [*words.get("FILES", []), *unparsed]
+    add_interface_files(run, call, extension, folder, [*words.get("FILES", []), *unparsed])
+
+
+def add_interface_files(run: Evaluator, call: Call, extension: str, folder: str, names: list[str]) -> None:
+    """Definitions of messages, services or actions in a folder; without names, all of them."""
     unreadable = partial(run.cannot_read, call.command)
     paths = [os.path.join(folder, name) for name in names] if names else glob(f"{folder}/*.{extension}", False, False, unreadable)
     for path in paths:
         if os.path.isfile(path):
-            getattr(run.draft, attribute).append(path)
+            getattr(run.draft, _INTERFACES[extension]).append(path)
         else:
             run.complain(call.command, "missing-interface", f"no file {os.path.basename(path)} in {os.path.relpath(folder, run.folder)}")
 
@@ -58,7 +59,7 @@ def _add_interface_files(run: Evaluator, call: Call) -> None:
 def _rosidl_generate_interfaces(run: Evaluator, call: Call) -> None:
     for word in call.args[1:]:
         path = run.source_path(word)
-        for extension, attribute in _INTERFACES.values():
+        for extension, attribute in _INTERFACES.items():
             if path.endswith(f".{extension}") and os.path.isfile(path):
                 getattr(run.draft, attribute).append(path)
 
@@ -149,45 +150,15 @@ def _ament_export_libraries(run: Evaluator, call: Call) -> None:
     run.draft.libraries.extend(call.args)
 
 
+@command("ament_export_targets", "ament_export_interfaces")
+def _ament_export_targets(run: Evaluator, call: Call) -> None:
+    """The targets of export sets, which `install` may fill afterwards."""
+    run.draft.exported_sets.extend(word for word in call.args if word != "HAS_LIBRARY_TARGET")
+
+
 @command("ament_export_dependencies")
 def _ament_export_dependencies(run: Evaluator, call: Call) -> None:
     run.draft.depends.extend(call.args)
-
-
-@command("ament_auto_find_build_dependencies")
-def _ament_auto_find(run: Evaluator, _call: Call) -> None:
-    for name in run.manifest_depends:
-        find_one(run, name)
-    run.found_dependencies = True
-
-
-@command("ament_auto_add_executable", "ament_auto_add_library")
-def _ament_auto_add(run: Evaluator, call: Call) -> None:
-    words, rest = parse_keywords(call.args[1:], ["SHARED", "STATIC", "OBJECT", "NO_TARGET_LINK_LIBRARIES"], ["DIRECTORY"], [])
-    if not call.args:
-        return
-    if not run.found_dependencies:  # else a macro of another package has done it, whose file may be absent
-        _ament_auto_find(run, call)
-    sources = list(rest)
-    for folder in words.get("DIRECTORY", []):
-        for extension in ("c", "cc", "cpp", "cxx"):
-            sources.extend(
-                glob(f"{run.source_path(folder)}/**.{extension}".replace("**", "*"), True, False, partial(run.cannot_read, call.command))
-            )
-    kind = EXECUTABLE if call.name.endswith("executable") else SHARED
-    target = add_target(run, call, call.args[0], kind, sources)
-    include = f"{run.folder}/include"
-    if os.path.isdir(include):
-        target.extend("INCLUDE_DIRECTORIES", [include])
-        target.extend("INTERFACE_INCLUDE_DIRECTORIES", [include])
-        if kind == SHARED and include not in run.draft.include_dirs:
-            run.draft.include_dirs.append(include)
-    if kind == SHARED:
-        run.draft.libraries.append(call.args[0])
-    else:
-        target.extend("LINK_LIBRARIES", [name for name, other in run.targets.items() if other.kind == SHARED])
-    use_packages(run, call, run.manifest_depends)
-    target.uses_packages.extend(run.manifest_depends)
 
 
 @command("ament_auto_package")
@@ -203,8 +174,10 @@ def _ament_package(run: Evaluator, call: Call) -> None:
 
 
 def finish_ament(run: Evaluator) -> None:
-    """What `ament_package` reads from variables, though a macro of another package may have called it."""
-    run.draft.cfg_extras.extend(run.elements(f"{run.get('PROJECT_NAME') or run.package}_CONFIG_EXTRAS"))
+    """What `ament_package` reads from variables, though a macro of another package may have called it; what export sets hold in the end."""
+    exported = (name for set_ in run.draft.exported_sets for name in run.draft.export_sets.get(set_, ()))
+    run.draft.libraries.extend(name for name in dict.fromkeys(exported) if name not in run.draft.libraries)
+    run.draft.cfg_extras.extend(run.elements(f"{run.project}_CONFIG_EXTRAS"))
 
 
 @command("rclcpp_components_register_node", "rclcpp_components_register_nodes")

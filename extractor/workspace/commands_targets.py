@@ -51,7 +51,8 @@ def add_sources(run: Evaluator, target: TargetDraft, sources: list[str]) -> None
 
 
 @command("add_executable", "cuda_add_executable", "rosbuild_add_executable", "ocl_add_executable")
-def _add_executable(run: Evaluator, call: Call) -> None:
+def add_executable(run: Evaluator, call: Call) -> None:
+    """A program, or another name for one."""
     args = call.args
     if not args:
         return
@@ -71,7 +72,8 @@ _KINDS = {"SHARED": SHARED, "STATIC": STATIC, "MODULE": MODULE, "OBJECT": OBJECT
 
 
 @command("add_library", "cuda_add_library", "rosbuild_add_library", "pybind11_add_module", "pybind_add_module", "python_add_module")
-def _add_library(run: Evaluator, call: Call) -> None:
+def add_library(run: Evaluator, call: Call) -> None:
+    """A library, or another name for one."""
     args = call.args
     if not args:
         return

@@ -13,11 +13,12 @@ from rosarch.extractor.files import file_name
 
 from .graph import closure, definitions, find_library, include_path
 from .model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
-from .plugins import Registration, registrations
+from .plugins import Registration, own_headers, registrations
 from .python_nodes import python_nodes
 
 NODELET_BASE = "nodelet::Nodelet"
 COMPONENT_BASE = "rclcpp_components"
+SIMULATOR_PLUGIN = "gazebo_plugin"
 
 
 def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
@@ -29,7 +30,7 @@ def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
         for package in workspace.packages
         if package.name in workspace.selected
         for plugin in package.plugins
-        if plugin.cxx_class not in _registrations(package) and _library(workspace, plugin, package) is None
+        if not plugin.in_python and plugin.cxx_class not in _registrations(package) and _library(workspace, plugin, package) is None
     )
 
 
@@ -41,7 +42,7 @@ def programs(workspace: Workspace) -> frozenset[tuple[str, str]]:
         for name in (
             *(target.output_name for target in package.targets if target.kind in (EXECUTABLE, TEST)),
             *(program.name for program in package.programs),
-            *(point.name for point in package.entry_points),
+            *(point.name for point in package.entry_points if point.is_command),
         )
     )
 
@@ -120,7 +121,7 @@ def _plugins(workspace: Workspace, package: Package) -> Iterable[Component]:
     registered = _registrations(package)
     described: set[str] = set()
     for plugin in package.plugins:
-        if plugin.cxx_class in described:
+        if plugin.in_python or plugin.cxx_class in described:
             continue
         described.add(plugin.cxx_class)
         target, found = registered.get(plugin.cxx_class, (None, None))
@@ -130,7 +131,9 @@ def _plugins(workspace: Workspace, package: Package) -> Iterable[Component]:
         yield _plugin(workspace, package, plugin.cxx_class, base, plugin.name, target, plugin.executable)
     for name, (target, found) in registered.items():
         if name not in described:
-            yield _plugin(workspace, package, name, found.base, found.name, target)
+            loaded_as = f"lib{target.output_name}.so" if found.simulated else found.name
+            made = _plugin(workspace, package, name, found.base, loaded_as, target)
+            yield replace(made, kind=SIMULATOR_PLUGIN) if found.simulated else made
 
 
 def _plugin(
@@ -149,8 +152,9 @@ def _registrations(package: Package) -> dict[str, tuple[Target, Registration]]:
     for target in package.targets:
         if target.kind in LIBRARY_KINDS:
             for source in target.sources:
-                for found in registrations(source):
-                    result.setdefault(found.cxx_class, (target, found))
+                for file in (source, *own_headers(source, (*target.include_dirs, package.path / "include"), package.path)):
+                    for found in registrations(file):
+                        result.setdefault(found.cxx_class, (target, found))
     return result
 
 

@@ -15,6 +15,7 @@ from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.package_names import quick_name
 
 from . import (
+    commands_auto,
     commands_files,
     commands_find,
     commands_ignored,
@@ -35,6 +36,7 @@ from .model import Package, Workspace
 from .options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
 
 COMMAND_MODULES = (
+    commands_auto,
     commands_files,
     commands_find,
     commands_ignored,
@@ -112,8 +114,12 @@ class _Discovery:
         self.diagnostics.append(Diagnostic(kind, path, 1, 1, message))
 
     def _locate(self) -> None:
-        for path in find_manifests(self.root, self.diagnostics):
+        paths = find_manifests(self.root, self.diagnostics)
+        folders = {os.path.dirname(path) for path in paths}
+        for path in paths:
             name = quick_name(path)
+            if (name is None or name in self.paths) and any(str(above) in folders for above in Path(path).parents[1:]):
+                continue  # below another package, and no package of the workspace
             if name is None or name != file_name(name):
                 _manifest, problems = read_manifest(Path(path))
                 self.diagnostics.extend(problems or [Diagnostic("manifest", Path(path), 1, 1, "no <name>")])

@@ -16,10 +16,11 @@ from rosarch.extractor.diagnostics import Diagnostic, unreadable, why
 from rosarch.extractor.files import read_file
 
 from . import cmake_loops
-from .cmake_conditions import ConditionError, Surroundings, Word
+from .cmake_conditions import ConditionError, Word
 from .cmake_conditions import evaluate as condition_holds
 from .cmake_expand import expand, join_list, split_list
 from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_TEXT, MAX_VALUE, MAX_WORDS, OutOfTime, time_limit
+from .cmake_questions import surroundings
 from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
 from .cmake_syntax import Argument, Block, Command, If, Statement, blocks, parse
 from .options import Options, initial_environment, initial_variables, versions
@@ -74,19 +75,25 @@ class Evaluator:
         self.draft = PackageDraft()
         self.diagnostics: list[Diagnostic] = []
         self.file = f"{folder}/CMakeLists.txt"
+        self.made_before = 0
+        self.found: set[str] = set()
         self.testing = 0
         self.excluded = 0
         self.manifest_depends: list[str] = []
-        self.found_dependencies = False
         self.depth = 0
         self.words = 0
         self.characters = 0
         self.current: tuple[str, Command] | None = None
         self.global_properties: dict[str, str] = {}
         self.included: set[str] = set()
-        self.around = self._surroundings()
+        self.around = surroundings(self)
 
     # -- values ---------------------------------------------------------------------------------------------------------------
+
+    @property
+    def project(self) -> str:
+        """The name of the current project."""
+        return self.get("PROJECT_NAME") or self.package
 
     def get(self, name: str) -> str | None:
         """A variable's value: normal, then cache."""
@@ -145,6 +152,8 @@ class Evaluator:
     def expanded(self, argument: Argument) -> str:
         """An argument with its references replaced."""
         text = expand(argument.text, self.lookup, argument.quoted)
+        if text is not argument.text:
+            self.count(1)  # references and escapes take as long as another word
         self.charge(0, len(text))
         return text
 
@@ -219,14 +228,15 @@ class Evaluator:
         statements = self.load(file)
         if statements is None:
             return
-        previous, self.file = self.file, file
+        previous = self.file, self.made_before
+        self.file, self.made_before = file, len(self.targets)
         self.enter()
         try:
             self.run(statements)
         except (StopFile, StopLoop):
             pass
         finally:
-            self.file = previous
+            self.file, self.made_before = previous
             self.depth -= 1
 
     def load(self, file: str) -> tuple[Statement, ...] | None:
@@ -265,7 +275,10 @@ class Evaluator:
                 self.run_block(statement)
 
     def run_if(self, statement: If) -> None:
-        """The first branch whose condition holds. A test-only branch makes its targets tests."""
+        """The first branch whose condition holds. A test-only branch makes its targets tests.
+
+        A branch that leaves a `CMakeLists.txt` before it makes any target does so because of what this machine lacks: the rest counts.
+        """
         for branch in statement.branches:
             if branch.condition is not None and not self.holds(branch.condition):
                 continue
@@ -273,9 +286,17 @@ class Evaluator:
             self.testing += testing
             try:
                 self.run(branch.body)
+            except StopFile:
+                if not self._leaves_nothing():
+                    raise
             finally:
                 self.testing -= testing
             return
+
+    def _leaves_nothing(self) -> bool:
+        """Whether the file that a `return()` leaves is one of the package's build, and no target of it is made so far."""
+        in_function = self.get("CMAKE_CURRENT_FUNCTION") is not None
+        return not in_function and os.path.basename(self.file) == "CMakeLists.txt" and len(self.targets) == self.made_before
 
     def holds(self, command: Command) -> bool:
         """Evaluate the condition of `if`, `elseif`, `while`. What cannot be understood is false."""
@@ -326,26 +347,9 @@ class Evaluator:
 
     # -- conditions -----------------------------------------------------------------------------------------------------------
 
-    def _surroundings(self) -> Surroundings:
-        return Surroundings(
-            value=self._condition_value,
-            defined=self._is_defined,
-            is_command=lambda name: name.lower() in self.procedures or name.lower() in COMMANDS,
-            is_target=lambda name: name in self.targets or name in self.aliases,
-            exists=self.exists,
-            is_directory=lambda path: self.exists(path) if self.is_outside(path) else os.path.isdir(path),
-            set_matches=self.set_matches,
-        )
-
-    def _condition_value(self, name: str) -> str | None:
-        return self.location(name) if name.startswith("CMAKE_CURRENT_") else self.get(name)
-
-    def _is_defined(self, name: str) -> bool:
-        if name.startswith("ENV{"):
-            return name[4:-1] in self.environment
-        if name.startswith("CACHE{"):
-            return name[6:-1] in self.cache
-        return self._condition_value(name) is not None
+    def is_command(self, name: str) -> bool:
+        """Whether there is a command or procedure of this name."""
+        return name.lower() in self.procedures or name.lower() in COMMANDS
 
     def is_outside(self, path: str) -> bool:
         """Whether `path` is on the machine rather than in the workspace."""

@@ -6,10 +6,19 @@ import re
 from pathlib import Path
 from weakref import WeakKeyDictionary
 
-from .model import LIBRARY_KINDS, Package, Target, Workspace
+from .model import LIBRARY_KINDS, ROS1, ROS2, Package, Target, Workspace
 
 _LIST = Path(__file__).parents[1] / "cxx" / "headers" / "packages.txt"
-BROUGHT = frozenset(line for line in _LIST.read_text(encoding="utf-8").split("\n") if line and not line.startswith("#"))
+_BROUGHT = frozenset(
+    (name, middleware)
+    for name, *only in (line.split() for line in _LIST.read_text(encoding="utf-8").splitlines() if line and not line.startswith("#"))
+    for middleware in only or (ROS1, ROS2)
+)
+
+
+def is_brought(package: Package) -> bool:
+    """Whether rosarch brings the declarations of a package, and knows what it does: as it is for the ROS that this one is for."""
+    return (package.name, package.middleware) in _BROUGHT
 
 
 class _Index:
@@ -29,6 +38,7 @@ class _Index:
                 if (package.name, name) in self.targets:
                     self.targets[package.name, alias] = self.targets[package.name, name]
                     self.libraries.setdefault(alias, []).append(self.targets[package.name, name])
+        self.brought = frozenset(package.name for package in workspace.packages if is_brought(package))
         self.reach: dict[str, tuple[str, ...]] = {}
 
     def reachable(self, package: str) -> tuple[str, ...]:
@@ -104,7 +114,7 @@ def closure(workspace: Workspace, target: Target) -> tuple[Target, ...]:
         nexts: list[Target] = []
         for link in (*here.objects, *here.links):
             library = tables.library(link, here.package)
-            if library is None or library is target or library.package in BROUGHT or (library.package, library.name) in result:
+            if library is None or library is target or library.package in tables.brought or (library.package, library.name) in result:
                 continue
             result[library.package, library.name] = library
             nexts.append(library)
@@ -120,13 +130,13 @@ def include_path(workspace: Workspace, target: Target) -> tuple[Path, ...]:
     packages whose declarations rosarch brings are left out.
     """
     tables = index(workspace)
-    brought = [tables.packages[name].path / "include" for name in sorted(BROUGHT & set(tables.packages))]
+    brought = [tables.packages[name].path / "include" for name in sorted(tables.brought)]
     result = dict.fromkeys(folder for folder in target.include_dirs if not any(folder.is_relative_to(path) for path in brought))
     for library in closure(workspace, target):
         result.update(dict.fromkeys(library.interface_include_dirs))
     for name in tables.reachable(target.package):
         package: Package | None = tables.packages.get(name)
-        if package is not None and name not in BROUGHT:
+        if package is not None and name not in tables.brought:
             result.update(dict.fromkeys(package.exports.include_dirs))
     return tuple(result)
 

@@ -1,7 +1,8 @@
 """Find and read `package.xml` files.
 
 Sources: REP 127, REP 140, REP 149 (formats 1 to 3); the crawl follows catkin_pkg.packages and colcon: a folder with an ignore marker is
-skipped with everything below it, and nothing below a package is another package.
+skipped with everything below it. They do not look below a package, unless they are told to (colcon by base paths, others by their own
+calls of CMake): packages below packages come last here, and a package of the same name elsewhere hides them.
 """
 
 from __future__ import annotations
@@ -18,53 +19,57 @@ from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 from rosarch.extractor.boundary import is_inside
 from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import LARGEST_PARSED, file_name, is_folder, read_file
+from rosarch.extractor.package_names import HEAVY_FOLDERS, NO_PACKAGES
 from rosarch.extractor.xml_reader import XmlError, read_tree
 
 from .options import DEFAULT_DISTRO, initial_environment
 
 IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
-HEAVY_FOLDERS = frozenset({"node_modules", "__pycache__", "venv", "site-packages"})
 LEADS_OUT = "a link out of the workspace, which is not followed unless its target is in ROS_PACKAGE_PATH"
 _GENERATED_MARKERS = frozenset({".catkin", ".built_by", "CMakeCache.txt"})
 
 
 def find_manifests(root: Path, problems: list[Diagnostic], *, ignored: bool = False) -> list[str]:
-    """Paths of all manifests below `root`, sorted; with `ignored`, also those that ignore markers hide.
+    """Paths of all manifests below `root`, sorted, those below other packages last; with `ignored`, also those that ignore markers hide.
 
     Folders reached twice through links are visited once. `problems` gets the folders that cannot be read and links that lead to themselves.
     """
-    result: list[str] = []
+    outer: list[str] = []
+    inner: list[str] = []
     visited: set[str] = set()
-    stack = [str(root)]
+    stack = [(str(root), False)]
     while stack:
-        folder = stack.pop()
+        folder, inside = stack.pop()
         try:
             with os.scandir(folder) as scan:
                 entries = list(scan)
         except OSError as error:
-            problems.append(unreadable(folder, error))
+            if not inside:
+                problems.append(unreadable(folder, error))
             continue
         names = {entry.name for entry in entries}
         if (names & IGNORE_MARKERS and not ignored) or (names & _GENERATED_MARKERS and folder != str(root)):
             continue
         if "package.xml" in names:
-            result.append(f"{folder}/package.xml")
-            continue
+            (inner if inside else outer).append(f"{folder}/package.xml")
+            inside = True
         for entry in entries:
-            if entry.name.startswith(".") or entry.name in HEAVY_FOLDERS or not is_folder(entry):
-                if entry.is_symlink() and _is_loop(entry.path):
+            if entry.name.startswith(".") or entry.name in (NO_PACKAGES if inside else HEAVY_FOLDERS) or not is_folder(entry):
+                if entry.is_symlink() and not inside and _is_loop(entry.path):
                     problems.append(Diagnostic("unreadable", Path(entry.path), 1, 1, "a link that leads to itself"))
                 continue
             if entry.is_symlink():
                 real = os.path.realpath(entry.path)
+                if inside:
+                    continue
                 if not is_inside(real):
                     problems.append(Diagnostic("outside", Path(entry.path), 1, 1, LEADS_OUT))
                     continue
                 if real in visited or f"{folder}/".startswith(real + "/"):
                     continue
                 visited.add(real)
-            stack.append(entry.path)
-    return sorted(result)
+            stack.append((entry.path, inside))
+    return sorted(outer) + sorted(inner)
 
 
 def _is_loop(path: str) -> bool:

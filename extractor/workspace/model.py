@@ -64,6 +64,11 @@ class PluginClass:
     line: int
     executable: str = ""
 
+    @property
+    def in_python(self) -> bool:
+        """Whether it is a class of Python, whose name has its module in front."""
+        return "." in self.cxx_class and "::" not in self.cxx_class
+
 
 @dataclass(frozen=True)
 class Configured:
@@ -83,13 +88,19 @@ class Program:
 
 @dataclass(frozen=True)
 class EntryPoint:
-    """A command `name` that a Python package installs: it calls `function` of `module`. `path` and `line` declare it."""
+    """What a Python package calls `name` in a group of entry points: a function or class of `module`. `path` and `line` declare it."""
 
     name: str
     module: str
     function: str
     path: Path
     line: int
+    group: str = "console_scripts"
+
+    @property
+    def is_command(self) -> bool:
+        """Whether it is installed as a program, which calls the function."""
+        return self.group in ("console_scripts", "gui_scripts")
 
 
 @dataclass(frozen=True)
@@ -150,7 +161,7 @@ class Workspace:
 
 @dataclass(frozen=True)
 class PythonEntry:
-    """How a Python component begins: `file` is run, or, with a `function`, imported and this function called.
+    """How a Python component begins: `file` is run, or, with a `function`, imported and this function called; of a plug-in, this class.
 
     `module` is the name that the file has then. Modules are looked for below `roots`, the first that has one counts. `modules` are name and
     file of all modules of the workspace that are imported on the way, that of the file itself first.
@@ -177,8 +188,8 @@ class PythonEntry:
 class Component:
     """A unit of the running system: a node executable, a nodelet class, another plug-in class.
 
-    `kind` is `node`, `nodelet`, `component` (rclcpp_components), `plugin` or `python_node`. `sources` are the component's own sources,
-    `library_sources` those of the workspace libraries it is linked with, or of the modules of other packages that it imports.
+    `kind` is `node`, `nodelet`, `component` (rclcpp_components), `gazebo_plugin`, `plugin` or `python_node`. `sources` are the component's
+    own sources, `library_sources` those of the workspace libraries it is linked with, or of the modules of other packages that it imports.
     `executables` are the names that a Python node is started by, where `python` tells how it begins.
     """
 

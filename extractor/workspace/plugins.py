@@ -1,13 +1,16 @@
 """Plug-in descriptions: nodelet and pluginlib XML files, and the macros in C++ sources that register classes.
 
-Sources: https://wiki.ros.org/pluginlib, https://wiki.ros.org/nodelet. Description files have one `<library>`, several of them below
-`<class_libraries>`, or (against the rules, but read by pluginlib's predecessor) several roots.
+Sources: https://wiki.ros.org/pluginlib, https://wiki.ros.org/nodelet, http://gazebosim.org/tutorials?tut=plugins_hello_world,
+https://gazebosim.org/api/plugin (IGNITION_ before GZ_ in Gazebo up to Fortress).
+Description files have one `<library>`, several of them below `<class_libraries>`, or (against the rules, but read by pluginlib's
+predecessor) several roots.
 """
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -68,19 +71,21 @@ def _line(text: str, word: str) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Registration:
-    """A registration macro in a source file."""
+    """A registration macro in a source file. A simulator loads its class by the file of the library, not by a name."""
 
     cxx_class: str
     base: str
     path: Path
     line: int
     name: str | None = None
+    simulated: bool = False
 
 
 _CODE_COMMENT = re.compile(r'"(?:[^"\\\n]|\\.)*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _MACRO = re.compile(
     r"^[ \t]*(PLUGINLIB_EXPORT_CLASS|PLUGINLIB_DECLARE_CLASS|PLUGINLIB_REGISTER_CLASS|CLASS_LOADER_REGISTER_CLASS|"
-    r"NODELET_DECLARE_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE)\s*\(([^;{]*?)\)",
+    r"NODELET_DECLARE_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE|"
+    r"GZ_REGISTER_(?:MODEL|WORLD|SENSOR|SYSTEM|VISUAL|GUI)_PLUGIN|(?:IGNITION|GZ)_ADD_PLUGIN)\s*\(([^;{]*?)\)",
     re.MULTILINE,
 )
 
@@ -91,10 +96,26 @@ def registrations(path: Path) -> list[Registration]:
         text = read_file(path).decode(errors="replace")
     except OSError:
         return []  # reported where it is parsed
-    if "_CLASS" not in text and "RCLCPP_COMPONENTS" not in text:
+    if not any(word in text for word in ("_CLASS", "RCLCPP_COMPONENTS", "_PLUGIN")):
         return []
     text = _CODE_COMMENT.sub(_blank, text)
     return [found for match in _MACRO.finditer(text) if (found := _registration(match, text, path))]
+
+
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]", re.MULTILINE)
+
+
+def own_headers(source: Path, folders: Iterable[Path], package: Path) -> Iterator[Path]:
+    """The headers of the `package` that a source file includes itself, from its own folder or `folders`: they may register its classes."""
+    try:
+        text = read_file(source).decode(errors="replace")
+    except OSError:
+        return
+    places = [place for place in dict.fromkeys((source.parent, *folders)) if place.is_relative_to(package)]
+    for name in _INCLUDE.findall(text):
+        found = next((path for place in places if os.path.isfile(path := place / name)), None)
+        if found is not None:
+            yield found
 
 
 def _blank(match: re.Match[str]) -> str:
@@ -108,6 +129,10 @@ def _registration(match: re.Match[str], text: str, path: Path) -> Registration |
     macro = match.group(1)
     if macro == "RCLCPP_COMPONENTS_REGISTER_NODE":
         return Registration(_plain(words[0]), "rclcpp_components", path, line)
+    if macro.endswith("_PLUGIN"):
+        kind = macro.split("_")[2].capitalize()
+        base = f"gazebo::{kind}Plugin" if macro.startswith("GZ_REGISTER") else _plain(words[1] if len(words) > 1 else "")
+        return Registration(_plain(words[0]), base, path, line, simulated=True)
     if len(words) == 2:
         return Registration(_plain(words[0]), _plain(words[1]), path, line)
     if len(words) == 4:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
-from rosarch.extractor.python_syntax import absolute_name, parse_python
+from rosarch.extractor.python_syntax import absolute_name, import_call, parse_python
 
 MAX_MODULES = 2000
 _IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+\(?([\w, \t*]+)|import[ \t]+([\w., \t]+))", re.MULTILINE)
@@ -115,6 +115,14 @@ def _imports_of_tree(tree: ast.Module) -> Iterator[Import]:
             yield from (Import(0, alias.name, ()) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             yield Import(node.level, node.module or "", tuple(alias.name for alias in node.names))
+        elif isinstance(node, ast.Call) and (named := import_call(node, "")) is not None:
+            yield Import(_dots(node), named[0], ())
+
+
+def _dots(node: ast.Call) -> int:
+    """How many dots the name that a call imports begins with."""
+    name = getattr(node.args[0], "value", "")
+    return len(name) - len(name.lstrip("."))
 
 
 def _imports_of_text(text: str) -> Iterator[Import]:

@@ -1,4 +1,4 @@
-"""Python nodes of a workspace: what setuptools and CMake install, and the scripts that rosrun finds in a package's folder.
+"""Python nodes of a workspace: what setuptools and CMake install, and the scripts that rosrun finds in a package's folder; plug-ins.
 
 A file is a node's when it, or a module of the workspace that it imports, imports a client library of ROS.
 """
@@ -14,8 +14,9 @@ from pathlib import Path
 from rosarch.extractor.diagnostics import Diagnostic
 from rosarch.extractor.files import file_name, read_file
 
-from .model import PYTHON_NODE, Component, Package, PythonEntry, Workspace
+from .model import PYTHON_NODE, Component, Package, PluginClass, PythonEntry, Workspace
 from .python_modules import Modules
+from .python_plugins import declared_classes, described_classes, pointed_at
 
 CLIENT_LIBRARIES = frozenset({"rospy", "rclpy"})
 _SHEBANG = re.compile(rb"#![^\n]*\bpython")
@@ -25,30 +26,33 @@ _NO_SCRIPTS = frozenset({"test", "tests", "launch", "cfg", "build", "devel", "in
 def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[Component]:
     """The Python nodes of the selected packages. `problems` tells of entry points without a module."""
     modules = Modules()
+    named = [plugin for package in workspace.packages for plugin in (*declared_classes(package), *described_classes(package))]
     shared = [root for package in workspace.packages for root in _roots(package)]
     for package in workspace.packages:
         if package.name in workspace.selected:
             roots = tuple(dict.fromkeys((*_roots(package), *shared)))
             yield from _of_entry_points(package, roots, modules, problems)
             yield from _of_scripts(package, roots, modules, searched=workspace.searched)
+            yield from _of_plugins(package, roots, named, modules)
+            yield from _of_plugins(package, roots, pointed_at(package), modules, only_ros=True)
 
 
 def _roots(package: Package) -> tuple[Path, ...]:
-    """The folders that modules of a package are imported from."""
-    if package.python_roots or not package.build_type.startswith("ament"):
-        return package.python_roots
-    return (package.path,)
+    """The folders that modules of a package are imported from: a description of plug-ins tells where theirs are."""
+    below = (package.path / plugin.library for plugin in package.plugins if plugin.in_python)
+    told = tuple(dict.fromkeys((*package.python_roots, *(path for path in below if os.path.isdir(path)))))
+    return told if told or not package.build_type.startswith("ament") else (package.path,)
 
 
 def _of_entry_points(package: Package, roots: tuple[Path, ...], modules: Modules, problems: list[Diagnostic]) -> Iterator[Component]:
-    for point in package.entry_points:
+    for point in filter(lambda point: point.is_command, package.entry_points):
         file = modules.find(point.module, roots)
         if file is None:
             message = f"entry point {point.name}: no module {point.module} in the package"
             problems.append(Diagnostic("missing-source", point.path, point.line, 1, message))
             continue
         start = PythonEntry(file, point.module, point.function, roots)
-        yield from _component(package, point.name, [point.name], start, modules)
+        yield from _node(package, point.name, [point.name], start, modules)
 
 
 def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules, *, searched: bool) -> Iterator[Component]:
@@ -62,7 +66,25 @@ def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules, *, 
     for path, executables in names.items():
         if modules.does_something(path):
             start = PythonEntry(path, "__main__", None, (path.parent, *roots))
-            yield from _component(package, executables[0].removesuffix(".py"), executables, start, modules)
+            yield from _node(package, executables[0].removesuffix(".py"), executables, start, modules)
+
+
+def _of_plugins(
+    package: Package, roots: tuple[Path, ...], named: Iterable[PluginClass], modules: Modules, *, only_ros: bool = False
+) -> Iterator[Component]:
+    """The classes of the package that others make by their name; each once, wherever it is named."""
+    seen: set[tuple[str, str]] = set()
+    for plugin in named:
+        module, _, name = plugin.cxx_class.rpartition(".")
+        file = modules.find(module, roots)
+        if file is None or not file.is_relative_to(package.path) or (module, name) in seen:
+            continue
+        seen.add((module, name))
+        start = PythonEntry(file, module, name, roots)
+        if only_ros and not _uses_ros(start, modules):
+            continue
+        component = _component(package, name, (), start, modules)
+        yield replace(component, kind="plugin", entry_class=f"{module}::{name}", base_class=plugin.base or None, plugin_name=plugin.name)
 
 
 def _scripts_below(folder: Path) -> Iterator[Path]:
@@ -82,14 +104,22 @@ def _has_shebang(path: Path) -> bool:
         return False  # no script that could be read
 
 
-def _component(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Iterable[Component]:
+def _node(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Iterator[Component]:
     """The node that a file is; none when neither it nor what it imports uses ROS."""
-    imported, packages = modules.closure(start.file, start.module, start.roots)
-    if not packages & CLIENT_LIBRARIES:
-        return
+    if _uses_ros(start, modules):
+        yield _component(package, name, executables, start, modules)
+
+
+def _uses_ros(start: PythonEntry, modules: Modules) -> bool:
+    _, packages = modules.closure(start.file, start.module, start.roots)
+    return not packages.isdisjoint(CLIENT_LIBRARIES)
+
+
+def _component(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Component:
+    imported, _ = modules.closure(start.file, start.module, start.roots)
     sources = tuple(dict.fromkeys(path for _, path in imported))
     own = tuple(path for path in sources if path.is_relative_to(package.path))
-    yield Component(
+    return Component(
         name=file_name(name),
         package=package.name,
         kind=PYTHON_NODE,

@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import configparser
 import os
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,8 +21,9 @@ from rosarch.extractor.files import read_file
 from rosarch.extractor.python_syntax import parse_python
 
 from .model import EntryPoint, Program
+from .setup_values import SetupValues
 
-_GROUP = "console_scripts"
+_PROGRAMS = re.compile(r"lib/[^/]+/?")
 
 
 @dataclass(frozen=True)
@@ -40,13 +42,15 @@ def read_setup(folder: Path) -> tuple[Setup, list[Diagnostic]]:
     programs: list[Program] = []
     roots: list[Path] = []
     script, declared = folder / "setup.py", folder / "setup.cfg"
-    for keyword, value, names in _keywords(script, problems):
+    for keyword, value, values in _keywords(script, problems):
         if keyword == "entry_points":
-            points.extend(_entry_points(value, names, script))
+            points.extend(_entry_points(value, values, script))
         elif keyword == "scripts":
-            programs.extend(Program(text.rpartition("/")[2], folder / text) for text, _ in _texts(value, names))
+            programs.extend(_program(folder, text) for text, _ in values.texts(value))
+        elif keyword == "data_files":
+            programs.extend(_program(folder, text) for text in _installed(value, values))
         elif keyword == "package_dir":
-            found = _value(value, names)
+            found = values.value(value)
             roots.extend(_roots(folder, found) if isinstance(found, dict) else ())
     points.extend(_declared(declared, problems))
     if os.path.isfile(script) and not roots:
@@ -55,7 +59,11 @@ def read_setup(folder: Path) -> tuple[Setup, list[Diagnostic]]:
     return setup, problems
 
 
-def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[str | None, ast.expr, Mapping[str, ast.expr]]]:
+def _program(folder: Path, path: str) -> Program:
+    return Program(path.rpartition("/")[2], folder / path)
+
+
+def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[str | None, ast.expr, SetupValues]]:
     """The keyword arguments of all calls in a `setup.py` and the entries given to its dictionaries, each with the module's assignments."""
     try:
         tree = parse_python(read_file(path))
@@ -71,69 +79,48 @@ def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[str | No
     for node in tree.body:
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
             names[node.targets[0].id] = node.value
+    values = SetupValues(path.parent, names)
     for part in ast.walk(tree):
         match part:
             case ast.Call(keywords=keywords):
-                yield from ((keyword.arg, keyword.value, names) for keyword in keywords)
+                yield from ((keyword.arg, keyword.value, values) for keyword in keywords)
             case ast.Assign(targets=[ast.Subscript(slice=ast.Constant(value=str(key)))], value=value):
-                yield key, value, names
+                yield key, value, values
 
 
-def _value(node: ast.expr, names: Mapping[str, ast.expr], depth: int = 0) -> Any:
-    """The value of an expression, None when it cannot be told."""
-    from rosarch.extractor.launch.evaluation import EvalFailed, UnknownInvolved, Unsupported, evaluate
-
-    def lookup(name: str) -> Any:
-        found = _value(names[name], names, depth + 1) if depth < 10 else None
-        if found is None:
-            raise KeyError(name)
-        return found
-
-    try:
-        return evaluate(ast.unparse(node), lookup, {})
-    except (EvalFailed, Unsupported, UnknownInvolved, RecursionError):
-        return None
+def _installed(node: ast.expr, values: SetupValues) -> Iterator[str]:
+    """The files that `data_files` puts where a package's programs are found, `lib/<package>`."""
+    node = values.written(node)
+    for item in node.elts if isinstance(node, (ast.List, ast.Tuple)) else ():
+        if isinstance(item, ast.Tuple) and len(item.elts) == 2:
+            folder = values.value(item.elts[0])
+            if isinstance(folder, str) and _PROGRAMS.fullmatch(folder):
+                yield from (text for text, _ in values.texts(item.elts[1]))
 
 
-def _texts(node: ast.expr, names: Mapping[str, ast.expr]) -> Iterator[tuple[str, ast.expr]]:
-    """The texts of a list, each with where it is written; one that cannot be told costs itself only."""
-    if isinstance(node, ast.Name) and node.id in names:
-        node = names[node.id]
-    if isinstance(node, (ast.List, ast.Tuple)):
-        for item in node.elts:
-            yield from ((text, item) for text in [_value(item, names)] if isinstance(text, str))
-    elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-        yield from _texts(node.left, names)
-        yield from _texts(node.right, names)
-    else:
-        found = _value(node, names)
-        if isinstance(found, (list, tuple)):
-            yield from ((text, node) for text in found if isinstance(text, str))
-
-
-def _entry_points(node: ast.expr, names: Mapping[str, ast.expr], path: Path) -> Iterator[EntryPoint]:
-    if isinstance(node, ast.Name) and node.id in names:
-        node = names[node.id]
+def _entry_points(node: ast.expr, values: SetupValues, path: Path) -> Iterator[EntryPoint]:
+    node = values.written(node)
     if isinstance(node, ast.Dict):
         for key, value in zip(node.keys, node.values, strict=True):
-            if key is not None and _value(key, names) == _GROUP:
-                for text, place in _texts(value, names):
-                    yield from _entry_point(text, path, place.lineno)
+            group: Any = values.value(key) if key is not None else None
+            for text, place in values.texts(value) if isinstance(group, str) else ():
+                for line in text.splitlines():
+                    yield from _entry_point(line, group, path, place.lineno)
         return
-    text = _value(node, names)
+    text = values.value(node)
     if isinstance(text, str):
-        for line in _lines_of_group(text):
-            yield from _entry_point(line, path, node.lineno)
+        for group, line in _grouped(text):
+            yield from _entry_point(line, group, path, node.lineno)
 
 
-def _lines_of_group(text: str) -> Iterator[str]:
-    """The lines below `[console_scripts]` in the text form of entry points."""
+def _grouped(text: str) -> Iterator[tuple[str, str]]:
+    """The lines below `[group]` in the text form of entry points, each with its group."""
     group = ""
     for line in map(str.strip, text.splitlines()):
         if line.startswith("["):
             group = line.strip("[] ")
-        elif group == _GROUP and line and not line.startswith(("#", ";")):
-            yield line
+        elif group and line and not line.startswith(("#", ";")):
+            yield group, line
 
 
 def _declared(path: Path, problems: list[Diagnostic]) -> Iterator[EntryPoint]:
@@ -153,17 +140,18 @@ def _declared(path: Path, problems: list[Diagnostic]) -> Iterator[EntryPoint]:
         problems.append(Diagnostic("setup", path, line, 1, "not read: no section or key and value"))
         return
     lines = text.splitlines()
-    for line in (parser.get("options.entry_points", _GROUP, fallback=None) or "").splitlines():
-        number = next((index for index, other in enumerate(lines, 1) if other.strip() == line.strip()), 1)
-        yield from _entry_point(line, path, number)
+    for group, points in parser.items("options.entry_points") if parser.has_section("options.entry_points") else ():
+        for line in (points or "").splitlines():
+            number = next((index for index, other in enumerate(lines, 1) if other.strip() == line.strip()), 1)
+            yield from _entry_point(line, group, path, number)
 
 
-def _entry_point(text: str, path: Path, line: int) -> Iterator[EntryPoint]:
+def _entry_point(text: str, group: str, path: Path, line: int) -> Iterator[EntryPoint]:
     """`name = module:function [extra]`."""
     name, equals, target = text.partition("=")
     module, colon, function = target.partition("[")[0].partition(":")
     if equals and colon and name.strip() and module.strip() and function.strip():
-        yield EntryPoint(name.strip(), module.strip(), function.strip(), path, line)
+        yield EntryPoint(name.strip(), module.strip(), function.strip(), path, line, group)
 
 
 def _roots(folder: Path, package_dir: Mapping[Any, Any]) -> Iterator[Path]:

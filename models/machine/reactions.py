@@ -106,7 +106,31 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     for index, row in enumerate(document.get("one_shot") or ()):
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
         found.setdefault("timer", []).append(step)
-    return {trigger: sorted(steps, key=_order) for trigger, steps in found.items()}
+    later = _done_later(document)
+    return {trigger: _in_order(sorted(steps, key=_order), later) for trigger, steps in found.items()}
+
+
+def _done_later(document: Document) -> Mapping[str, frozenset[str]]:
+    """For each place what is done after it although its line is not below."""
+    found: dict[str, frozenset[str]] = {}
+    for first, second in (document.get("traits") or {}).get("out_of_line", ()):
+        found[first] = found.get(first, frozenset()) | {second}
+    return found
+
+
+def _in_order(steps: Sequence[Step], later: Mapping[str, frozenset[str]]) -> list[Step]:
+    """The steps, which are in the order of their lines, in that in which calls have them."""
+    waiting, found = list(steps), []
+    while waiting:
+        ready = (step for step in waiting if not any(_follows(step, other, later) for other in waiting if other is not step))
+        step = next(ready, waiting[0])
+        waiting.remove(step)
+        found.append(step)
+    return found
+
+
+def _follows(step: Step, other: Step, later: Mapping[str, frozenset[str]]) -> bool:
+    return any(place in later.get(before, ()) for before in other.row.at.split() for place in step.row.at.split())
 
 
 def loops_told_apart(document: Document) -> frozenset[str]:

@@ -12,6 +12,7 @@ from rosarch.models.rule_sets import SystemRules
 from rosarch.models.system.findings import evidence_of, grouped, shown_as
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
 from rosarch.models.system.rows import Rows
+from rosarch.models.unseen import OpenPart, reason_text
 
 
 def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] | Literal["all"] = ()) -> Result:
@@ -30,7 +31,7 @@ def told_by(rules: SystemRules) -> list[str]:
 def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, places: Mapping[str, Place]) -> SystemModel:
     """The model of a system, from the facts about it and what the rules derived; `places` are those of the facts, by key."""
     ports, ids = _ports(rows, result, places)
-    opened = {node for (node,) in result.rows("node_open")}
+    opened = {node for node, what, *_ in result.rows("node_open") if what == "ports"}
     hosts = {node for (node,) in result.rows("hosts")}
     instances = grouped(result.rows("instance"))
     lines = grouped(rows.get("started_at", ()))
@@ -59,7 +60,14 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
             )
         )
     inclusions = tuple(sorted((_inclusion(row, places) for row in rows.get("included", ())), key=lambda inclusion: inclusion.at))
-    return SystemModel(name, tuple(launch), tuple(nodes), _connectors(result, ids, rows), inclusions)
+    return SystemModel(name, tuple(launch), tuple(nodes), _connectors(result, ids, rows), inclusions, _unseen(result, names, places))
+
+
+def _unseen(result: Result, names: Mapping[str, str], places: Mapping[str, Place]) -> tuple[OpenPart, ...]:
+    opened = {(node, reason, place) for node, _, reason, place in result.rows("node_open") if place in places}
+    nodes = {OpenPart(names[node], reason_text(*reason), places[place]) for node, reason, place in opened}
+    systems = {OpenPart("", reason_text(*reason), places[place]) for reason, place in result.rows("system_open")}
+    return tuple(sorted(nodes | systems))
 
 
 def _inclusion(row: tuple[Any, ...], places: Mapping[str, Place]) -> Inclusion:
@@ -103,7 +111,8 @@ def _connectors(result: Result, ids: Mapping[Any, tuple[str, str]], rows: Rows) 
     for kind, name, side, port in result.rows("joins_connector"):
         found.setdefault((kind, name), {"source": set(), "sink": set()})[side].add(ids[tuple(port)])
         passed[kind, name].update(type_ for (type_,) in types.get(port[1], []))
+    opened = set(result.rows("connector_open"))
     return tuple(
-        Connector(kind, name, tuple(sorted(passed[kind, name])), tuple(sorted(sides["source"])), tuple(sorted(sides["sink"])))
-        for (kind, name), sides in sorted(found.items())
+        Connector(*key, tuple(sorted(passed[key])), tuple(sorted(sides["source"])), tuple(sorted(sides["sink"])), key in opened)
+        for key, sides in sorted(found.items())
     )

@@ -103,7 +103,8 @@ def ask_chain(rules: SystemRules, rows: Rows, asked: Causes, system: str, models
     ends = tuple(sorted({(shower.port(port), reason) for port, reason in result.rows("influence_ends")}, key=repr))
     if "can" in answers:
         uncertain = shower.chain([(s, t, *steps[s, t]) for s, t in sorted(set(result.rows("certainty_ends")), key=repr)])
-        return ChainAnswer(system, asked, "no", shower.chain(_shortest(steps, sources, targets)), uncertain=uncertain)
+        answer = "unknown" if "perhaps" in answers else "no"
+        return ChainAnswer(system, asked, answer, shower.chain(_shortest(steps, sources, targets)), uncertain=uncertain)
     return ChainAnswer(system, asked, "unknown" if "unknown" in answers else "no", ends=ends, missing=missing)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rosarch.models.findings import Finding
+from rosarch.models.unseen import OpenPart
 
 if TYPE_CHECKING:
     from rosarch.extractor.diagnostics import Diagnostic
@@ -16,21 +17,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Scope:
-    """How much was checked: `unknown` of the nodes have no model."""
+    """How much was checked: `unknown` of the nodes have no model, `open` ones of the others may have more ports than were seen."""
 
     systems: int
     nodes: int
     unknown: int
+    open: int = 0
 
 
 @dataclass(frozen=True)
 class Checked:
-    """What was found and not understood, and the files that it rests on, in which comments may say what is intended."""
+    """What was found and not understood, the files that it rests on, in which comments may say what is intended, and what was not seen."""
 
     findings: tuple[Finding, ...]
     diagnostics: tuple[Diagnostic, ...]
     files: tuple[str, ...]
     scope: Scope
+    unseen: tuple[OpenPart, ...] = ()
 
 
 def checked(analysis: SystemAnalysis) -> Checked:
@@ -38,10 +41,12 @@ def checked(analysis: SystemAnalysis) -> Checked:
     paths = {path for model in analysis.models for path in model.sources}
     paths |= {evidence.place.path for finding in analysis.findings for evidence in finding.evidence}
     paths |= {place.path for system in analysis.systems for node in system.nodes for place in node.lines}
-    return Checked(analysis.findings, analysis.diagnostics, tuple(sorted(paths)), scope_of(analysis.systems))
+    unseen = {part for system in analysis.systems for part in system.unseen}
+    return Checked(analysis.findings, analysis.diagnostics, tuple(sorted(paths)), scope_of(analysis.systems), tuple(sorted(unseen)))
 
 
 def scope_of(systems: Collection[SystemModel]) -> Scope:
     """How much there is in systems."""
     origins = [node.origin for system in systems for node in system.nodes]
-    return Scope(len(systems), len(origins), origins.count("unknown"))
+    opened = sum(node.open and node.origin != "unknown" for system in systems for node in system.nodes)
+    return Scope(len(systems), len(origins), origins.count("unknown"), opened)

@@ -80,6 +80,8 @@ def model_rows(model: ComponentModel) -> Rows:
         for sent in loop.publishes:
             writer.add("interface_periodic", f"{component}#{sent}", loop.hz or 0.0, loop.hz_from_param or "")
         writer.add("interface_loop", component, writer.placed(loop.at), loop.hz or 0.0, loop.hz_from_param or "")
+    for each in model.unseen:
+        writer.add("interface_open", component, each.what, each.kind, each.subject, writer.placed(each.at))
     for trait in model.traits:
         values = zip(TRAITS[trait.name], trait.values, strict=True)
         writer.add(f"interface_{trait.name}", component, *(_trait_value(writer, component, kind, value) for kind, value in values))
@@ -97,12 +99,13 @@ def library_rows(found: LibraryComponent) -> Rows:
     writer = _Writer()
     component = found.title
     writer.add("interface", component, found.package, found.component, found.kind, "library")
+    for version in found.ros:
+        writer.add("interface_ros", component, version)
     for name in found.loads:
         writer.add("interface_loads", component, name)
-    if found.open_ports:
-        writer.add("interface_open", component, "ports")
-    if found.open_params:
-        writer.add("interface_open", component, "params")
+    for what, is_open in (("ports", found.open_ports), ("params", found.open_params)):
+        if is_open:
+            writer.add("interface_open", component, what, "library", component, "")
     if found.options is not None:
         for option in ("", *found.options):
             writer.add("interface_option", component, option)

@@ -39,6 +39,11 @@ def unincluded(where: Surroundings, jobs: int | None = None) -> list[Launch]:
     return [Launch(_shown(path, where.root), (_shown(path, where.root),), composed, files.packages) for path, composed in found.items()]
 
 
+def has_launch_files(root: Path) -> bool:
+    """Whether a workspace has launch files at all, be they templates only."""
+    return bool(launch_files(os.path.abspath(root), templates=True))
+
+
 def _path(word: str, root: Path) -> str:
     for path in (Path(word), root / word):
         tracing.probe(path)

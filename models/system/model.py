@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rosarch.models.places import Place
+from rosarch.models.unseen import OpenPart
 
 CONNECTOR_KINDS = ("topic", "service", "action")
 
@@ -54,13 +55,17 @@ class SystemNode:
 
 @dataclass(frozen=True)
 class Connector:
-    """A topic, service or action that ports meet at; `sources` send or call, `sinks` receive or serve: pairs of node id and port id."""
+    """A topic, service or action that ports meet at; `sources` send or call, `sinks` receive or serve: pairs of node id and port id.
+
+    At one that is `open` there may be ports that are not known.
+    """
 
     kind: str
     name: str
     types: tuple[str, ...]
     sources: tuple[tuple[str, str], ...]
     sinks: tuple[tuple[str, str], ...]
+    open: bool = False
 
 
 @dataclass(frozen=True)
@@ -74,10 +79,15 @@ class Inclusion:
 
 @dataclass(frozen=True)
 class SystemModel:
-    """One composed system. `name` tells it from others of the workspace, `launch` are the launch files (relative) with their arguments."""
+    """One composed system.
+
+    `name` tells it from others of the workspace, `launch` are the launch files (relative) with their arguments, `unseen` is what of
+    it may be there and is not known.
+    """
 
     name: str
     launch: tuple[str, ...]
     nodes: tuple[SystemNode, ...]
     connectors: tuple[Connector, ...]
     inclusions: tuple[Inclusion, ...] = ()
+    unseen: tuple[OpenPart, ...] = ()

@@ -88,7 +88,7 @@ class Started:
         own += [self.step(f"{condition}, which launch files leave open", condition.place) for condition in node.conditions]
         own += [self.step(f"arguments {node.args}", node.lines[-1])] if node.args else []
         own += [self.step(f"loaded into {node.container}", node.lines[-1])] if node.container else []
-        own += [self.step(f"{remap.source} is called {remap.target}", remap.place) for remap in node.remaps]
+        own += [self.step(f"{remap.source} is called {remap.target}", remap.place) for remap in node.own_remaps]
         below = f"{start.partition('#')[0]}/"
         own += [self.param(setting, below, node) for setting in self.composition.params if setting.name.startswith(below)]
         return self.step(f"{start} runs {node.package}/{node.type}", node.lines[-1], own)

@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.cache import hash_of, rows_digest
 from rosarch.extractor.launch.facts import launch_rows, library_name, started
-from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
+from rosarch.extractor.launch.model import Composition
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
+from rosarch.models.system.processes import with_nodes
 from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged
 from rosarch.models.system.workspace import (
@@ -80,21 +81,14 @@ class Components:
     diagnostics: tuple[Diagnostic, ...]
 
     def with_nodes(self, launch: Launch) -> Launch:
-        """The launch, with the nodes that a program makes in the place of a program that makes several."""
-        parts: dict[tuple[str, str], list[ComponentModel]] = defaultdict(list)
+        """The launch, with the nodes that programs make, by the names that the code gives those that no launch file names."""
+        made: dict[tuple[str, str], list[ComponentModel]] = {}
         for model in self.models:
             if model.executable:
-                parts[model.package, model.executable].append(model)
-        if not parts:
-            return launch
-        composition = launch.composition
-        nodes: list[NodeStart] = []
-        for start in composition.nodes:
-            own = parts.get((start.package, start.type), ())
-            made = [replace(start, type=model.component, called=start.called and model.node_name) for model in own]
-            composition = _given_to_each(composition, start, made)
-            nodes += made or [start]
-        return replace(launch, composition=replace(composition, nodes=tuple(nodes)))
+                made.setdefault((model.package, model.executable), []).append(model)
+            else:
+                made.update({(model.package, type_): [model] for type_ in model.types})
+        return replace(launch, composition=with_nodes(launch.composition, made))
 
     def with_models(self, models: Iterable[ComponentModel]) -> Components:
         """The same components; those that are among `models` have the models there."""
@@ -134,21 +128,6 @@ class Components:
                     found[number] = each
                     waiting.append(each)
         return [found[number] for number in sorted(found)]
-
-
-def _given_to_each(composition: Composition, start: NodeStart, made: Sequence[NodeStart]) -> Composition:
-    """The composition, in which what is set for a program that no launch file names is set for each of the nodes that it makes."""
-    below = f"{start.full_name}/"
-    names = {node.full_name for node in made if start.name is None} - {start.full_name}
-    if not names:
-        return composition
-
-    def spread(settings: Iterable[ParamSetting]) -> tuple[ParamSetting, ...]:
-        own = [setting for setting in settings if f"{setting.name}/".startswith(below)]
-        others = (replace(setting, name=name + setting.name[len(below) - 1 :]) for name in sorted(names) for setting in own)
-        return (*(setting for setting in settings if setting not in own), *others)
-
-    return replace(composition, params=spread(composition.params), unread=spread(composition.unread))
 
 
 @dataclass(frozen=True)
@@ -257,8 +236,13 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
 
     found = analyzed(_packages_below(root, needed.packages), needed.is_needed)
     models = found.models
-    if any(model.loads or model.loads_any for model in models):
-        models += analyzed(None, lambda component: is_loaded(component, models) and not needed.is_needed(component)).models
+    if needed.plugins or any(model.loads or model.loads_any for model in models):
+        started = models
+
+        def is_plugin(component: Component) -> bool:
+            return not needed.is_needed(component) and (is_loaded(component, started) or component.plugin_name in needed.plugins)
+
+        models += analyzed(None, is_plugin).models
     known = load(tuple(reading.library))
     diagnostics += known.problems
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
@@ -293,11 +277,15 @@ class _Needed:
         return any((component.package, name) in self.executables for name in names) or component.plugin_name in self.words
 
     def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
-        """The components of the library that are started, and those that these load, unless they are among `models`."""
+        """The components of the library that are started, and those that these load, unless they are among `models`.
+
+        A plug-in of a simulator goes by its file alone: one that the workspace builds hides those of all packages.
+        """
         own = {(model.package, type_) for model in models for type_ in (*model.types, model.executable)}
+        built = {model.plugin.name for model in models if model.plugin}
         found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
         found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
-        found += [library.find(None, file) for file in sorted(self.plugins)]
+        found += [library.find(None, file) for file in sorted(self.plugins - built)]
         started = [component for component in found if component is not None and (component.package, component.component) not in own]
         return [part for component in started for part in library.with_loaded(component)]
 

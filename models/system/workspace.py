@@ -60,14 +60,17 @@ def dependencies(root: Path) -> Dependencies:
 
 
 def shared_rows(models: Sequence[ComponentModel]) -> Rows:
-    """Which components read which parameters by absolute names."""
+    """What all systems see of the components that any of them starts: their ports, and parameters that they read by absolute names."""
     return {
+        "port_anywhere": {
+            (f"{model.package}/{model.component}", port.kind, port.name) for model in models for port in model.ports if not port.implicit
+        },
         "read_absolutely": {
             (parameter.name, f"{model.package}/{model.component}")
             for model in models
             for parameter in model.params
             if parameter.op == "read" and parameter.name.startswith("/")
-        }
+        },
     }
 
 
@@ -91,7 +94,9 @@ def words_said(root: Path, models: Sequence[ComponentModel]) -> dict[str, frozen
     for model in models:
         folders = sorted({_package_folder(root, source) for source in model.sources})
         said.update((folder, _words_said(root / folder)) for folder in folders if folder not in said)
-        words = [said[folder] for folder in folders]
+        # a script need not have the name of one
+        scripts = [source for source in model.sources if not source.endswith(_SOURCES)]
+        words = [*(said[folder] for folder in folders), *(frozenset(_words_of(str(root / source))) for source in scripts)]
         found[f"{model.package}/{model.component}"] = (
             words[0] if len(words) == 1 else frozenset[str]().union(*words)
         )  # one object, kept once
@@ -124,9 +129,14 @@ def _words_said(folder: Path) -> frozenset[str]:
         folders[:] = [name for name in folders if not name.startswith(".")]
         for name in names:
             if name.endswith(_SOURCES):
-                try:
-                    text = read_file(os.path.join(here, name)).decode(errors="replace")
-                except OSError:
-                    continue  # where it is analysed, that is reported
-                found.update(word for said in _TEXT_OR_COMMENT.findall(text) for word in _WORD.findall(said))
+                found.update(_words_of(os.path.join(here, name)))
     return frozenset(found)
+
+
+def _words_of(source: str) -> Iterator[str]:
+    try:
+        text = read_file(source).decode(errors="replace")
+    except OSError:
+        return  # where it is analysed, that is reported
+    for said in _TEXT_OR_COMMENT.findall(text):
+        yield from _WORD.findall(said)

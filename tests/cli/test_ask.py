@@ -44,7 +44,7 @@ int main(int argc, char** argv)
 {
   ros::init(argc, argv, "motor");
   ros::NodeHandle nh;
-  ros::Subscriber sub = nh.subscribe("smooth", 1, onGoal);
+  ros::Subscriber sub = nh.subscribe("smooth", 2, onGoal);
   ros::Publisher pub = nh.advertise<std_msgs::Float32>("current", 1);
   ros::Rate rate(10);
   while (ros::ok())

@@ -84,10 +84,25 @@ def test_only_notes_are_no_failure(ws: Path, rosarch: Callable) -> None:
     assert (outcome.code, outcome.err) == (0, "")
     assert outcome.out == "2 findings: 2 notes; -v shows the notes\nchecked 1 system with 2 nodes\n"
     assert [line.partition(": note: ")[2] for line in heads(rosarch("check", ws, "-v").out)] == [
-        "nobody publishes /other (std_msgs/Int32), which /listener reads  [subscriber-without-publisher]",
-        "nobody reads /chatter (std_msgs/String), which /talker publishes  [publisher-without-subscriber]",
+        "/listener reads /other (std_msgs/Int32), and no publisher of it was seen  [subscriber-without-publisher]",
+        "/talker publishes /chatter (std_msgs/String), and no subscriber of it was seen  [publisher-without-subscriber]",
     ]
     assert rosarch("check", ws, "--fail-on", "note").code == 1
+
+
+def test_what_is_withheld_is_shown_with_what_was_not_seen(ws: Path, rosarch: Callable) -> None:
+    (ws / "talker/listener.cpp").write_text(LISTENER.replace("  ros::spin();", "  absent::attach(nh);\n  ros::spin();"))
+    (ws / "talker/robot.launch").write_text(ROBOT.replace('from="numbers"', 'from="figures"'))
+    assert "remap-without-effect" not in rosarch("check", ws).out
+    outcome = rosarch("check", ws, "--withheld")
+    assert (outcome.code, outcome.err) == (0, "")
+    assert outcome.out.splitlines()[:2] == [
+        "ws/talker/robot.launch:5:5: withheld: the remapping of figures to other has no effect: no node that gets it uses the name"
+        "  [remap-without-effect]",
+        "  not seen: /listener: the node is handed to absent::attach, which was not seen (ws/talker/listener.cpp:11)",
+    ]
+    (withheld,) = json.loads(rosarch("check", ws, "--withheld", "--format", "json").out)["withheld"]
+    assert [(part["node"], part["file"], part["line"]) for part in withheld["because"]] == [("/listener", "talker/listener.cpp", 11)]
 
 
 def test_a_matrix_of_arguments(ws: Path, rosarch: Callable) -> None:

@@ -38,6 +38,34 @@ def test_a_broken_workspace(rosarch: Callable, workspace: Path, monkeypatch: pyt
     assert (outcome.code, outcome.out, outcome.err) == (0, BROKEN, "")
 
 
+def test_what_the_parser_does_not_see(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(workspace)
+    source = workspace / "talker/talker.cpp"
+    source.write_text("DECLARE(int, level)\ntypedef int T;\nint T::f() {\n  return 1;\n}\n" + source.read_text())
+    assert (
+        "macros that no header defines: 1, left out where they are used\n"
+        "  DECLARE  talker/talker.cpp:1\n"
+        "  -> add the package that defines them to the workspace: what they declare or do is not known\n"
+        "functions that the parser lost: 1\n"
+        "  talker/talker.cpp:3-5  'T' (aka 'int') is not a class, namespace, or enumeration\n"
+        "  -> nothing of them is in the model; a header that is missing, or a bracket that does not match, is the usual cause\n"
+    ) in rosarch("doctor", workspace).out
+
+
+def test_sources_of_no_component(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(workspace)
+    for name in ("old/once.cpp", "test/tested.cpp", "hidden/left.cpp"):
+        (workspace / "talker" / name).parent.mkdir()
+        (workspace / "talker" / name).write_text("#include <ros/ros.h>\n")
+    (workspace / "talker/hidden/CATKIN_IGNORE").touch()
+    (workspace / "talker/plain.cpp").write_text("int one();\n")
+    (workspace / "talker/module.py").write_text("import rospy\n")
+    assert (
+        "sources that use ROS and belong to no component: 2\n  talker/module.py\n  talker/old/once.cpp\n"
+        "  -> no target builds them, nothing installs or imports them, or their library is in no program: what they make is in no model\n"
+    ) in rosarch("doctor", workspace).out
+
+
 def test_a_source_that_fails_is_a_finding(rosarch: Callable, workspace: Path) -> None:
     endless = "template <int N, int M> struct Tree { Tree<N - 1, 2 * M> left; Tree<N - 1, 2 * M + 1> right; };\nTree<40, 0> tree;\n"
     source = workspace / "talker/talker.cpp"

@@ -44,7 +44,7 @@ def test_models_in_files(rosarch: Callable, workspace: Path, tmp_path: Path) -> 
     assert text.endswith("}\n")
     assert list(json.loads(text)) == [
         "system", "component", "package", "kind", "middleware", "node_name", "sources", "ports", "params",
-        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot",
+        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot", "open",
     ]  # fmt: skip
 
 

@@ -60,7 +60,7 @@ def test_behavior_as_json(rosarch: Callable, workspace: Path) -> None:
     (model,) = json.loads(rosarch("show", "behavior", "ws", "--format", "json").out)
     assert list(model) == [
         "system", "component", "package", "kind", "middleware", "node_name", "ports",
-        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot",
+        "periodic", "reactive", "state_variables", "configuration", "transitions", "reactive_deferred", "one_shot", "open",
     ]  # fmt: skip
 
 

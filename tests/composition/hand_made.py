@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -21,9 +22,17 @@ def load(file: Path) -> dict[str, Any]:
 
 
 def system_of(
-    nodes: dict[str, dict[str, Any]], unknown: dict[str, list[str]] | None = None, serving: dict[str, tuple[Place, float]] | None = None
+    nodes: dict[str, dict[str, Any]],
+    unknown: dict[str, list[str]] | None = None,
+    serving: dict[str, tuple[Place, float]] | None = None,
+    *,
+    opened: Collection[str] = (),
+    condition: str | None = None,
 ) -> System:
-    """The system; `unknown` nodes have no behaviour, only topics that they send to; loops that are `serving` handle the messages of nodes."""
+    """The system; `unknown` nodes have no behaviour, only topics that they send to; loops that are `serving` handle the messages of nodes.
+
+    There may be more ports at topics that are `opened`; all nodes are started under the `condition`.
+    """
     ends: dict[tuple[str, str], tuple[list[tuple[str, str]], list[tuple[str, str]]]] = defaultdict(lambda: ([], []))
     for name, document in nodes.items():
         for port in document["ports"]:
@@ -35,11 +44,13 @@ def system_of(
     loops = {name: (loop,) for name, loop in (serving or {}).items()}
     started = [
         SystemNode(
-            f"/{name}", f"/{name}", "p", name, "source", f"p/{name}", (), (),
+            f"/{name}", f"/{name}", "p", name, "source", f"p/{name}", (), (), (condition,) if condition else (),
             rates=loops.get(name, ()), serving=tuple(place for place, _ in loops.get(name, ())),
         )
         for name in nodes
     ]  # fmt: skip
     started += [SystemNode(f"/{name}", f"/{name}", "q", name, "unknown", None, (), ()) for name in unknown or ()]
-    connectors = tuple(Connector(kind, topic, (), tuple(sources), tuple(sinks)) for (kind, topic), (sources, sinks) in ends.items())
+    connectors = tuple(
+        Connector(kind, topic, (), tuple(sources), tuple(sinks), topic in opened) for (kind, topic), (sources, sinks) in ends.items()
+    )
     return composed(SystemModel("by hand", (), tuple(started), connectors), {f"p/{name}": document for name, document in nodes.items()})

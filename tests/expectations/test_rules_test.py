@@ -72,7 +72,7 @@ def test_met(outcome: Callable) -> None:
         ("expect: periodic /out 5 Hz", ["nearest   periodic /out 10.0  node.cpp:23 (other hz)"]),
         ('expect: transition g_on = true if "message.data == \\"off\\""', ['nearest   transition ::g_on = true  node.cpp:9 (guard is message.data == "on")']),
         ("expect: state g_on = true", ["nearest   state ::g_on = false  node.cpp:4 (other initial)"]),
-        ("expect: finding topic-type-mismatch", ["nearest   finding subscriber-without-publisher nobody publishes /in (std_msgs/String), which /node reads  node.cpp:17 (other check and line)"]),
+        ("expect: finding topic-type-mismatch", ["nearest   finding subscriber-without-publisher /node reads /in (std_msgs/String), and no publisher of it was seen  node.cpp:17 (other check and line)"]),
         ("expect-not: publisher /*", ["there is  publisher /out std_msgs/String  node.cpp:16"]),
         ('expect: port([_, "subscriber", "/inn"])', ['nearest   port(["node.cpp#6898:17:25:call", "subscriber", "/in"])']),
         ('expect: port([_, "subscriber", X]), X != "/in"', ["no such row"]),

@@ -94,12 +94,36 @@ def test_sources(tmp_path: Path, cmake: str, sources: list[str]) -> None:
         ('"$ENV{ROS_DISTRO}" MATCHES "(kinetic)"', True),
         ("OpenCV_FOUND AND OPENCV_FOUND", True),
         ("x-NOTFOUND", False),
+        ("Radio_DIR AND Radio_Tuner_FOUND AND RADIO_INCLUDE_DIRS AND DEFINED Radio_VERSION", True),
+        ("Radio_VERSION VERSION_LESS 3.1", False),
+        ("TARGET Radio::tuner AND NOT TARGET Other::tuner", True),
+        ("Radio_USE_STATIC OR Other_DIR", False),
+        ("CMAKE_CUDA_COMPILER", True),
     ],
 )
 def test_conditions(tmp_path: Path, condition: str, value: bool) -> None:
-    head = "find_package(OpenCV)\nfind_package(PCL)\nset(V yes)\nset(EMPTY)\nset(L no yes)\nadd_executable(y a.cpp)\n"
+    head = "find_package(OpenCV)\nfind_package(PCL)\nfind_package(Radio QUIET)\ncheck_language(CUDA)\nset(V yes)\nset(EMPTY)\nset(L no yes)\nadd_executable(y a.cpp)\n"
     found, _ = evaluated(tmp_path, f"{head}if({condition})\nadd_executable(x a.cpp)\nendif()", ABC)
     assert (found.target("x") is not None) == value
+
+
+@pytest.mark.parametrize(
+    ("cmake", "targets"),
+    [
+        ("if(NOT WITH_RADIO)\nfind_package(catkin)\ncatkin_package()\nreturn()\nendif()\nadd_executable(x a.cpp)", ["x"]),
+        ("if(WITH_RADIO)\nelse()\nreturn()\nendif()\nadd_executable(x a.cpp)", ["x"]),
+        ("add_subdirectory(inner)\nadd_executable(x a.cpp)", ["y", "x"]),
+        ("if(ON)\nadd_executable(y b.cpp)\nreturn()\nendif()\nadd_executable(x a.cpp)", ["y"]),
+        ("return()\nadd_executable(x a.cpp)", []),
+        ("function(f)\nif(ON)\nreturn()\nendif()\nadd_executable(x a.cpp)\nendfunction()\nf()", []),
+        ("include(guard.cmake)\nadd_executable(x a.cpp)", ["x"]),
+    ],
+)
+def test_a_package_that_leaves_before_it_makes_a_target_is_read_on(tmp_path: Path, cmake: str, targets: list[str]) -> None:
+    inner = "if(NOT WITH_RADIO)\nreturn()\nendif()\nadd_executable(y ../b.cpp)"
+    guard = "if(ON)\nreturn()\nendif()\nadd_executable(z a.cpp)"
+    found, _ = evaluated(tmp_path, cmake, {**ABC, "inner/CMakeLists.txt": inner, "guard.cmake": guard})
+    assert [one.name for one in found.targets] == targets
 
 
 def test_defines_override_what_is_found(tmp_path: Path) -> None:

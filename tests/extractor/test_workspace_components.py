@@ -127,6 +127,33 @@ def test_registration_lines(tmp_path: Path) -> None:
     assert [(one.cxx_class, one.base, one.line) for one in registrations(path)] == [("a::B", "nodelet::Nodelet", 3)]
 
 
+def test_plugins_of_simulators_are_known_by_their_library(tmp_path: Path) -> None:
+    code = (
+        "namespace sea {\nGZ_REGISTER_MODEL_PLUGIN(Boat);\n}\n"
+        'GZ_ADD_PLUGIN(\n  sea::Whale,\n  gz::sim::System,\n  sea::Whale::ISystemConfigure)\nGZ_ADD_PLUGIN_ALIAS(sea::Whale, "whale")\n'
+        "IGNITION_ADD_PLUGIN(sea::Crab, ignition::gazebo::System)\n"
+    )
+    package(tmp_path, "demo", "add_library(sea n.cpp)", {"n.cpp": code})
+    found = components(discover(tmp_path))
+    assert [(one.name, one.kind, one.plugin_name, one.base_class) for one in found] == [
+        ("Boat", "gazebo_plugin", "libsea.so", "gazebo::ModelPlugin"),
+        ("Crab", "gazebo_plugin", "libsea.so", "ignition::gazebo::System"),
+        ("Whale", "gazebo_plugin", "libsea.so", "gz::sim::System"),
+    ]
+
+
+def test_plugins_that_a_header_of_the_package_registers(tmp_path: Path) -> None:
+    headers = {"include/demo/boat.h": "GZ_REGISTER_MODEL_PLUGIN(Boat)\n", "src/crab.hh": "GZ_REGISTER_WORLD_PLUGIN(Crab)\n"}
+    sources = {"src/boat.cc": '#include "demo/boat.h"\n#include <ros/ros.h>\n', "src/crab.cc": '#include "crab.hh"\n', "src/fish.cc": ""}
+    cmake = "add_library(boat src/boat.cc)\nadd_library(crab src/crab.cc)\nadd_library(fish src/fish.cc)"
+    package(tmp_path, "demo", cmake, headers | sources)
+    found = components(discover(tmp_path))
+    assert [(one.name, one.kind, one.plugin_name) for one in found] == [
+        ("Boat", "gazebo_plugin", "libboat.so"),
+        ("Crab", "gazebo_plugin", "libcrab.so"),
+    ]
+
+
 @pytest.mark.parametrize(
     ("files", "message"),
     [
@@ -164,6 +191,46 @@ def test_ament(tmp_path: Path) -> None:
     ]
     assert [path.name for path in found[0].sources] == ["talker.cpp"]
     assert found[0].include_dirs == (tmp_path / "demo/include",)
+
+
+def test_ament_auto_links_the_earlier_libraries_of_the_package_and_what_it_found(tmp_path: Path) -> None:
+    ament = "<build_type>ament_cmake</build_type>"
+    package(tmp_path, "core", "ament_auto_add_library(core core.cpp)\nament_auto_package()", {"core.cpp": ""}, export=ament)
+    cmake = (
+        "ament_auto_add_library(base SHARED base.cpp)\nament_auto_add_library(derived SHARED derived.cpp)\n"
+        "ament_auto_add_executable(x x.cpp)\nament_auto_add_executable(alone NO_TARGET_LINK_LIBRARIES x.cpp)\n"
+        "ament_auto_add_library(headers INTERFACE)\nament_auto_add_library(later SHARED later.cpp)\n"
+    )
+    files = {f"{name}.cpp": "" for name in ("base", "derived", "x", "later")}
+    package(tmp_path, "demo", cmake, files, depends=("core",), export=ament)
+    workspace = discover(tmp_path)
+    demo = workspace.package("demo")
+    assert demo is not None
+    linked = {name: {one.name for one in closure(workspace, target(demo, name))} for name in ("base", "derived", "x", "alone", "headers")}
+    assert linked == {
+        "base": {"core"}, "derived": {"base", "core"}, "x": {"base", "derived", "core"}, "alone": {"core"},
+        "headers": {"base", "derived", "core"},
+    }  # fmt: skip
+    assert messages(workspace, tmp_path) == []
+
+
+def test_catkin_simple_links_what_the_manifest_depends_on(tmp_path: Path) -> None:
+    head = "find_package(catkin_simple REQUIRED)\ncatkin_simple(ALL_DEPS_REQUIRED)\n"
+    core = f"{head}cs_add_library(core core.cpp)\ncs_add_library(inner NO_AUTO_EXPORT inner.cpp)\ncs_install()\ncs_export()"
+    package(tmp_path, "core", core, {"core.cpp": "", "inner.cpp": "", "include/core/core.h": ""})
+    package(tmp_path, "between", f"{head}cs_export()", depends=("core",))
+    app = f"{head}cs_add_executable(x x.cpp)\ncs_add_executable(y NO_AUTO_LINK x.cpp)\ncs_install_scripts(s.py)\ncs_export()"
+    files = {"x.cpp": "", "s.py": "import rospy\nrospy.spin()\n", "msg/A.msg": "", "cfg/A.cfg": ""}
+    package(tmp_path, "app", app, files, depends=("between", "message_generation", "dynamic_reconfigure"))
+    workspace = discover(tmp_path)
+    found = workspace.package("app")
+    assert found is not None
+    assert [path.name for path in (*found.message_files, *found.cfg_files)] == ["A.msg", "A.cfg"]
+    assert {one.name: [path.name for path in one.library_sources] for one in components(workspace, None)} == {
+        "x": ["core.cpp"], "y": [], "s": [],
+    }  # fmt: skip
+    assert tmp_path / "core/include" in target(found, "x").include_dirs
+    assert messages(workspace, tmp_path) == []
 
 
 def test_names_of_the_input_name_one_file(tmp_path: Path) -> None:
@@ -215,3 +282,23 @@ def test_a_package_that_rosarch_knows_counts_as_installed(tmp_path: Path) -> Non
     (app,) = (component for component in components(workspace) if component.name == "app")
     assert app.library_sources == ()
     assert tmp_path / "roscpp/include" not in app.include_dirs
+
+
+def test_a_package_that_rosarch_knows_for_another_ros_is_read(tmp_path: Path) -> None:
+    cmake = "add_library(controller_manager a.cpp)\nadd_executable(x m.cpp)\ntarget_link_libraries(x controller_manager)"
+    export = "<build_type>ament_cmake</build_type>"
+    package(tmp_path, "controller_manager", cmake, {"a.cpp": "", "m.cpp": ""}, export=export)
+    assert [[path.name for path in one.library_sources] for one in components(discover(tmp_path))] == [["a.cpp"]]
+
+
+def test_libraries_of_an_export_set(tmp_path: Path) -> None:
+    ament = "<build_type>ament_cmake</build_type>"
+    base = (
+        "add_library(core SHARED core.cpp)\nadd_library(inner inner.cpp)\n"
+        "ament_export_targets(export_base HAS_LIBRARY_TARGET)\ninstall(TARGETS core EXPORT export_base LIBRARY DESTINATION lib)\nament_package()"
+    )
+    package(tmp_path, "base", base, {"core.cpp": "", "inner.cpp": ""}, export=ament)
+    cmake = "find_package(base REQUIRED)\nadd_executable(x x.cpp)\nament_target_dependencies(x PUBLIC base)\nament_package()"
+    package(tmp_path, "demo", cmake, {"x.cpp": ""}, export=ament)
+    (found,) = components(discover(tmp_path))
+    assert [path.name for path in found.library_sources] == ["core.cpp"]

@@ -88,11 +88,16 @@ def test_ignore_markers(tmp_path: Path, marker: str) -> None:
     assert messages(workspace, tmp_path) == ["deep/hidden/package.xml:1:1: package hidden is hidden from the build by an ignore marker"]
 
 
-def test_no_package_below_a_package_nor_in_hidden_folders(tmp_path: Path) -> None:
+def test_packages_below_packages_come_last_and_those_of_tests_and_hidden_folders_not_at_all(tmp_path: Path) -> None:
     package(tmp_path, "outer", "")
     package(tmp_path / "outer", "inner", "")
+    package(tmp_path / "outer" / "copy", "zone", "")
+    package(tmp_path / "outer" / "test", "fixture", "")
     package(tmp_path / ".hidden", "secret", "")
-    assert [one.name for one in discover(tmp_path).packages] == ["outer"]
+    package(tmp_path, "zone", "")
+    workspace = discover(tmp_path)
+    assert [str(one.path.relative_to(tmp_path)) for one in workspace.packages] == ["outer/inner", "outer", "zone"]
+    assert messages(workspace, tmp_path) == []
 
 
 def test_symlink_loop(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from workspace_builder import manifest, messages, package, write
 
 from rosarch.extractor.workspace import PYTHON_NODE, Component, components, discover
+from rosarch.extractor.workspace.components import without_library
 
 NODE = "#!/usr/bin/env python3\nimport rospy\nrospy.init_node('x')\n"
 AMENT = "<build_type>ament_python</build_type>"
@@ -76,6 +77,46 @@ def test_entry_points_of_setup_cfg_and_text(tmp_path: Path) -> None:
     assert hear.library_sources == (tmp_path / "demo/demo/talker.py",)
 
 
+def test_entry_points_in_lists_of_lists_and_of_other_groups(tmp_path: Path) -> None:
+    setup = (
+        "setup(entry_points={'console_scripts': ['one = demo.a:main', ('two = demo.a:main', *['three = demo.a:main'])],\n"
+        "  'gui_scripts': 'four = demo.a:main\\nfive = demo.a:main', 'robot.behaviours': ['wave = demo.a:Wave', 'none = demo.plain:No']})\n"
+    )
+    ament(tmp_path, "demo", setup, {"demo/a.py": "import rclpy\nclass Wave: pass\n", "demo/plain.py": "class No: pass\n"})
+    assert sorted(nodes(tmp_path)) == ["five", "four", "one", "three", "two"]
+    plugins = [one for one in components(discover(tmp_path)) if one.kind == "plugin"]
+    assert [(one.name, one.entry_class, one.base_class, one.plugin_name) for one in plugins] == [
+        ("Wave", "demo.a::Wave", "robot.behaviours", "wave")
+    ]
+
+
+def test_classes_that_descriptions_of_plugins_and_robots_name(tmp_path: Path) -> None:
+    xml = '<library path="src"><class name="Dial" type="dials.dial.Dial" base_class_type="rqt_gui_py::Plugin"/></library>'
+    robot = '<robot><!-- <plugin type="dials.dial.Old"/> -->\n<webots><plugin type="dials.driver.Driver"/><plugin type="other::Cxx"/></webots></robot>'
+    package(
+        tmp_path,
+        "demo",
+        "",
+        {
+            "plugin.xml": xml,
+            "urdf/robot.urdf": robot,
+            "src/dials/__init__.py": "",
+            "src/dials/dial.py": "from .help import Helper\nclass Dial: pass\nclass Old: pass\n",
+            "src/dials/help.py": "class Helper: pass\n",
+            "src/dials/driver.py": "class Driver: pass\n",
+        },
+        export='<rqt_gui plugin="${prefix}/plugin.xml"/>',
+    )
+    workspace = discover(tmp_path)
+    found = {one.name: one for one in components(workspace)}
+    assert {name: (one.kind, one.entry_class, one.base_class) for name, one in found.items()} == {
+        "Dial": ("plugin", "dials.dial::Dial", "rqt_gui_py::Plugin"),
+        "Driver": ("plugin", "dials.driver::Driver", None),
+    }
+    assert [path.name for path in found["Dial"].sources] == ["dial.py", "help.py"]
+    assert without_library(workspace) == ()
+
+
 def test_scripts_that_cmake_installs(tmp_path: Path) -> None:
     cmake = (
         "catkin_install_python(PROGRAMS nodes/one.py nodes/defines.py DESTINATION x)\n"
@@ -93,6 +134,26 @@ def test_scripts_that_cmake_installs(tmp_path: Path) -> None:
     assert {name: one.executables for name, one in found.items()} == {"one": ("one.py",), "second": ("second",)}
     start = found["one"].python
     assert start is not None and (start.file, start.module, start.function) == (tmp_path / "demo/nodes/one.py", "__main__", None)
+
+
+def test_scripts_in_folders_that_cmake_installs(tmp_path: Path) -> None:
+    cmake = (
+        "project(demo)\ninstall(DIRECTORY scripts/ USE_SOURCE_PERMISSIONS DESTINATION lib/${PROJECT_NAME})\n"
+        "install(DIRECTORY launch python DESTINATION share/demo)\n"
+    )
+    node = NODE.replace("rospy", "rclpy")
+    files = {
+        "scripts/a.py": node,
+        "scripts/more/b": node,
+        "scripts/module.py": "import rclpy\n",
+        "scripts/c.sh": "#!/bin/sh\n",
+        "launch/d.py": node,
+    }
+    write(
+        tmp_path / "demo",
+        {"package.xml": manifest("demo", export="<build_type>ament_cmake</build_type>"), "CMakeLists.txt": cmake, **files},
+    )
+    assert {name: one.executables for name, one in nodes(tmp_path).items()} == {"a": ("a.py",), "b": ("b",)}
 
 
 def test_scripts_that_rosrun_finds(tmp_path: Path) -> None:
@@ -132,6 +193,18 @@ def test_what_is_put_into_the_dictionary_of_a_setup_file(tmp_path: Path) -> None
         },
     )
     assert [path.name for path in nodes(tmp_path)["run"].sources] == ["run.py", "core.py"]
+
+
+def test_scripts_among_the_data_files_of_a_setup_file(tmp_path: Path) -> None:
+    setup = (
+        "import os, xml.etree.ElementTree as ET\nfrom glob import glob\npackage = ET.parse('package.xml').getroot()\n"
+        "name = package.find('name').text\n"
+        "setup(name=name, data_files=[(f'lib/{name}', glob('scripts/*.py')), (os.path.join('lib', name), ['tools/panel']),\n"
+        "  (f'share/{name}/launch', glob('launch/*.py')), *more()])\n"
+    )
+    script = NODE.replace("rospy", "rclpy")
+    ament(tmp_path, "demo", setup, {"scripts/a.py": script, "tools/panel": script, "tools/b.py": script, "launch/c.py": script})
+    assert {name: one.executables for name, one in nodes(tmp_path).items()} == {"a": ("a.py",), "panel": ("panel",)}
 
 
 def test_nothing_is_run_without_being_installed_in_ros_2(tmp_path: Path) -> None:

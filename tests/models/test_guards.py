@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 
+import pytest
+
 from rosarch.models.formula import TRUE
 from rosarch.models.guards import Guards
+from rosarch.models.normal import truth_of
 
 EMPTY = (
     "node_text",
@@ -30,3 +33,14 @@ def test_ways_through_circles_of_calls_are_not_all_walked(at_most: Callable[[flo
     relations["activity_enters"] = [("callback", function) for function in functions]
     with at_most(20):
         assert Guards(relations, {}).guard("callback", "send") == TRUE
+
+
+@pytest.mark.parametrize(
+    ("condition", "holds"),
+    [
+        ("Mode::RUN == Mode::RUN", True), ("Mode::RUN == Mode::IDLE", False), ("Mode::RUN != Mode::IDLE", True), ("3 == 4", False), ("True", True),
+        ("RUN == IDLE", False), ("kRun == kIdle", False), ("Fast == Slow", None), ("mode == Mode::RUN", None), ("3 < 4", None),
+    ],
+)  # fmt: skip
+def test_constants_decide_and_names_that_may_be_variables_do_not(condition: str, holds: bool | None) -> None:
+    assert truth_of(condition) is holds

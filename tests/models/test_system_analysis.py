@@ -63,8 +63,8 @@ def test_connectors(analysis: SystemAnalysis) -> None:
     one, two, relay = ({node.name: node.ports for node in analysis.systems[0].nodes}[name] for name in ("/robot/one", "/two", "/relay"))
     inner = {port.kind: port.id for port in relay}
     assert connectors["/words"] == Connector(
-        "topic", "/words", ("std_msgs/String",), (("/robot/one", one[0].id),), (("/relay", inner["subscriber"]),)
-    )
+        "topic", "/words", ("std_msgs/String",), (("/robot/one", one[0].id),), (("/relay", inner["subscriber"]),), open=True
+    )  # a file that is not there may start others
     assert connectors["/chatter"].sources == (("/two", two[0].id),)
     assert connectors["/heard"].sinks == ()
 

@@ -58,7 +58,7 @@ FOUND = LibraryComponent(
         LibraryPort("publisher", "out", from_param="~topic", implicit=True),
     ),
     (LibraryParameter("~lazy", type="bool", default=False), LibraryParameter(pattern="~in.*"), LibraryParameter("name", default="a")),
-    loads=("tools/other",), open_ports=True, open_params=True, options=("-r",), elements={"topic": "scan", "gone": None}, namespace_element="ns",
+    loads=("tools/other",), open_ports=True, open_params=True, options=("-r",), elements={"topic": "scan", "gone": None}, namespace_element="ns", ros=(1,),
 )  # fmt: skip
 
 
@@ -129,7 +129,7 @@ def test_a_component_of_the_library() -> None:
     assert rows["interface_port_pattern"] == {("tools/mux#p3", "~in[0-9]+")}
     assert rows["interface_port_queue"] == {("tools/mux#p1", 0)}
     assert rows["interface_port_conditional"] == {("tools/mux#p1", "lazy")}
-    assert rows["interface_open"] == {("tools/mux", "ports"), ("tools/mux", "params")}
+    assert rows["interface_open"] == {("tools/mux", what, "library", "tools/mux", "") for what in ("ports", "params")}
     assert rows["interface_option"] == {("tools/mux", ""), ("tools/mux", "-r")}
     assert rows["interface_element"] == {("tools/mux", "topic", "scan")}
     assert rows["interface_namespace_element"] == {("tools/mux", "ns")}

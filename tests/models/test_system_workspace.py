@@ -48,6 +48,9 @@ def test_words_of_sources(tmp_path: Path) -> None:
     said = words_said(tmp_path, [model])
     assert source_rows(composition, ["robot/driver", "other/driver"], said) == {"source_says": {("robot/driver", "speed")}}
     assert source_rows(composition, ["other/driver"], said) == {"source_says": set()}
+    (tmp_path / "robot" / "script").write_text('#!/usr/bin/env python3\nread("new")')
+    scripted = ComponentModel("robot", "script", "robot", "node", None, ("robot/script",), (), ())
+    assert words_said(tmp_path, [scripted])["robot/script"] - said["robot/driver"] == {"new"}
 
 
 def test_parameters_of_absolute_names(tmp_path: Path) -> None:
@@ -58,5 +61,8 @@ def test_parameters_of_absolute_names(tmp_path: Path) -> None:
     accesses = [("/base/rate", "read"), ("/base/gains", "read"), ("/base/mass", "read"), ("/unread", "write"), ("~rate", "read")]
     parameters = tuple(Parameter(name, op, None, None, Place("a.cpp", 1, 1)) for name, op in accesses)
     model = ComponentModel("robot", "driver", "robot", "node", None, ("a.cpp",), (), parameters)
-    assert shared_rows([model]) == {"read_absolutely": {(name, "robot/driver") for name in ("/base/rate", "/base/gains", "/base/mass")}}
+    assert shared_rows([model]) == {
+        "read_absolutely": {(name, "robot/driver") for name in ("/base/rate", "/base/gains", "/base/mass")},
+        "port_anywhere": set(),
+    }
     assert set_rows([composition], [model]) == {"set_somewhere": {("/base/rate",), ("/base/gains",)}}

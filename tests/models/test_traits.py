@@ -25,7 +25,9 @@ MODES = (
     "provides_after",
     "sends_in_burst",
 )  # and `tests/rules/packages/` these
+LIVES = ("unsteady", "unheard", "held_up", "out_of_line", "several_orders", "by_configuration")  # `lives/*.cpp` has these
 NODES = sorted(HERE.glob("*.cpp"))
+LIVING = sorted((HERE.parent / "lives").glob("*.cpp"))
 
 CMAKE = """cmake_minimum_required(VERSION 2.8.3)
 project(node)
@@ -38,14 +40,24 @@ PACKAGE = """<package><name>node</name><version>0.0.0</version><description>d</d
 """
 
 
-def lines(model: ComponentModel) -> list[str]:
-    """The traits, one line each: ports by name, places by line."""
+def lines(model: ComponentModel, *, lives: bool = False) -> list[str]:
+    """The traits of one group, one line each: ports by name, places by line."""
     ports = {port.id: port.name for port in model.ports}
 
     def shown(kind: str, value: Any) -> str:
         return ports[value] if kind == "port" else str(value.line) if kind == "place" else value
 
-    return sorted(" ".join([t.name, *map(shown, TRAITS[t.name], t.values)]) for t in model.traits if t.name not in (*COUNTS, *MODES))
+    asked = LIVES if lives else set(TRAITS) - {*COUNTS, *MODES, *LIVES}
+    return sorted(" ".join([t.name, *map(shown, TRAITS[t.name], t.values)]) for t in model.traits if t.name in asked)
+
+
+@pytest.mark.parametrize("node", LIVING, ids=lambda node: node.stem)
+def test_what_goes_on_and_in_which_order_is_as_expected(node: Path, tmp_path: Path) -> None:
+    source = node.read_text(encoding="utf-8")
+    for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (model,) = analyze(tmp_path, jobs=1).models
+    assert lines(model, lives=True) == sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
 
 
 @pytest.mark.parametrize("node", NODES, ids=lambda node: node.stem)

@@ -27,7 +27,7 @@ expect = playwright.expect
 BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 pytestmark = pytest.mark.skipif(BROWSER is None, reason="needs Chromium")
 
-HOSTILE = "</script><img src=x onerror=window.pwned=1>\"'`${window.pwned=2}{{3}}&lt;\u202e"
+HOSTILE = "</script><img src=x onerror=window.pwned=1>\"'`${window.pwned=2}{{3&lt;\u202e"
 LONG = "/" + "a" * 10_000
 NODE = """\
 #include <ros/ros.h>

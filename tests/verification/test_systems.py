@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import reduce
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hand_made import load, system_of
@@ -11,7 +12,7 @@ from hand_made import load, system_of
 from rosarch.composition.inputs import Inputs
 from rosarch.composition.scenario import read_scenario
 from rosarch.verification import ltl, spin, storm
-from rosarch.verification.check import HOLDS, model_for, verify
+from rosarch.verification.check import HOLDS, POSSIBLE, model_for, verify
 from rosarch.verification.explorer import violation
 from rosarch.verification.properties import read_properties
 
@@ -50,3 +51,42 @@ def test_spin_agrees(file: Path) -> None:
     together = model_for(system, reduce(ltl.conjunction, formulas.values()), inputs)
     found = spin.check_all(together, list(formulas.values()), timeout=60, memory=1024)
     assert {name: one.holds for name, one in zip(formulas, found, strict=True)} == {name: verdicts[name] == HOLDS for name in formulas}
+
+
+@pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
+@pytest.mark.parametrize(
+    ("traits", "verdict"),
+    [
+        ({}, HOLDS),
+        ({"changed_at_once": [["Guard::stopped_", "guard.cpp:20", "guard.cpp:20"]]}, POSSIBLE),
+        ({"several_orders": [["guard.cpp:10", "guard.cpp:20"]]}, POSSIBLE),
+    ],
+    ids=["one_at_a_time", "at_once", "several_orders"],
+)
+def test_nothing_is_proved_of_reactions_that_are_not_as_modelled(traits: dict[str, list[list[str]]], verdict: str) -> None:
+    nodes = load(Path(__file__).parent / "systems" / "order.yml")["nodes"]
+    nodes["guard"]["traits"] |= traits
+    system = system_of(nodes)
+    (found,) = verify(system, read_properties("p: always (sent(/halt) -> guard.stopped_)\n", "properties", system), Inputs(), "spin")
+    assert found.verdict == verdict
+
+
+@pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
+@pytest.mark.parametrize(
+    ("formula", "unseen", "traits"),
+    [
+        ("always (sent(/halt) -> guard.stopped_)", {"opened": ["/halt"]}, {}),
+        ("always (sent(/halt) -> guard.stopped_)", {"condition": "$(arg guarded)"}, {}),
+        ("response(sent(/stop), received(guard, /stop))", {}, {"unheard": [["p1", "what holds it goes out of scope"]]}),
+    ],
+    ids=["sender_not_seen", "started_on_condition", "not_heard"],
+)
+def test_nothing_is_proved_of_what_may_be_otherwise(formula: str, unseen: dict[str, Any], traits: dict[str, list[list[str]]]) -> None:
+    nodes = load(Path(__file__).parent / "systems" / "order.yml")["nodes"]
+    for system, verdict in ((system_of(nodes), HOLDS), (system_of(_with(nodes, traits), **unseen), POSSIBLE)):
+        (found,) = verify(system, read_properties(f"p: {formula}\n", "properties", system), Inputs(), "spin")
+        assert found.verdict == verdict
+
+
+def _with(nodes: dict[str, Any], traits: dict[str, list[list[str]]]) -> dict[str, Any]:
+    return {"guard": {**nodes["guard"], "traits": {**nodes["guard"]["traits"], **traits}}}

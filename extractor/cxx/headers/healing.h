@@ -4,6 +4,9 @@
 #ifndef ROSARCH_UNKNOWN_MEMBERS
 #define ROSARCH_UNKNOWN_MEMBERS
 #endif
+#define ROSARCH_NUMBERED(name) ROSARCH_NUMBERED_(name, __COUNTER__)
+#define ROSARCH_NUMBERED_(name, number) ROSARCH_JOINED(name, number)
+#define ROSARCH_JOINED(name, number) name##number
 namespace rosarch_healed {
 
 struct unknown;

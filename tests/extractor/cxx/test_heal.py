@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from rosarch.extractor.cxx import libclang, translation_unit
-from rosarch.extractor.cxx.heal import CallPlaces, healed, keeps_calls, without_unknown
+from rosarch.extractor.cxx.heal import healed, without_unknown
 from rosarch.extractor.cxx.includes import SHIPPED_DIRS
+from rosarch.extractor.cxx.kept_calls import CallPlaces, keeps_calls
 from rosarch.extractor.cxx.translation_unit import BASE_ARGUMENTS
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted
 
@@ -99,6 +100,10 @@ def bound(facts) -> list[str]:
         (
             "enumerator that is an unknown constant",
             "enum E { FIRST = far::START, SECOND }; void f(Out out, E e) { if (e == SECOND) out.send(FIRST); }",
+        ),
+        (
+            "class template by using, within a container",
+            "#include <deque>\nusing far::Mean; struct N : Out { std::deque<Mean<double>> means_; void go() { means_.push_back(Mean<double>()); send(1); } };",
         ),
         ("class that is only declared", "namespace ui { class Window; } void f(Out out, ui::Window* w) { out.send(w->size()); }"),
     ],

@@ -81,3 +81,11 @@ def test_a_generic_lambda_with_captures_as_callback(facts_of) -> None:
         if facts.show(call).startswith("g(")
     }
     assert owners == {"g(n, 1)": "lambda", "g(0, 0)": "f"}
+
+
+def test_what_is_captured_by_name(facts_of) -> None:
+    facts = facts_of("void f(int p) { int n = 1, o = 2; auto l = [n, &p, m = n] { return m; }; auto k = [&, o] { return n; }; }")
+    captured: dict[str, list[str]] = {}
+    for expr, variable in facts["lambda_captures"]:
+        captured.setdefault(facts.show(expr), []).append(str(variable).partition("@")[0])
+    assert captured == {"lambda 1:44": ["f", "m", "n"], "lambda 1:83": ["o"]}

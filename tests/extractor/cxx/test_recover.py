@@ -147,3 +147,11 @@ def test_what_stands_for_a_call_is_the_initial_value(facts_of) -> None:
     ((variable, value),) = facts["variable_initializer"]
     assert variable == "k@:1:47"
     assert facts.all("operand", value)[0] == (0, remnant)
+
+
+def test_a_dropped_call_of_a_method_that_may_be_inherited(facts_of) -> None:
+    source = 'struct B {}; struct N : B { int x; void f() { x = make<int>("a", unknown_); far::Thing y(unknown_); later(unknown_); } };'
+    facts = facts_of(source)
+    calls = {name: call for call, name in facts["call"]}
+    assert set(calls) == {"make", "later"}
+    assert facts.arguments(calls["make"])[:1] and facts.one("this_use", facts.one("call_receiver", calls["make"])) == "N"

@@ -65,6 +65,12 @@ def test_an_element_overrides_the_command_line(tmp_path: Path) -> None:
     assert rows["remap_written"] == {("2:1", "here/main.launch", "a", "b")}
 
 
+def test_a_package_that_a_robot_description_names(tmp_path: Path) -> None:
+    robot = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">\n<xacro:include filename="$(find gone)/arm.xacro"/>\n</robot>'
+    rows = rows_of(tmp_path, '<param name="r" command="$(find xacro)/xacro $(find here)/robot.xacro"/>', robot_xacro=robot)
+    assert ("here/robot.xacro:2:1", "gone") in rows["package_named"]
+
+
 def test_a_remapping_that_no_node_follows(tmp_path: Path) -> None:
     rows = rows_of(tmp_path, '<remap from="a//x" to="/b/"/>')
     assert rows["remap_written"] == {("2:1", "here/main.launch", "a/x", "/b")}
@@ -78,6 +84,11 @@ def test_nodes_of_one_name(tmp_path: Path) -> None:
     assert rows["started"] == {("/n", "p", "a"), ("/n#2", "p", "b")}
     assert rows["started_name"] == {("/n", "/n", "/"), ("/n#2", "/n", "/")}
     assert rows["started_if"] == {("/n", "if $(arg x)"), ("/n#2", "unless $(arg x)")}
+
+
+def test_parameters_that_a_condition_decides_on(tmp_path: Path) -> None:
+    rows = rows_of(tmp_path, '<arg name="x"/>\n<param name="a" value="1" if="$(arg x)"/>\n<param name="b" value="1"/>')
+    assert rows["param_set_if"] == {("/a", "if $(arg x)")}
 
 
 def test_a_chain_of_includes(tmp_path: Path) -> None:
@@ -165,12 +176,17 @@ def test_plugins_of_robots(tmp_path: Path) -> None:
 
 
 def test_library_names() -> None:
-    assert [library_name(name) for name in (" lib/libx.so ", "libx")] == ["libx.so", "libx.so"]
+    assert [library_name(name) for name in (" lib/libx.so ", "libx", "x")] == ["libx.so", "libx.so", "libx.so"]
 
 
 def test_files_outside_the_workspace_are_absolute(tmp_path: Path) -> None:
     found = launch_rows(composed(tmp_path, '<node pkg="p" type="t" name="n"/>'), tmp_path / "elsewhere")
     assert {row[1] for row in found["place"]} == {f"{tmp_path}/here/main.launch"}
+
+
+def test_paths_in_words_are_relative_to_the_workspace(tmp_path: Path) -> None:
+    found = launch_rows(composed(tmp_path, '<include file="$(dirname)/gone.launch"/>'), tmp_path)
+    assert [row[3] for row in found["launch_problem"]] == ["no such file: here/gone.launch"]
 
 
 def test_what_is_started_with_which_words(tmp_path: Path) -> None:
@@ -214,17 +230,23 @@ EVERYTHING = """<arg name="x"/><arg name="y" default="1"/>
 <include file="$(dirname)/part.launch" pass_all_args="true"><arg name="name" value="b"/></include>
 <rosparam file="$(find other)/p.yaml" ns="n"/><rosparam file="$(dirname)/p.yaml"/><param name="d" textfile="$(dirname)/robot.urdf"/>
 <node pkg="here" type="run.py" name="n" args="load _p:=1" if="$(arg x)"><remap from="a" to="b"/><param name="q" value="/home/anna/x"/></node>
-<node pkg="here" type="built" name="m"/><node pkg="here" type="mentioned" name="o"/><include file="$(find here)/gone.launch"/>"""
+<node pkg="here" type="built" name="m"/><node pkg="here" type="mentioned" name="o"/><include file="$(find here)/gone.launch"/>
+<node pkg="here" type="mentioned" name="o"/>"""
 
 
-IN_PYTHON = """from launch import LaunchDescription
-from launch_ros.actions import ComposableNodeContainer
+IN_PYTHON = """import os
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import ComposableNodeContainer, Node
 from launch_ros.descriptions import ComposableNode
 
 def generate_launch_description():
     inner = ComposableNode(package="here", plugin="here::Inner")
-    return LaunchDescription([ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
-                                                      composable_node_descriptions=[inner])])
+    here = os.path.dirname(__file__)
+    viewer = Node(package="rviz2", executable="rviz2", name="viewer", arguments=["-d", os.path.join(here, "demo.rviz")])
+    return LaunchDescription([viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
+                                                      composable_node_descriptions=[inner],
+                                                      parameters=[os.path.join(here, "box.yaml")])])
 """
 
 
@@ -242,9 +264,14 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     filled = launch_rows(composition, tmp_path)
     filled |= script_rows(composition, PackagePath([tmp_path]))
     (tmp_path / "here" / "ros2.launch.py").write_text(IN_PYTHON)
+    (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")
+    view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"
+    (tmp_path / "here" / "demo.rviz").write_text(view)
     filled |= launch_rows(compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path]))), tmp_path)
     filled |= workspace_rows(lambda: dependencies(tmp_path), [composition], {("here", "built")}, load().packages)
     declared = load_declarations(rules_folder() / "schema" / "launch.dl")
-    assert {name for name, rows in filled.items() if rows} == set(declared)
+    ports = load_declarations(rules_folder() / "schema" / "interfaces.dl")  # of viewers
+    assert {name for name, rows in filled.items() if rows and name not in ports} == set(declared)
+    declared = {**declared, **ports}
     for name, rows in filled.items():
         assert {len(row) for row in rows} == {len(declared[name].attributes)}, name

@@ -35,6 +35,9 @@ def test_what_is_no_package(tmp_path: Path) -> None:
     (tmp_path / "ignored" / "CATKIN_IGNORE").touch()
     package(tmp_path / ".hidden", "hidden")
     package(tmp_path / "commented" / "inner", "inner")
+    package(tmp_path / "commented" / "templates", "made")
+    package(tmp_path / "commented" / "copy", "zone")
+    package(tmp_path / "zone", "zone")
     package(tmp_path / "stop" / "below", "below")
     (tmp_path / "stop" / "rospack_nosubdirs").touch()
     (tmp_path / "nameless").mkdir()
@@ -44,7 +47,8 @@ def test_what_is_no_package(tmp_path: Path) -> None:
     (tmp_path / "colcon").mkdir()
     package(tmp_path / "colcon" / "kept", "kept")
     (tmp_path / "colcon" / "COLCON_IGNORE").touch()
-    assert sorted(PackagePath([tmp_path]).packages) == ["commented", "dry", "kept"]
+    assert sorted(PackagePath([tmp_path]).packages) == ["commented", "dry", "inner", "kept", "zone"]
+    assert PackagePath([tmp_path]).find("zone") == str(tmp_path / "zone")
 
 
 def test_links_and_special_files(tmp_path: Path) -> None:

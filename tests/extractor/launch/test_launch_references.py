@@ -36,6 +36,18 @@ def test_a_template_stands_for_the_file_that_the_build_makes_of_it(tmp_path: Pat
     assert [named.absent for named in composition.references if isinstance(named, FileNamed)] == [False]
 
 
+def test_files_that_commands_of_the_build_make(tmp_path: Path) -> None:
+    (tmp_path / "here").mkdir()
+    (tmp_path / "here" / "CMakeLists.txt").write_text(
+        'project(here)\nconfigure_file(in/a.in ${PROJECT_SOURCE_DIR}/urdf/made.xacro @ONLY)\nfile(WRITE ${CMAKE_CURRENT_SOURCE_DIR}/made.yaml "a: $(b)")\n'
+        "xacro_add_files(robot.urdf.xacro INSTALL DESTINATION urdf)\nfile(COPY gone.yaml DESTINATION x)\n"
+    )
+    names = ("urdf/made.xacro", "made.yaml", "robot.urdf", "gone.yaml")
+    composition = composed(tmp_path, "".join(f'<rosparam command="load" file="$(find here)/{name}"/>' for name in names))
+    assert [named.absent for named in composition.references if isinstance(named, FileNamed)] == [False, False, False, True]
+    assert [(problem.kind, problem.fatal) for problem in composition.problems] == [("made", False)] * 3 + [("file", True)]
+
+
 def test_programs_and_packages(tmp_path: Path) -> None:
     for name in ("elsewhere", "here"):
         (tmp_path / name).mkdir()

@@ -39,6 +39,23 @@ def test_top_level(tmp_path: Path) -> None:
     ]
 
 
+def test_templates_are_no_launch_files_yet(tmp_path: Path) -> None:
+    texts = {
+        "p/launch/real.launch": "<launch><rosparam>{a: [ON_OFF, {b: 1}]}</rosparam></launch>",
+        "p/launch/made.launch": '<launch><node pkg="[ROBOT]_moveit" type="t" name="n"/></launch>',
+        "p/launch/jinja.launch": "<launch>{% if sim %}<group>{% endif %}</launch>",
+        "p/launch/broken.launch": "<launch>",
+        "p/templates/launch/part.launch": "<launch/>",
+        "p/skeleton/{{name}}/x.launch": "<launch/>",
+        "templates/q/launch/real.launch": "<launch/>",
+    }
+    for name, text in {**texts, "p/package.xml": "", "templates/q/package.xml": ""}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    found = [path.removeprefix(f"{tmp_path}/") for path in launch_files(tmp_path)]
+    assert found == ["p/launch/broken.launch", "p/launch/real.launch", "templates/q/launch/real.launch"]
+
+
 def test_files_that_include_each_other_are_started_from_the_first(tmp_path: Path) -> None:
     includes = {
         "above": ["ring_b"],

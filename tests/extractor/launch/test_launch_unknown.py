@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from launch_builder import composed, params, problems
 
 from rosarch.extractor.launch import record
@@ -69,19 +70,37 @@ def test_same_names_are_refused_unless_conditions_exclude(tmp_path: Path) -> Non
     assert found.problems[-1].message == f"a second node `/n`, the first is at {tmp_path}/here/main.launch:3"
 
 
+@pytest.mark.parametrize(
+    ("one", "other", "named"),
+    [
+        ("if=\"$(eval a == 'x')\"", "if=\"$(eval a == 'y')\"", ["arg"]),
+        ("if=\"$(eval a == 'x')\"", "if=\"$(eval a in ['y', 'z'])\"", ["arg"]),
+        ("if=\"$(eval a in ['x', 'y'])\"", "if=\"$(eval a in ['y', 'z'])\"", ["arg", "duplicate-node"]),
+        ('if="$(eval a and not b)"', 'if="$(arg b)"', ["arg", "arg"]),
+        ('if="$(eval a or b)"', 'if="$(arg b)"', ["arg", "arg", "duplicate-node"]),
+        ("unless=\"$(eval a == 'x')\"", "if=\"$(eval arg('a') == 'x')\"", ["arg"]),
+        ("if=\"$(eval a.startswith('x'))\"", "if=\"$(eval a.startswith('y'))\"", ["arg"]),  # perhaps
+        ("", 'if="$(arg a)"', ["arg", "duplicate-node"]),
+    ],
+)
+def test_alternatives(tmp_path: Path, one: str, other: str, named: list[str]) -> None:
+    nodes = "\n".join(f'<group {condition}><node pkg="p" type="t" name="n"/></group>' for condition in (one, other))
+    assert [problem.kind for problem in composed(tmp_path, f'<arg name="a"/><arg name="b"/>{nodes}').problems] == named
+
+
 def test_nested_conditions_are_decided_once(tmp_path: Path) -> None:
     found = composed(
         tmp_path,
-        """<arg name="a"/>
+        """<arg name="a"/><arg name="b"/>
         <group if="$(arg a)">
           <node pkg="p" type="t" name="one" if="$(arg a)"/>
           <node pkg="p" type="t" name="never" unless="$(arg a)"/>
-          <group unless="$(eval a == 'x')"><node pkg="p" type="t" name="two"/></group>
+          <group unless="$(eval b == 'x')"><node pkg="p" type="t" name="two"/></group>
         </group>""",
     )
     assert [(node.name, conditions(node)) for node in found.nodes] == [
         ("one", ["if $(arg a)"]),
-        ("two", ["if $(arg a)", "unless $(eval a == 'x')"]),
+        ("two", ["if $(arg a)", "unless $(eval b == 'x')"]),
     ]
 
 
@@ -214,3 +233,10 @@ def test_a_machine_in_both_of_two_alternatives(tmp_path: Path) -> None:
     machine = '<group {}="$(env ROBOT)"><machine name="m" address="{}"/></group>'
     composition = composed(tmp_path, machine.format("if", "a") + machine.format("unless", "b"))
     assert {problem.kind for problem in composition.problems} == {"env"}
+
+
+@pytest.mark.parametrize("text", ["$(arg a)", "b: 1\n$(arg a)"])
+def test_yaml_of_an_argument_may_be_a_map(tmp_path: Path, text: str) -> None:
+    found = composed(tmp_path, f'<arg name="a"/><node pkg="p" type="t" name="n"><rosparam subst_value="true">{text}</rosparam></node>')
+    assert [problem.kind for problem in found.problems] == ["arg"]
+    assert [setting.name for setting in found.unread] == ["/n"]

@@ -171,3 +171,63 @@ def test_two_nodes_of_one_name(tmp_path: Path) -> None:
     found = described(tmp_path, "node('n'), node('n'), Node(package='here', executable='run'), Node(package='here', executable='run')")
     assert [problem.kind for problem in found.problems] == ["duplicate-node"]
     assert found.refusal is None
+
+
+K = "LaunchConfiguration('k')"
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "duplicate"),
+    [
+        ("LaunchConfigurationEquals('k', 'x')", "LaunchConfigurationEquals('k', 'y')", False),
+        ("LaunchConfigurationEquals('k', 'x')", "LaunchConfigurationNotEquals('k', 'y')", True),
+        (f"IfCondition({K})", f"UnlessCondition({K})", False),
+        (f"IfCondition({K})", "UnlessCondition(LaunchConfiguration('other'))", True),
+        (f"IfCondition(PythonExpression([\"'\", {K}, \"' == 'x'\"]))", f"IfCondition(EqualsSubstitution({K}, 'y'))", False),
+        (f"IfCondition(PythonExpression([{K}, ' and ', LaunchConfiguration('other')]))", f"UnlessCondition({K})", False),
+        (f"IfCondition(AndSubstitution({K}, 'true'))", f"IfCondition(NotSubstitution({K}))", False),
+        (f"IfCondition(OrSubstitution({K}, LaunchConfiguration('other')))", f"UnlessCondition({K})", True),
+    ],
+)
+def test_alternatives(tmp_path: Path, one: str, other: str, duplicate: bool) -> None:
+    declared = "DeclareLaunchArgument('k'), DeclareLaunchArgument('other')"
+    found = described(tmp_path, f"{declared}, node('n', condition={one}), node('n', condition={other})")
+    assert ("duplicate-node" in [problem.kind for problem in found.problems]) is duplicate
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "duplicate"),
+    [
+        ("k == 'x'", "k == 'y'", False),
+        ("k == 'x'", "k in ('x', 'y')", True),
+        ("k != 'x' and k != 'y'", "k in ['x', 'y']", False),
+        ("k.startswith('x')", "k.startswith('y')", False),
+        ("flag(k)", "not flag(k)", False),
+    ],
+)
+def test_alternatives_of_python(tmp_path: Path, one: str, other: str, duplicate: bool) -> None:
+    text = f"""{HEAD}
+def flag(value):
+    return True if value == 'x' else False
+
+def start(context):
+    k = LaunchConfiguration('k').perform(context)
+    found = []
+    if {one}:
+        found.append(node('n'))
+    if {other}:
+        found.append(node('n'))
+    return found
+
+def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('k'), OpaqueFunction(function=start)])
+"""
+    found = composed(tmp_path, {"main.launch.py": text})
+    assert ("duplicate-node" in [problem.kind for problem in found.problems]) is duplicate
+
+
+def test_keywords_that_no_version_has(tmp_path: Path) -> None:
+    found = described(tmp_path, "DeclareLaunchArgument('a', defaultValue='1', default_value='2'), node('n', param=[])")
+    assert [one.split(": ", 1)[1] for one in problems(found, tmp_path)] == [
+        "DeclareLaunchArgument has no argument `defaultValue`", "Node has no argument `param`",
+    ]  # fmt: skip

@@ -69,6 +69,11 @@ def test_yaml(tmp_path: Path) -> None:
     ("content", "said"),
     [
         ('<node pkg="here"/>', "main.launch.xml:2:1: <node> has no attribute `exec`"),
+        ('<arg name="a" default="1" descrption="x"/>', "main.launch.xml:2:1: <arg> cannot have the attribute `descrption`"),
+        (
+            '<group><node pkg="p" exec="e"><param nam="a" name="a" value="1"/></node></group>',
+            "main.launch.xml:2:31: <param> cannot have the attribute `nam`",
+        ),
         ('<node exec="$(var x" pkg="p"/>', "main.launch.xml:2:1: `$(` is not closed: $(var x"),
         ('<node exec="$(nope x)" pkg="p"/>', "main.launch.xml:2:1: unknown substitution $(nope)"),
         ('<thing exec="1"/>', "main.launch.xml:2:1: unknown element <thing> in <launch>"),
@@ -170,3 +175,10 @@ def test_a_long_line_is_read_in_linear_time(tmp_path: Path, name: str, at_most: 
     with at_most(5):
         top = top_level(launch_files(tmp_path), Files(PackagePath([tmp_path])))
     assert [path.rpartition("/")[2] for path in top] == [name]
+
+
+def test_an_argument_may_be_used_in_a_file_of_parameters_that_is_not_known(tmp_path: Path) -> None:
+    inner = '<launch><arg name="file"/><node pkg="here" exec="run" name="n"><param from="$(var file)" allow_substs="true"/></node></launch>'
+    passed = '<arg name="file" value="$(var given)"/><arg name="locked" value="true"/>'
+    found = xml(tmp_path, f'<arg name="given"/><include file="$(dirname)/inner.launch.xml">{passed}</include>', inner_launch_xml=inner)
+    assert [problem.kind for problem in found.problems] == ["argument"]

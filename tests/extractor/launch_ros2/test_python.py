@@ -21,6 +21,16 @@ def test_a_node_with_all_that_it_is_given(tmp_path: Path) -> None:
     assert problems(found, tmp_path) == []
 
 
+def test_a_list_of_remappings_that_nodes_share_is_at_one_place(tmp_path: Path) -> None:
+    shared = "shared = [\n  ('in', 'out'),\n] + [('x', 'y')]\nown = ('a', 'b')"
+    given = "Node(package='here', executable='run', name=name, remappings=[*shared, own])"
+    found = described(tmp_path, f"*[{given} for name in 'nm'], Node(package='here', executable='run', name='o', remappings=shared)", shared)
+    lines = [[(remap.source, remap.place.line) for remap in node.remaps] for node in found.nodes]
+    first = lines[0][0][1]
+    assert lines[0] == lines[1] == [("in", first), ("x", first + 1), ("a", first + 2)]
+    assert lines[2] == lines[0][:2]
+
+
 def test_ros_arguments(tmp_path: Path) -> None:
     words = "['--flag', '--ros-args', '-r', 'n:a:=b', '-r', 'other:c:=d', '-r', '__ns:=/x', '-r', '__node:=n', '-p', 'k:=2', '--', 'last']"
     found = described(tmp_path, f"Node(package='here', executable='run', arguments={words})")
@@ -45,6 +55,7 @@ def test_ros_arguments(tmp_path: Path) -> None:
         ("class C:\n    kind = 'k'\n    def __init__(self, n):\n        self.n = n\n    @property\n    def name(self):\n        return self.kind + self.n", "node(C('x').name)", ["/kx"]),
         ("p = Path(__file__).parent / 'a.b'", "node(p.stem), node(os.path.splitext(p.name)[0])", ["/a", "/a"]),
         ("import copy\nwritten = [{'n': 'a'}]\nshallow, deep = copy.copy(written), copy.deepcopy(written)\nwritten[0]['n'] += 'b'\nwritten.append(0)", "node(shallow[0]['n']), node(deep[0]['n'] + str(len(shallow)))", ["/ab", "/a1"]),
+        ("class C:\n    pass\nc = C()\nx = ['a']\nif type(x) != list:\n    x = [x]\nif type(c) is C and type('s') in (str, int):\n    x += ['b']", "*[node(one) for one in x]", ["/a", "/b"]),
         ("def numbers():\n    yield 'a'\n    yield from ['b']", "*[node(x) for x in numbers()]", ["/a", "/b"]),
     ],
 )  # fmt: skip
@@ -52,6 +63,16 @@ def test_python_as_engineers_write_it(tmp_path: Path, before: str, entities: str
     found = described(tmp_path, entities, before)
     assert names(found) == expected
     assert not [problem for problem in found.problems if problem.kind != "duplicate-node"]
+
+
+def test_a_file_that_was_written_below_a_folder_that_is_not_known(tmp_path: Path) -> None:
+    before = "folder = get_package_share_directory('absent')\nwith open(folder + '/tmp/model.urdf', 'w') as out:\n    out.write('x')\nhere = os.path.dirname(__file__)\nopen(here + '/a/map.yaml', 'w')"
+    found = described(
+        tmp_path,
+        "node(open(here + '/tmp/model.urdf').read() + open(here + '/b/map.yaml').read()), node('n', parameters=[here + '/tmp/other.yaml'])",
+        before,
+    )
+    assert [problem.subject.rpartition("/")[2] for problem in found.problems if problem.kind == "file"] == ["other.yaml"]
 
 
 def test_an_undecided_branch_gives_both_alternatives(tmp_path: Path) -> None:
@@ -116,6 +137,24 @@ class Upper(Substitution):
     assert names(found) == ["/ABC"]
 
 
+def test_a_configuration_that_code_sets_to_what_is_not_known(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + "import elsewhere\ndef setup(context):\n    context.launch_configurations['rate'] = elsewhere.rate()\n"
+        + "    return [node('n', parameters=[{'rate': LaunchConfiguration('rate')}])]\n"
+        + "def generate_launch_description():\n    return LaunchDescription([OpaqueFunction(function=setup)])\n"
+    )
+    assert params(composed(tmp_path, {"main.launch.py": main})) == {"/n/rate": "$(elsewhere.rate())"}
+
+
+def test_no_file_of_parameters(tmp_path: Path) -> None:
+    found = described(
+        tmp_path, "DeclareLaunchArgument('file', default_value=''), node('n', parameters=[LaunchConfiguration('file'), {'a': 1}])"
+    )
+    assert params(found) == {"/n/a": 1}
+    assert problems(found, tmp_path) == []
+
+
 def test_a_rewritten_file_of_parameters(tmp_path: Path) -> None:
     main = (
         HEAD
@@ -165,6 +204,7 @@ with open(os.path.join(get_package_share_directory('gone'), 'r.urdf')) as f:
          ["main.launch.py:20:42: what `elsewhere.make(1)` starts is not known"]),
         (HEAD + "def generate_launch_description():\n    return generate_launch_description()\n", [],
          ["main.launch.py:18:1: what `calls nested too deeply` starts is not known"]),
+        (HEAD + "import elsewhere\ndef generate_launch_description():\n    x, y = [part for part in elsewhere.pose()]\n    return LaunchDescription([node('a')])\n", ["/a"], []),
         (HEAD + "def generate_launch_description():\n    while True:\n        pass\n", [],
          ["main.launch.py:1:1: not understood from here on: a loop with too many rounds", "main.launch.py:1:1: what `main.launch.py` starts is not known"]),
     ],
@@ -213,3 +253,65 @@ def test_lists_that_hold_each_other_and_themselves(
         composition = described(tmp_path, "node('a'), *d", before)
     assert names(composition) == ([] if said and "23:9" in said else ["/a"])
     assert [text.rpartition("/")[2] for text in problems(composition, tmp_path)] == ([said] if said else [])
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        "if 'gone' in get_packages_with_prefixes():\n        add(get_package_share_directory('gone'))",
+        "if has_resource('packages', 'gone'):\n        add(get_package_share_directory('gone'))",
+        "try:\n        add(get_package_share_directory('gone'))\n    except PackageNotFoundError:\n        pass",
+        "if there('gone'):\n        add(get_package_share_directory('gone'))",
+        "share = there('gone') and get_package_share_directory('gone')\n    if there('gone'):\n        found.append(Node(package='gone', executable='x'))",
+    ],
+)
+def test_packages_that_are_used_when_they_are_installed(tmp_path: Path, use: str) -> None:
+    text = f"""{HEAD}
+from ament_index_python.packages import PackageNotFoundError, get_packages_with_prefixes
+from ament_index_python.resources import has_resource
+
+def there(name):
+    try:
+        get_package_share_directory(name)
+        return True
+    except PackageNotFoundError:
+        return False
+
+def generate_launch_description():
+    found = [node('always')]
+    def add(folder):
+        found.append(IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(folder, 'launch', 'x.launch.py'))))
+    {use}
+    return LaunchDescription(found)
+"""
+    found = composed(tmp_path, {"main.launch.py": text})
+    assert problems(found, tmp_path) == []
+    assert [reference for reference in found.references if getattr(reference, "package", "") == "gone"] == []
+    assert names(found)[0] == "/always"
+    assert all(part.conditions for part in (*found.nodes[1:], *found.includes))
+
+
+@pytest.mark.parametrize(
+    "write",
+    [
+        "with open(path, 'w') as out:\n        out.write(made)",
+        "out = open(path, 'w')\n    out.write(made)",
+        "Path(path).write_text(made)",
+        "subprocess.run(['make', '-o', path])",
+        "os.system('make > ' + path)",
+    ],
+)
+def test_files_that_the_launch_file_writes(tmp_path: Path, write: str) -> None:
+    text = f"""{HEAD}
+import subprocess
+def generate_launch_description():
+    made = subprocess.run(['seq', '3']).stdout.decode()
+    path = os.path.join(get_package_share_directory('here'), 'tmp', 'x.yaml')
+    {write}
+    with open(path) as back:
+        text = back.read()
+    return LaunchDescription([node('n', parameters=[path, {{'text': text}}])])
+"""
+    found = composed(tmp_path, {"main.launch.py": text})
+    assert [problem for problem in found.problems if problem.kind == "file"] == []
+    assert "file-content" in str(params(found)["/n/text"])

@@ -112,6 +112,17 @@ def test_what_a_loop_else_and_finally_follow(tmp_path: Path) -> None:
     assert ("while",) in {row[1:] for row in rows["loop_head"]}
 
 
+def test_modules_imported_by_a_name_that_is_written_out(tmp_path: Path) -> None:
+    rows, problems = extract(
+        tmp_path,
+        "import importlib\nimportlib.import_module('pkg.one').go()\n__import__('pkg.one').one.go()\n__import__('pkg.one', fromlist=['go']).go()\n",
+        **{"pkg.__init__": "X = 1\n", "pkg.one": "def go(): pass\n"},
+    )
+    assert problems == []
+    assert all("pkg.one::go" in callees(rows)[line] for line in "234")
+    assert sum(name == "import" for _, name in rows["call"]) >= 3
+
+
 def test_main_is_what_is_run_and_not_what_is_imported(tmp_path: Path) -> None:
     source = "def main(): pass\nif __name__ == '__main__':\n    main()\n"
     script, _ = extract(tmp_path, source)
@@ -122,9 +133,9 @@ def test_main_is_what_is_run_and_not_what_is_imported(tmp_path: Path) -> None:
 
 
 def test_what_is_not_understood_is_told_and_the_rest_is_read(tmp_path: Path) -> None:
-    assert extract(tmp_path, "def ok(): pass\nok()\ndef broken(:\n")[1] == [
-        "3:12: syntax error: invalid syntax; what stands from line 3 on is left out"
-    ]
+    rows, problems = extract(tmp_path, "def ok(): pass\nok()\ndef broken(:\n")
+    assert problems == ["3:12: syntax error: invalid syntax; what stands from line 3 on is left out"]
+    assert {row[1:] for row in rows["source_lost"]} == {(3, 3, "a syntax error, with all that follows")}
     rows, problems = extract(tmp_path, "class A:\n\tdef f(self):\n\t\tprint 'x', self\n        def g(self): pass\nA().g()\n")
     assert problems == ["3:3: Python 2: read as what 2to3 makes of it"]
     assert callees(rows)["5"] == {"main::A::g"}

@@ -67,7 +67,7 @@ int main(int argc, char** argv)
 // expect: state Node::onData::seen = 0
 // expect: config Node::limit_ = 3 ~limit
 // expect: transition Node::last_ . data on data [!(!isActive())] := m.data
-// expect: transition Node::mode_ . None on enable [m.data] := mode
-// expect: transition Node::mode_ . None on periodic [mode_ == Mode::ACTIVE] := mode
+// expect: transition Node::mode_ . None on enable [m.data] := Mode::ACTIVE
+// expect: transition Node::mode_ . None on periodic [mode_ == Mode::ACTIVE] := Mode::IDLE
 // expect: transition Node::onData::seen . None on data [!(!isActive())] := ++seen
 // expect: transition Node::onData::seen . None on data [!(!isActive()) && ++seen > limit_ && last_.data > 0] := 0

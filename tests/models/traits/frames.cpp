@@ -1,5 +1,8 @@
-// expect: sends_frame 19 base_link ~base_frame
-// expect: sends_frame 20 odom 
+// expect: reads_clock 22
+// expect: reads_clock 23
+// expect: reads_clock 24
+// expect: sends_frame 22 base_link ~base_frame
+// expect: sends_frame 23 odom 
 #include <string>
 #include <ros/ros.h>
 #include <tf/transform_broadcaster.h>

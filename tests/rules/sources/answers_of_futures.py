@@ -6,7 +6,7 @@
 # expect: Count = count : { activity(F, "lifecycle") }, Count = 1
 # expect: activity(F, "lifecycle"), function_name(F, Name), match(".*on_activate", Name)
 # expect: Count = count : { stops_timer(C, V) }, Count = 1
-# expect: publisher ~ready std_msgs/Bool
+# expect: publisher asker/ready std_msgs/Bool
 # expect: service_server ~get_state lifecycle_msgs/GetState
 # expect-only: reactive * -> *
 # expect-only: transition *
@@ -31,8 +31,8 @@ class Asker(LifecycleNode):
         self.done = self.create_publisher(String, "done", 1)
         self.ready = self.create_publisher(Bool, self.get_name() + "/ready", 1)
         self.create_subscription(Bool, "order", self.on_order, 1)
-        self.timer = self.create_timer(0.5, self.on_once)  # expect: one_shot ~ready 0.5 s
-        self.lost = self.create_timer(2.0, self.on_often)  # expect: periodic ~ready 0.5 Hz
+        self.timer = self.create_timer(0.5, self.on_once)  # expect: one_shot asker/ready 0.5 s
+        self.lost = self.create_timer(2.0, self.on_often)  # expect: periodic asker/ready 0.5 Hz
 
     def on_order(self, message):
         future = self.open_client.call_async(Trigger.Request())  # expect: reactive order -> open must

@@ -6,7 +6,7 @@
 // expect-not: _keeps_future(_, _); _waits(_, _); _wait_time(_, _); _polled(_); awaits_answer(_, _); _leads_to_wait(_, _); callback_in_group(_, _, _)
 // expect-not: _handed_by(_, _); _kept_in_group(_); _called_for_parameters(_, _); answer_kept_out(_, _, _); _waits_for_answer(_, _)
 // expect-not: _waits_earlier(_, _, _, _); _answer_for(_, _, _); _kept_out(_, _); _in_one_thread(_, _); _runs_callbacks(_); _served_apart(_)
-// expect-not: _group_call(_); _other_executor(_)
+// expect-not: _group_call(_); executor_of_threads(_)
 #include <rclcpp/rclcpp.hpp>
 #include <rclcpp_action/rclcpp_action.hpp>
 #include <nav2_msgs/action/navigate_to_pose.hpp>

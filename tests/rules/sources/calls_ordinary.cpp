@@ -5,9 +5,9 @@
 // expect: subscriber /number std_msgs/Int32 queue=1 callback=onNumber
 // expect: reactive /number -> /answer must
 // expect-only: *
-// expect: Given = count : { as_given(_, _, _) }, Made = count : { _result(_, _) }, Given = 25, Made = 31
+// expect: Given = count : { as_given(_, _, _) }, Made = count : { _result(_, _) }, Given = 25, Made = 35
 // expect: Reached = count : { value_reaches(_, _, _) }, Typed = count : { chained_type(_, _) }, Templates = count : { template_argument_for(_, _, _, _) }, Reached = 2, Typed = 1, Templates = 1
-// expect: N = count : { _path(_, _, _) }, N = 9, 12 = count : { _local_made_of_parameter(_, _) }, 4 = count : { _goes_back(_, _) }, 2 = count : { _touched(_) }
+// expect: N = count : { _path(_, _, _) }, N = 9, 12 = count : { _local_made_of_parameter(_, _) }, 4 = count : { _goes_back(_, _) }, 2 = count : { touched(_) }
 // expect: N = count : { asks_if_empty(_, _) }, N = 1, 1 = count : { decides(_, _) }
 //
 // waits, timers and starts
@@ -30,17 +30,17 @@
 // expect-not: awaits_answer(_, _); _leads_to_wait(_, _); callback_in_group(_, _, _); _handed_by(_, _); _kept_in_group(_)
 // expect-not: _called_for_parameters(_, _); answer_kept_out(_, _, _); _waits_for_answer(_, _); _waits_earlier(_, _, _, _); _answer_for(_, _, _)
 // expect-not: _kept_out(_, _); _one_node(_, _); _in_one_thread(_, _); _runs_callbacks(_); _served_with_node(_); _served_apart(_); _group_call(_)
-// expect-not: _other_executor(_)
+// expect-not: executor_of_threads(_)
 // qualities
 // expect-not: _calls_quality(_, _); _profile(_, _); _entry_call(_, _, _); port_quality(_, _, _); quality(_, _, _, _)
 // functions that hand on
 // expect-not: chained_role(_, _, _); _called_inside(_, _); captured(_, _, _); _other_callee(_, _); _generic_type(_, _); _types(_, _)
-// expect-not: template_made_with(_, _); _unfit(_, _); _typed_role(_); _twin(_, _, _, _); _twin_name(_); _instance_told(_, _); _leaves(_, _, _)
+// expect-not: template_made_with(_, _); _unfit(_, _); _typed_role(_); _twin(_, _, _, _, _, _); _twin_name(_); _instance_told(_, _); _leaves(_, _, _)
 // expect-not: _passes(_, _, _)
 // names and texts
 // expect-not: _asked(_, _); _asks(_, _, _); _asks_for(_, _); _folder(_, _); _relative(_); _wanted_join(_, _); calculation(_, _, _, _)
 // expect-not: calculation_values(_, _, _, _, _, _); joined_text(_, _, _); names_namespace(_, _); number_variable(_); operand_values(_, _, _, _, _, _)
-// expect-not: counted(_); context_call(_, _); entered_from(_, _, _); _not_empty_by(_, _, _); garbled(_, _); definition_target(_, _); outer_use(_, _)
+// expect-not: counted(_); context_call(_, _); entered_from(_, _, _); _not_with(_, _, _, _); garbled(_, _); definition_target(_, _); outer_use(_, _)
 // expect-not: captured_parameter_use(_, _, _); recursive_call(_); settled_local(_, _, _); pointer_use(_, _)
 // parameters and options
 // expect-not: _option_text(_, _); option_declared(_, _); parameter_access_type(_, _, _); parameter_operand_type(_, _); parameter_value(_, _, _)

@@ -4,7 +4,7 @@
 // expect: port_flow([_, _, "/index"], [_, _, "/chosen"], "control", "reactive")
 // expect: Count = count : { port_flow(_, _, _, _) }, Count = 2
 // expect: Given = count : { as_given(_, _, _) }, Steps = count : { value_step(_, _, _) }, Types = count : { _site_type(_, _) }, Given = 5, Steps = 4, Types = 3
-// expect-not: renews(_, _, _); template_argument_for(_, _, _, _); _conditional_block(_); timer_variable(_, _); _enters_at(_, _); _written_argument(_, _, _)
+// expect-not: renews(_, _, _); template_argument_for(_, _, _, _); timer_variable(_, _); _enters_at(_, _); _written_argument(_, _, _)
 // expect: 5 = count : { type_holds_instance(_, _) }
 // expect-not: compares(_, _, _, _, _)
 #include <geometry_msgs/Point.h>

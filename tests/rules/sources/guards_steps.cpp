@@ -6,14 +6,14 @@
 // expect: N = count : { guard_step(_, _, _, "default", _) }, N = 1
 // expect: N = count : { guard_step(_, _, _, "true", _) }, N = 3
 // expect: N = count : { guard_step(_, _, _, "false", _) }, N = 1
-// expect: N = count : { guard_step(_, _, _, "always", _) }, N = 14
+// expect: N = count : { guard_step(_, _, _, "always", _) }, N = 15
 // expect: reactive /mode -> /one may if "message.data == 1"
 // expect: reactive /mode -> /other
 // expect: reactive /mode -> /after must
 // expect: reactive /mode -> /caught may
 // expect: reactive /mode -> /late may
 // expect: reactive /mode -> /ready may if "!(!ready) && message.data > 3"
-// expect-not: captured(_, _, _); _not_empty_by(_, _, _); _comparison(_, _, _, _); _local_made_of_parameter(_, _); _asks_for_arrival(_, _, _); _lasts(_)
+// expect-not: captured(_, _, _); _not_with(_, _, _, _); _comparison(_, _, _, _); _local_made_of_parameter(_, _); _asks_for_arrival(_, _, _); _lasts(_)
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 #include <stdexcept>

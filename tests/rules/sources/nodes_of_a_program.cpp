@@ -2,6 +2,7 @@
 //
 // expect: Count = count : { made_node(_, _) }, Count = 3
 // expect: made_node(_, "talker"), made_node(_, "listener"), made_node(_, "plain")
+// expect: takes_given_name(_, "talker"), takes_given_name(_, "listener"), takes_given_name(_, "plain")
 // expect: port([Site, "publisher", "chatter"]), node_element("talker", Site), !node_element("listener", Site), !node_element("plain", Site)
 // expect: port([Site, "subscriber", "chatter"]), node_element("listener", Site), !node_element("talker", Site)
 // expect: port([Site, "publisher", "status"]), node_element("plain", Site), !node_element("talker", Site), !node_element("listener", Site)

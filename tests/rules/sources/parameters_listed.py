@@ -6,6 +6,8 @@
 # expect: param gains = "[1.0, 2.0]" op=declare
 # expect: param bare op=declare
 # expect: param held = 3 op=declare
+# expect: param out.rate = 5 op=declare
+# expect: param out.label op=declare
 # expect: param speed op=read
 # expect: param frame op=read
 # expect-only: param
@@ -23,6 +25,7 @@ class Arm(Node):
         super().__init__("arm")
         self.declare_parameters("", [("speed", 0.5), ("frame", "base"), ("gains", [1.0, 2.0]), ("bare",)])
         self.declare_parameters(namespace="", parameters=HELD)
+        self.declare_parameters("out", [("rate", 5), ("label",)])
         self.limits = self.get_parameters(["speed", "frame"])
         self.create_publisher(String, "base", 1)
 

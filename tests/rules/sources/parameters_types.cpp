@@ -1,7 +1,7 @@
 // Of which type parameters are: told by the variable, the default, the template, or by what a template is called with.
 //
 // expect: N = count : { parameter_access_type(_, _, _) }, N = 26
-// expect: N = count : { parameter_operand_type(_, _) }, N = 33
+// expect: N = count : { parameter_operand_type(_, _) }, N = 36
 // expect: N = count : { parameter_access_default(_, _, _) }, N = 13
 // expect: N = count : { parameter_access(_, _, _) }, N = 28
 // expect: N = count : { node_name_argument(_, _) }, N = 2

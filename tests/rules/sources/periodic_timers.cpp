@@ -186,7 +186,8 @@ int main(int argc, char** argv)
   ros::Timer plain = nh.createTimer(ros::Duration(0.25), onPlain);
   double seconds = 0.5;
   ros::Timer number = nh.createTimer(ros::Duration(seconds), onNumber);
-  ros::Timer once = nh.createTimer(ros::Duration(3.0), onOnce, true);
-  ros::Timer running = nh.createTimer(ros::Duration(0.25), onPlain, false);
+  ros::Timer once = nh.createTimer(ros::Duration(3.0), onOnce, true, false);
+  bool once_only = false;
+  ros::Timer running = nh.createTimer(ros::Duration(0.25), onPlain, once_only, true);
   ros::spin();
 }

@@ -33,6 +33,8 @@
 // expect: publisher /left_wheel std_msgs/Int32
 // expect: publisher /right_wheel std_msgs/Int32
 // expect: 2 = count : { bound_argument(_, _, _) }, 25 = count : { call_namespace(_, _, _, _) }
+// expect: beside([_, "publisher", "camera_info"], [_, "publisher", "image"], "camera_info"), beside([_, "publisher", "~camera_info"], [_, "publisher", "~raw"], _)
+// expect-not: port_quality([_, "subscriber", "/scan"], "reliability", _)
 // expect: 25 = count : { port_quality_given(_, _, _) }, 2 = count : { synchronised(_, _) }
 #include <image_transport/image_transport.h>
 #include <message_filters/cache.h>

@@ -12,6 +12,7 @@
 # expect: reactive left -> sides
 # expect: reactive right -> sides
 # expect: reactive held -> out
+# expect: port_quality([_, "subscriber", "image"], "reliability", "reliable"), port_quality([_, "subscriber", "info"], "reliability", "best_effort")
 # expect-only: reactive * -> *
 import rclpy
 from message_filters import ApproximateTimeSynchronizer, Cache, Subscriber, TimeSynchronizer

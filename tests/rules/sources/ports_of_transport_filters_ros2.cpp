@@ -11,6 +11,7 @@
 // expect: subscriber old sensor_msgs/LaserScan queue=6 via=message_filters
 // expect-only: subscriber
 // expect: port_quality([_, "subscriber", "left"], "reliability", "best_effort"), port_quality([_, "subscriber", "scan"], "reliability", "best_effort")
+// expect: port_quality([_, "subscriber", "far"], "reliability", "reliable"), port_quality([_, "subscriber", "far"], "durability", "volatile")
 // expect: port_quality([_, "subscriber", "wide"], "reliability", "best_effort"), port_quality([_, "subscriber", "narrow"], "reliability", "reliable")
 #include <image_transport/image_transport.hpp>
 #include <image_transport/subscriber_filter.hpp>

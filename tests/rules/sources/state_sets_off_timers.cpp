@@ -3,7 +3,7 @@
 // expect: state ticks_ = 0
 // expect: state made_ = false
 // expect-only: state
-// expect-not: _not_empty_by(_, _, _)
+// expect-not: _not_with(_, _, _, _)
 // expect: 1 = count : { stops_timer(_, _) }
 #include <ros/ros.h>
 

@@ -14,6 +14,8 @@
 # expect: publisher ?/of_program std_msgs/Bool
 # expect: publisher ?/asked std_msgs/Bool
 # expect: publisher numbered std_msgs/String
+# expect: publisher /rosout rcl_interfaces/Log
+# expect: publisher /parameter_events rcl_interfaces/ParameterEvent
 # expect-only: publisher
 # expect: subscriber a std_msgs/Bool callback=Board::on_a
 # expect: subscriber b std_msgs/String callback=Board::on_b

@@ -4,7 +4,7 @@
 // expect: publisher ~status std_msgs/Empty
 // expect-only: publisher
 // expect: Places = count : { _place_in(_, _) }, Classes = count : { call_class(_, _) }, Places = 6, Classes = 6
-// expect-not: _constructed(_, _); _inherits_constructors(_); chained_role(_, _, _); _at_defaults(_); _types(_, _); _takes_values(_); _pair(_, _, _); _inside(_, _); _effect(_, _); _place_of(_, _)
+// expect-not: _constructed(_, _); _inherits_constructors(_); chained_role(_, _, _); _at_defaults(_); _types(_, _); _takes_values(_); _pair(_, _, _); _inside(_, _); _place_of(_, _)
 // expect-not: managed_publisher(_)
 #include <nodelet_topic_tools/nodelet_lazy.h>
 #include <pluginlib/class_list_macros.h>

@@ -11,6 +11,8 @@
 # expect: subscriber bound std_msgs/Int32 callback=Hub::on_bound
 # expect: subscriber lambda std_msgs/Int32
 # expect: subscriber through std_msgs/UInt8 callback=Hub::on_through
+# expect: publisher /rosout rcl_interfaces/Log
+# expect: publisher /parameter_events rcl_interfaces/ParameterEvent
 # expect-only: publisher
 # expect-only: subscriber
 # expect: reactive level -> names

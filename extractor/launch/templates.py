@@ -1,0 +1,61 @@
+"""Templates of launch files: what a generator has to fill in first is no launch file yet."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+from rosarch.extractor import tracing
+from rosarch.extractor.files import read_file
+from rosarch.extractor.package_names import TEMPLATES
+from rosarch.extractor.python_syntax import parse_python
+from rosarch.extractor.xml_reader import XmlError
+
+from .xml_reader import read_launch
+
+_PLACEHOLDER = r"\[[A-Z][A-Z0-9]*_[A-Z0-9_]*\]|\{\{.*?\}\}|\{%.*?%\}|<%.*?%>|@[A-Z][A-Z0-9_]+@|@\(\w+\)|\$\{\w+\}|%\([A-Za-z_]\w*\)s"
+_ANY = re.compile(_PLACEHOLDER.encode())
+_IN_NAME = re.compile(rf"{_PLACEHOLDER}|\[[A-Z][A-Z0-9]+\]")
+_NAMES = ("pkg", "type", "exec", "file")  # of packages, programs and files, where no placeholder can be meant as it stands
+
+
+def is_template(path: str, workspace: Path | str) -> bool:
+    """Whether a launch file lies among a package's templates, or has placeholders that keep it from being one."""
+    folders = os.path.relpath(os.path.dirname(path), workspace).split(os.sep)
+    if not TEMPLATES.isdisjoint(map(str.lower, folders[_package_depth(folders, workspace) :])):
+        return True
+    if _IN_NAME.search("/".join(folders)):
+        return True
+    try:
+        text = read_file(path)
+    except OSError:
+        return False
+    return _IN_NAME.search(text.decode(errors="replace")) is not None and _is_unfilled(text, path)
+
+
+def _package_depth(folders: list[str], workspace: Path | str) -> int:
+    """How many of the folders lead to the package, the outermost one; none when there is no package."""
+    for depth in range(len(folders) + 1):
+        manifest = os.path.join(workspace, *folders[:depth], "package.xml")
+        tracing.probe(manifest)
+        if os.path.isfile(manifest):
+            return depth
+    return 0
+
+
+def _is_unfilled(text: bytes, path: str) -> bool:
+    """Whether a text with placeholders is no XML or Python as it stands, or has one for a name."""
+    if path.endswith(".py"):
+        try:
+            parse_python(text.decode(errors="replace"))
+        except (SyntaxError, ValueError, RecursionError):
+            return _ANY.search(text) is not None
+        return False
+    if path.endswith((".yaml", ".yml")):
+        return False
+    try:
+        launch = read_launch(text, path)
+    except XmlError:
+        return _ANY.search(text) is not None
+    return any(_IN_NAME.search(element.attributes.get(name, "")) for element in launch.walk() for name in _NAMES)

@@ -1,0 +1,103 @@
+"""Configuration files of viewers that nodes are given: their displays, tools and panels, and the topics that these name.
+
+Source: the files of rviz (http://wiki.ros.org/rviz/UserGuide), where ROS 2 puts the topic's name and its quality of service into a map.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import yaml
+
+from .arguments import node_arguments
+from .model import LaunchError, NodeStart, Place
+from .state import State
+from .unknowns import is_known
+from .yaml_values import Loader, YamlError, opened
+
+_ENDING = ".rviz"
+_POLICIES = {"Durability Policy": "durability", "Reliability Policy": "reliability"}
+
+
+@dataclass(frozen=True)
+class ViewTopic:
+    """The topic `name` that the part's `property` names, with the policies of its quality of service."""
+
+    property: str
+    name: str
+    qualities: tuple[tuple[str, str], ...]
+    place: Place
+
+
+@dataclass(frozen=True)
+class ViewPart:
+    """A display, tool or panel (its `role`) that is enabled, of the class that the file names."""
+
+    role: str
+    class_name: str
+    topics: tuple[ViewTopic, ...]
+    place: Place
+
+
+@dataclass(frozen=True)
+class View:
+    """A configuration file."""
+
+    path: str
+    parts: tuple[ViewPart, ...]
+
+
+def views_of(state: State, nodes: Iterable[NodeStart]) -> tuple[View, ...]:
+    """The configuration files that the arguments of nodes name; one that cannot be read is left out."""
+    found: dict[str, View] = {}
+    for path in (word for node in nodes for word in node_arguments(node).plain):
+        if not path.endswith(_ENDING) or path in found or not is_known(path) or not state.files.is_file(path):
+            continue
+        try:
+            found[path] = View(path, state.files.parsed(path, _parts))
+        except (LaunchError, YamlError):
+            continue
+    return tuple(found.values())
+
+
+def _parts(data: bytes, path: str) -> tuple[ViewPart, ...]:
+    with opened(data.decode("utf-8", "replace"), Loader) as (_loader, root):
+        top = _entries(root)
+        manager = _entries(top.get("Visualization Manager"))
+        listed = (("panel", top.get("Panels")), ("display", manager.get("Displays")), ("tool", manager.get("Tools")))
+        return tuple(part for role, items in listed for part in _listed(role, items, path))
+
+
+def _listed(role: str, items: yaml.Node | None, path: str) -> Iterator[ViewPart]:
+    for item in items.value if isinstance(items, yaml.SequenceNode) else ():
+        entries = _entries(item)
+        if _text(entries.get("Enabled")) == "false":
+            continue
+        class_name = entries.get("Class")
+        if class_name is not None:
+            yield ViewPart(role, _text(class_name), tuple(_topics(item, path)), _place(class_name, path))
+        yield from _listed(role, entries.get("Displays"), path)  # those of a group
+
+
+def _topics(item: yaml.Node, path: str) -> Iterator[ViewTopic]:
+    for property_, value in _entries(item).items():
+        if property_.endswith("Topic"):
+            inner = _entries(value)
+            named = inner.get("Value", value)
+            if name := _text(named):
+                qualities = [(policy, _text(inner[key]).lower().replace(" ", "_")) for key, policy in _POLICIES.items() if key in inner]
+                yield ViewTopic(property_, name, tuple(qualities), _place(named, path))
+
+
+def _entries(node: yaml.Node | None) -> dict[str, yaml.Node]:
+    pairs = node.value if isinstance(node, yaml.MappingNode) else ()
+    return {key.value: value for key, value in pairs if isinstance(key, yaml.ScalarNode)}
+
+
+def _text(node: yaml.Node | None) -> str:
+    return str(node.value).strip() if isinstance(node, yaml.ScalarNode) else ""
+
+
+def _place(node: yaml.Node, path: str) -> Place:
+    return Place(path, node.start_mark.line + 1, node.start_mark.column + 1)

@@ -1,0 +1,250 @@
+"""Files of parameters of ROS 2: which nodes they are for, what they set, and what nodes refuse of them.
+
+Source: rcl_yaml_param_parser (parse.c): keys are names of nodes, which may be nested as namespaces and have `*` for one part of a name and
+`**` for any number; below `ros__parameters` maps are nested with dots. A node that is given a file that it refuses ends at its start.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from rosarch.extractor.launch.model import LaunchError, Place
+from rosarch.extractor.launch.state import YAML_COST
+from rosarch.extractor.launch.yaml_values import KeyLines, RepeatedKeysLoader, YamlError
+from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
+
+from .context import Context
+from .substitutions import perform
+from .texts import parsed
+
+if TYPE_CHECKING:
+    from .world import World
+
+_SECTION = "ros__parameters"
+ALL = "/**"
+"""The pattern of all nodes."""
+_TEXT = "tag:yaml.org,2002:str"
+_PARSER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_SCALARS = (  # as rcl tells the types of plain scalars
+    ("Booleans", re.compile(r"y|Y|yes|Yes|YES|n|N|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF")),
+    ("integers", re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)")),
+    ("doubles", re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")),
+    ("doubles", re.compile(r"[-+]?(inf(inity)?|nan|0x[0-9a-f]*\.?[0-9a-f]*(p[-+]?[0-9]+)?)", re.IGNORECASE)),  # what strtod of C reads, too
+)
+
+
+@dataclass(frozen=True)
+class Section:
+    """What a file says for the nodes that `pattern` names."""
+
+    pattern: str
+    values: Mapping[Any, Any]
+    keys: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """What of a file a node refuses, at `line`."""
+
+    message: str
+    line: int
+
+
+@dataclass(frozen=True)
+class ParamsFile:
+    """A file of parameters: its sections, the lines of its keys, and what a node refuses of it."""
+
+    sections: tuple[Section, ...]
+    lines: KeyLines
+    refusal: Refusal | None
+
+
+def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
+    """A file of parameters; with a context, substitutions in its text are performed.
+
+    Raises:
+        LaunchError: it cannot be read, or is no YAML.
+    """
+    text = world.source_of(path)
+    if context is not None and "$(" in text:
+        text = perform(world, parsed(text, Place(path, 1)), context)
+    if text not in world.parameter_texts:
+        world.state.spend(YAML_COST * len(text))
+        try:
+            data, lines = world.state.files.yaml(text, RepeatedKeysLoader)
+        except YamlError as error:
+            raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
+        found = tuple(_sections("", data, ())) if isinstance(data, dict) else ()
+        refusal = None if world.state.unknowns.is_open(text) else refused(text)
+        world.parameter_texts[text] = ParamsFile(found, lines, refusal)
+    return world.parameter_texts[text]
+
+
+def _sections(outer: str, data: Mapping[Any, Any], keys: tuple[str, ...]) -> Iterator[Section]:
+    for key, value in data.items():
+        if key == _SECTION and isinstance(value, dict):
+            yield Section(outer or "/**", value, (*keys, key))
+        elif isinstance(value, dict) and isinstance(key, str):
+            yield from _sections(f"{outer}/{key.strip('/')}", value, (*keys, key))
+
+
+def chosen(sections: Sequence[Section], name: str | None) -> list[Section]:
+    """The sections that are for the node of a name; without a name, all that can be matched.
+
+    Raises:
+        LaunchError: the pattern of one cannot.
+    """
+    found = [(section, matcher(section.pattern)) for section in sections]
+    return [section for section, pattern in found if name is None or pattern.fullmatch(name)]
+
+
+def matches(pattern: str, name: str) -> bool:
+    """Whether a key of a file stands for the node of this (absolute) name."""
+    return bool(matcher(pattern).fullmatch(name))
+
+
+def matcher(pattern: str) -> Pattern:
+    """The names of nodes that a key of a file stands for.
+
+    Raises:
+        LaunchError: it is too long to be matched.
+    """
+    try:
+        return compiled(encoded(expression(pattern)), pattern)
+    except PatternError as error:
+        raise LaunchError("yaml", pattern, str(error)) from None
+
+
+def leaves(prefix: str, values: Mapping[Any, Any], keys: tuple[str, ...]) -> Iterator[tuple[str, Any, tuple[str, ...]]]:
+    """The parameters of a section: names, values, and the keys that lead to them."""
+    for key, value in values.items():
+        name = f"{prefix}{key}"
+        if isinstance(value, dict):
+            yield from leaves(f"{name}.", value, (*keys, str(key)))
+        else:
+            yield name, value, (*keys, str(key))
+
+
+def expression(pattern: str) -> str:
+    """A key of a file as a regular expression of the names that it stands for."""
+    parts = pattern.strip("/").split("/")
+    return "".join("(/[^/]+)*" if part == "**" else "/" + re.escape(part).replace(r"\*", "[^/]*") for part in parts)
+
+
+def likely_name(sections: Sequence[Section], namespace: str, known: tuple[str, ...]) -> str | None:
+    """The name of a node that a launch file does not name: that of the one that a file is for; of several, one that is among `known`."""
+    last = dict.fromkeys(section.pattern.rpartition("/")[2] for section in sections if "*" not in section.pattern.rpartition("/")[2])
+    names = [name for name in last if any(matcher(section.pattern).fullmatch(f"{namespace}/{name}") for section in sections)]
+    return names[0] if len(names) == 1 else next((name for name in known if name in names), None)
+
+
+# -- what nodes refuse --------------------------------------------------------------------------------------------------------
+
+
+class _Refused(Exception):
+    """A node does not take the file."""
+
+    def __init__(self, message: str, event: yaml.Event) -> None:
+        super().__init__(message)
+        mark = event.start_mark
+        self.refusal = Refusal(message, mark.line + 1 if mark else 1)
+
+
+def refused(text: str) -> Refusal | None:
+    """Why a node does not take a file of parameters with this text, as far as that is known; the text is YAML."""
+    events = yaml.parse(text, Loader=_PARSER)
+    try:
+        for event in events:
+            if isinstance(event, yaml.MappingStartEvent):
+                _nodes(events, depth=0)
+            elif isinstance(event, yaml.SequenceStartEvent):
+                return None  # taken, and without effect
+    except _Refused as error:
+        return error.refusal
+    except yaml.YAMLError:
+        return None
+    return None
+
+
+def _nodes(events: Iterator[yaml.Event], depth: int) -> None:
+    """A map of nodes or namespaces, whose beginning was read."""
+    for key, value in _pairs(events):
+        if key.value != _SECTION:
+            if not isinstance(value, yaml.MappingStartEvent):
+                raise _Refused(f"the value of `{key.value}` stands before `{_SECTION}`", key)
+            _nodes(events, depth + 1)
+        elif depth == 0:
+            raise _Refused(f"no name of a node stands before `{_SECTION}`", key)
+        elif isinstance(value, yaml.MappingStartEvent):
+            _parameters(events)
+        elif isinstance(value, yaml.SequenceStartEvent):
+            _skip(events)
+        else:
+            raise _Refused(f"`{_SECTION}` is no map", key)
+
+
+def _parameters(events: Iterator[yaml.Event]) -> None:
+    """A map of parameters, whose beginning was read."""
+    for key, value in _pairs(events):
+        if isinstance(value, yaml.MappingStartEvent):
+            _parameters(events)
+        elif isinstance(value, yaml.SequenceStartEvent):
+            _list(events, key)
+        elif value.value == "" and not value.style:
+            raise _Refused(f"the parameter `{key.value}` has no value", key)
+
+
+def _list(events: Iterator[yaml.Event], key: yaml.ScalarEvent) -> None:
+    """The elements of a list, whose beginning was read: values of one type."""
+    types: dict[str, None] = {}
+    for event in events:
+        if isinstance(event, yaml.SequenceEndEvent):
+            break
+        if isinstance(event, yaml.SequenceStartEvent):
+            raise _Refused(f"the parameter `{key.value}` is a list of lists", event)
+        if not isinstance(event, yaml.ScalarEvent):
+            _require_no_alias(event)
+            return _skip(events)
+        types[_type(event)] = None
+        if len(types) > 1:
+            raise _Refused(f"the elements of `{key.value}` are of several types: {' and '.join(types)}", event)
+    return None
+
+
+def _type(event: yaml.ScalarEvent) -> str:
+    if event.style in ("'", '"') or event.tag == _TEXT:
+        return "texts"
+    return next((name for name, form in _SCALARS if form.fullmatch(event.value)), "texts")
+
+
+def _pairs(events: Iterator[yaml.Event]) -> Iterator[tuple[yaml.ScalarEvent, Any]]:
+    """The keys of a map and the events that their values begin with; each value must be read before the next key."""
+    for key in events:
+        if isinstance(key, yaml.MappingEndEvent):
+            return
+        _require_no_alias(key)
+        if not isinstance(key, yaml.ScalarEvent):
+            raise _Refused("a key is no text", key)
+        value = next(events)
+        _require_no_alias(value)
+        yield key, value
+
+
+def _skip(events: Iterator[yaml.Event]) -> None:
+    """The rest of a list, whose beginning was read."""
+    depth = 1
+    while depth:
+        event = next(events)
+        _require_no_alias(event)
+        depth += isinstance(event, (yaml.SequenceStartEvent, yaml.MappingStartEvent))
+        depth -= isinstance(event, (yaml.SequenceEndEvent, yaml.MappingEndEvent))
+
+
+def _require_no_alias(event: yaml.Event) -> None:
+    if isinstance(event, yaml.AliasEvent):
+        raise _Refused(f"rcl reads no aliases: `*{event.anchor}`", event)

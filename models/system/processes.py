@@ -1,0 +1,84 @@
+"""The nodes of a process: what their code calls them where no launch file does, and what of a command line is for which of them.
+
+Source: rcl. A name, a namespace, parameters and remappings of a command line are for all nodes of the process, unless a prefix (`node:`) or
+the section of a file says for which; launch_ros passes a name only where a launch file gives one.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
+from rosarch.extractor.launch.names import canonical
+from rosarch.extractor.launch.scope import settle
+from rosarch.extractor.launch_ros2.params_files import ALL, matches
+from rosarch.models.component import ComponentModel
+
+
+def with_nodes(composition: Composition, models: Mapping[tuple[str, str], Sequence[ComponentModel]]) -> Composition:
+    """The composition, in which a process starts the nodes that it makes, by the names that these have then.
+
+    `models` are those of the nodes of each program or class, by package and by the name that launch files know it by.
+    """
+    nodes: list[NodeStart] = []
+    changed: list[tuple[NodeStart, list[_Made]]] = []
+    for start in composition.nodes:
+        made = [_made(start, model) for model in models.get((start.package, start.type), ())]
+        nodes += [one.node for one in made] or [start]
+        if start.given and made:
+            changed.append((start, made))
+    return _with_settings(replace(composition, nodes=tuple(nodes)), changed)
+
+
+@dataclass(frozen=True)
+class _Made:
+    """A node of a process; it is `named` when its name is known."""
+
+    node: NodeStart
+    named: bool
+
+    def settings(self) -> Iterator[ParamSetting]:
+        """What is set for it, in order."""
+        for one in self.node.given:
+            if one.read and matches(one.nodes, self.node.full_name):
+                yield replace(one.setting, name=canonical(f"{self.node.full_name}/{one.setting.name}"))
+
+    def unread(self) -> Iterator[ParamSetting]:
+        """What may be set for it, too."""
+        for one in self.node.given:
+            if not one.read or not (self.named or one.nodes == ALL):
+                yield replace(one.setting, name=self.node.full_name)
+
+
+def _made(start: NodeStart, model: ComponentModel) -> _Made:
+    """The node of a process that a model is of."""
+    if model.executable:
+        start = replace(start, type=model.component)
+    if start.name is not None or start.called is None:
+        return _Made(start, named=True)
+    if model.node_name is None:
+        return _Made(start, named=False)
+    return _Made(replace(start, called=_renamed(start, model.node_name)), named=True)
+
+
+def _renamed(start: NodeStart, name: str) -> str:
+    """What a node becomes by a rule for the node that its code calls `name`."""
+    return next((remap.target for remap in start.remaps if remap.source == "__node" and remap.node == name), name)
+
+
+def _with_settings(composition: Composition, changed: Sequence[tuple[NodeStart, list[_Made]]]) -> Composition:
+    """The composition, in which what was set for processes by the names that they may have is set for their nodes."""
+    guesses = [_Made(start, named=True) for start, _ in changed]
+    guessed = {(setting.name, setting.lines) for one in guesses for setting in (*one.settings(), *one.unread())}
+    params: dict[str, list[ParamSetting]] = {}
+    for setting in composition.params:
+        if (setting.name, setting.lines) not in guessed:
+            params.setdefault(setting.name, []).append(setting)
+    nodes = [one for _, made in changed for one in made]
+    for setting in (setting for one in nodes for setting in one.settings()):
+        settle(params, setting)
+    unread = [setting for setting in composition.unread if (setting.name, setting.lines) not in guessed]
+    unread += [setting for one in nodes for setting in one.unread()]
+    return replace(composition, params=tuple(itertools.chain.from_iterable(params.values())), unread=tuple(unread))

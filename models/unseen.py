@@ -1,0 +1,60 @@
+"""What was not seen of components and systems: the reasons that rules give for it (`core/openness.dl`, `system/openness.dl`), in words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rosarch.models.places import Place
+
+_REASONS = {
+    # of components
+    "handed": "the node is handed to {}, which was not seen",
+    "given": "the node is given as {} to something that was not seen",
+    "undefined": "the node is handed to {}, whose body is not among the sources",
+    "base": "the base class {} was not seen",
+    "call": "the call of {} was not understood",
+    "import": "{} imports a module whose name is not known",
+    "source": "the source was not analysed: {}",
+    "lost": "a function was not understood: {}",
+    "macro": "the macro {} stands in a class of nodes and was not seen",
+    # of nodes
+    "model": "{} has no model",
+    "library": "the model of {} in the library is not complete",
+    "plugin": "it loads plug-ins that were not seen: {}",
+    "name": "the name of a parameter is not known: {}",
+    # of systems
+    "include": "the included file {} was not read",
+    "launch": "{}",
+}
+
+
+def reason_text(kind: str, subject: str) -> str:
+    """A reason in words; `subject` is the name of a function, a class, a file."""
+    return _REASONS[kind].format(subject)
+
+
+@dataclass(frozen=True, order=True)
+class Unseen:
+    """There may be more of `what` (ports, params) than is known, because of something at `at`; `kind` and `subject` are the reason."""
+
+    what: str
+    kind: str
+    subject: str
+    at: Place
+
+    @property
+    def reason(self) -> str:
+        """The reason in words."""
+        return reason_text(self.kind, self.subject)
+
+
+@dataclass(frozen=True, order=True)
+class OpenPart:
+    """What was not seen of a system, for `reason`, because of what is at `at`.
+
+    `node` is the name of the node that may have more than is known, "" where it is nodes that may run unseen.
+    """
+
+    node: str
+    reason: str
+    at: Place

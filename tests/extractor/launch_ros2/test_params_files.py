@@ -1,0 +1,39 @@
+"""What nodes refuse of files of parameters: the lines that rcl of ROS 2 Kilted refused, and files that it took."""
+
+import pytest
+
+from rosarch.extractor.launch_ros2.params_files import Refusal, refused
+
+REFUSED = {
+    "n:\n  p: 1\n": (2, "the value of `p` stands before `ros__parameters`"),
+    "n:\n": (1, "the value of `n` stands before `ros__parameters`"),
+    "n:\n  ros__parameters:\n    p: 1\n  q: 2\n": (4, "the value of `q` stands before `ros__parameters`"),
+    "n:\n  [1, 2]\n": (1, "the value of `n` stands before `ros__parameters`"),
+    "n:\n  ros__parameters:\n": (2, "`ros__parameters` is no map"),
+    "ros__parameters:\n  p: 1\n": (1, "no name of a node stands before `ros__parameters`"),
+    "n:\n  ros__parameters:\n    p:\n": (3, "the parameter `p` has no value"),
+    "n:\n  ros__parameters:\n    p: [1, 2.0]\n": (3, "the elements of `p` are of several types: integers and doubles"),
+    'n:\n  ros__parameters:\n    p: [1, "x"]\n': (3, "the elements of `p` are of several types: integers and texts"),
+    "n:\n  ros__parameters:\n    p: [[1], [2]]\n": (3, "the parameter `p` is a list of lists"),
+    "n:\n  ros__parameters:\n    p: &x 1\n    q: *x\n": (4, "rcl reads no aliases: `*x`"),
+    "a: &x\n  ros__parameters:\n    p: 1\nn:\n  <<: *x\n": (5, "rcl reads no aliases: `*x`"),
+}
+TAKEN = (
+    "# nothing\n",
+    "- n\n",
+    "n:\n  ros__parameters:\n    p: ''\n    q: ~\n    r: [1, -2, 0x3]\n    s: [1.0, .5, 1e3]\n    t: [yes, off]\n    u: &x [a, '1']\n",
+    "n:\n  ros__parameters:\n    - p: 1\n",
+    "n:\n  ros__parameters:\n    p: [1.0, inf, -Infinity, nan, 0x1.8p3, -.inf]\n    q: [!!str 1, a]\n",
+    "/**/n:\n  ros__parameters:\n    a.b: {c: 1}\nm: {}\n",
+)
+
+
+@pytest.mark.parametrize("text", REFUSED, ids=str)
+def test_refused(text: str) -> None:
+    line, message = REFUSED[text]
+    assert refused(text) == Refusal(message, line)
+
+
+@pytest.mark.parametrize("text", TAKEN, ids=str)
+def test_taken(text: str) -> None:
+    assert refused(text) is None
