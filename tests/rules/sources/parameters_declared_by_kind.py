@@ -18,7 +18,7 @@ class Controller(Node):
     def __init__(self):
         super().__init__("controller")
         self.gains = self.declare_all(Gains(), "gains")
-        self.declare_parameter("rate")
+        self.declare_parameter("rate", rclpy.Parameter.Type.DOUBLE)
         self.period = 1.0 / self.get_parameter("rate").value
 
     def declare_all(self, data, name):

@@ -4,6 +4,7 @@ from typing import Any
 
 from rclpy.executors import Executor
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from rclpy.task import Future
 
 def init(*, args: list = ..., context: Any = ..., domain_id: int = ...) -> Any: ...
