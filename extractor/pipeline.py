@@ -46,6 +46,7 @@ from rosarch.extractor.workspace import (
     registered,
     without_library,
 )
+from rosarch.extractor.workspace.built import Built, builds
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
 from rosarch.extractor.workspace.graph import is_brought
 from rosarch.extractor.workspace.model import ROS1
@@ -90,7 +91,7 @@ class Extraction:
 
     `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
     of the workspace that count as installed, `folders` those of the packages that were read, `programs` package and name of all executables
-    that targets build and of the components that they register.
+    that targets build and of the components that they register, `builds` what the packages that were read come to.
     """
 
     root: Path
@@ -101,6 +102,7 @@ class Extraction:
     installed: tuple[str, ...] = ()
     folders: tuple[Path, ...] = ()
     programs: frozenset[tuple[str, str]] = frozenset()
+    builds: tuple[Built, ...] = ()
     _stack: ExitStack = field(default_factory=ExitStack)
 
     def __enter__(self) -> Extraction:
@@ -156,7 +158,7 @@ def extract(
         index = UnitIndex.load(cache, asked, rests_on) if cache and rests_on and not rests_on.uncertain else None
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
         built = programs(workspace)
-        extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace))
+        extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace), builds=builds(workspace))
         unfinished.push(extraction)  # its temporary files go also when this ends early
         scratch = extraction._stack.enter_context(scratch_folder())
         tracing.ignore(scratch)

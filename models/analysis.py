@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rosarch.extractor.pipeline import ComponentFacts
     from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
+    from rosarch.extractor.workspace.built import Built
 
 
 @dataclass(frozen=True)
@@ -30,6 +31,7 @@ class Analysis:
     models: tuple[ComponentModel, ...]
     diagnostics: tuple[Diagnostic, ...]
     programs: frozenset[tuple[str, str]] = frozenset()
+    builds: tuple[Built, ...] = ()
 
 
 def analyze(
@@ -63,7 +65,7 @@ def analyze(
         options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache, "progress": progress, "only": only}
         with extract(root, packages, known=known, **options) as extraction:
             models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept())
-            return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs)
+            return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs, extraction.builds)
 
 
 def analyze_facts(

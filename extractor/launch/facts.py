@@ -19,6 +19,7 @@ from .model import (
     ArgumentUsed,
     ComponentNamed,
     Composition,
+    FileMeant,
     FileNamed,
     HomePath,
     NodeStart,
@@ -179,6 +180,10 @@ class _Writer:
         match named:
             case FileNamed():
                 self.add("file_named", place, named.role, self.path(named.file))
+                if named.absent:
+                    self.add("file_absent", self.path(named.file))
+            case FileMeant():
+                self.add("file_meant", place, named.role, self.path(named.file))
                 if named.absent:
                     self.add("file_absent", self.path(named.file))
             case ProgramNamed():

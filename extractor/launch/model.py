@@ -252,6 +252,16 @@ class FileNamed:
 
 
 @dataclass(frozen=True)
+class FileMeant:
+    """With the arguments of this launch, an element means `file`; `role` is include, read (its content is used here) or value."""
+
+    role: str
+    file: str
+    absent: bool
+    place: Place
+
+
+@dataclass(frozen=True)
 class ProgramNamed:
     """A node or test runs `type` of `package`; `mentioned` when a file of the package is called so, or a build file says the word."""
 
@@ -298,7 +308,7 @@ class HomePath:
     place: Place
 
 
-Reference = FileNamed | ProgramNamed | ComponentNamed | PackageNamed | ArgumentUsed | HomePath
+Reference = FileNamed | FileMeant | ProgramNamed | ComponentNamed | PackageNamed | ArgumentUsed | HomePath
 
 
 @dataclass(frozen=True)

@@ -54,6 +54,10 @@ class PackagePath:
         """The folder of package `name`."""
         return self.packages.get(name)
 
+    def of_file(self, path: str) -> str | None:
+        """The folder of the package that a file lies in, the innermost."""
+        return max((folder for folder in self.packages.values() if path.startswith(folder + os.sep)), key=len, default=None)
+
     def names_in(self, folder: str) -> frozenset[str]:
         """The names of the files below a package's folder, and all words of its build files: what its programs may be called."""
         if folder not in self._names:
@@ -65,7 +69,7 @@ class PackagePath:
         tracing.probe(f"{path}.in")
         if os.path.isfile(f"{path}.in"):
             return True
-        folder = max((folder for folder in self.packages.values() if path.startswith(folder + os.sep)), key=len, default=None)
+        folder = self.of_file(path)
         return folder is not None and os.path.basename(path) in self._made_in(folder)
 
     def _made_in(self, folder: str) -> frozenset[str]:

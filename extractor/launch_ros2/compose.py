@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from rosarch.extractor.launch.compose import finished
 from rosarch.extractor.launch.files import Files
-from rosarch.extractor.launch.model import Composition, FileNamed, LaunchError, Place, Reference
+from rosarch.extractor.launch.meant import meant
+from rosarch.extractor.launch.model import Composition, FileMeant, FileNamed, LaunchError, Place, Reference
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import Exhausted, State
-from rosarch.extractor.launch.unknowns import cleaned
+from rosarch.extractor.launch.unknowns import cleaned, is_known
 
 from . import starts  # noqa: F401  (registers its actions)
 from .actions import joined, visit
@@ -37,7 +38,8 @@ def compose_ros2(
         context = Context(path, outside=world.environment, namespace=joined("", namespace or ""))
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
         _top(world, path, context)
-    return replace(finished(state, _references(world)), ros=2)
+    composition = replace(finished(state, _references(world)), ros=2)
+    return replace(composition, references=tuple(dict.fromkeys((*composition.references, *_meant(world, composition)))))
 
 
 def _top(world: World, path: str, context: Context) -> None:
@@ -53,6 +55,16 @@ def _top(world: World, path: str, context: Context) -> None:
         state.report(error)
     except Raised as error:
         world.interpreter.misunderstood(error.place or Place(path, 1), f"not understood from here on: {error.kind}: {error.message}")
+
+
+def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:
+    """The files that are meant; those that a launch file looks for first need not be there."""
+    packages = world.state.files.packages
+    read = (("read", path, place) for path, place in world.read if is_known(path))
+    for role, path, place in (*read, *meant(composition, packages)):
+        made = path in world.written or world.is_handed(path)
+        if packages.of_file(path) is not None and path not in world.looked_for and not made:
+            yield FileMeant(role, path, not os.path.exists(world.located(path)) and not packages.makes(path), place)
 
 
 def _references(world: World) -> tuple[Reference, ...]:

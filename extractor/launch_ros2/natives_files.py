@@ -74,6 +74,7 @@ def _there(run: Calls, path: Any, *_more: Any) -> Any:
     if text is None or not is_known(text):
         return NOTHING
     world = run.world
+    world.looked_for.add(text)
     if text in world.written or world.state.files.is_file(world.located(text)):
         return True
     below = any(text.startswith(folder) for folder in world.state.files.packages.packages.values())

@@ -37,6 +37,8 @@ class World:
         self.parameter_texts: dict[str, ParamsFile] = {}
         self.performed: dict[tuple[int, frozenset[tuple[str, str]]], tuple[Any, str]] = {}
         self.references: list[Reference] = []
+        self.read: dict[tuple[str, Place], None] = {}
+        self.looked_for: set[str] = set()
         self.asked: list[str] = []
         self.handed: list[str] = []
         self.temporary = 0
@@ -105,6 +107,7 @@ class World:
         """
         if path in self.written:
             return self.written[path]
+        self.read.setdefault((path, self.state.here))
         if self.is_handed(path):
             return self.content_of(path)
         return self.state.files.read_text(self.located(path))

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from .cmake_syntax import Command, Statement
+from .installs import Install, Unsure
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -120,3 +121,7 @@ class PackageDraft:
     found_packages: list[str] = field(default_factory=list)
     programs: list[tuple[str, str]] = field(default_factory=list)
     python_folders: list[str] = field(default_factory=list)
+    installs: list[Install] = field(default_factory=list)
+    auto_executables: list[str] = field(default_factory=list)
+    installed_targets: list[tuple[str, str]] = field(default_factory=list)
+    unsure: list[Unsure] = field(default_factory=list)

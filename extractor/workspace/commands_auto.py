@@ -88,6 +88,7 @@ def _ament_auto_add_executable(run: Evaluator, call: Call) -> None:
     plain, links_own = _plain_call(run, call)
     if plain.args:
         add_executable(run, plain)
+        run.draft.auto_executables.append(plain.args[0])
         _complete(run, plain, links_own)
 
 

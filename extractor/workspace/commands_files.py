@@ -132,12 +132,26 @@ def _cmake_path(run: Evaluator, call: Call) -> None:
         run.set(args[1], os.path.normpath(os.path.join(run.get(args[1]) or "", *args[2:])))
 
 
+_INSTALL_FOLDERS = {
+    "BIN": "bin",
+    "LIB": "lib",
+    "LIBEXEC": "libexec",
+    "INCLUDE": "include",
+    "DATA": "share",
+    "DATAROOT": "share",
+    "SYSCONF": "etc",
+}
+
+
 @command("include")
 def _include(run: Evaluator, call: Call) -> None:
     """Files of the workspace are evaluated; CMake's own modules are known through their commands."""
     if not call.args:
         return
     name = call.args[0]
+    if name == "GNUInstallDirs":
+        for variable, folder in _INSTALL_FOLDERS.items():
+            run.set(f"CMAKE_INSTALL_{variable}DIR", folder)
     for path in _include_candidates(run, name):
         if not run.is_outside(path) and os.path.isfile(path):
             run.run_file(path)

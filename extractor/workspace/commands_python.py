@@ -15,6 +15,7 @@ from rosarch.extractor.files import read_file
 from .cmake_state import Call
 from .commands_values import parse_keywords
 from .evaluator import Evaluator, command
+from .installs import copied, installing
 
 _KINDS = ["TARGETS", "IMPORTED_RUNTIME_ARTIFACTS", "FILES", "PROGRAMS", "DIRECTORY", "SCRIPT", "CODE", "EXPORT", "RUNTIME_DEPENDENCY_SET"]
 _SINGLES = ["DESTINATION", "RENAME", "COMPONENT", "TYPE"]
@@ -28,6 +29,7 @@ def _install(run: Evaluator, call: Call) -> None:
     words, _rest = parse_keywords(call.args, ["OPTIONAL", "EXCLUDE_FROM_ALL"], _SINGLES, [*_KINDS, *_LISTS])
     if words.get("EXPORT"):
         run.draft.export_sets.setdefault(words["EXPORT"][0], []).extend(words.get("TARGETS", []))
+    _record(run, call)
     renamed = (words.get("RENAME") or [""])[0]
     if not run.testing:
         for name in words.get("PROGRAMS", []):
@@ -35,6 +37,19 @@ def _install(run: Evaluator, call: Call) -> None:
         if _PROGRAMS.fullmatch((words.get("DESTINATION") or [""])[0]):
             for folder in words.get("DIRECTORY", []):
                 run.draft.programs.extend((os.path.basename(path), path) for path in _scripts_below(run.source_path(folder)))
+
+
+def _record(run: Evaluator, call: Call) -> None:
+    """Note what is copied where, and the programs among the targets."""
+    words = installing(call.args)
+    files = not {"FILES", "PROGRAMS", "DIRECTORY"}.isdisjoint(words.lists)
+    if not words.is_clear or (files and words.destination is None) or run.has_unset(call.command):
+        run.unsure(f"{call.command.written}() with something that is not known", call.command.line)
+    if run.excluded:
+        return
+    run.draft.installs.extend(copied(words, run.lookup("", "CMAKE_INSTALL_PREFIX"), run.directory.source))
+    for name in words.lists.get("TARGETS", ()):
+        run.draft.installed_targets.append((name, words.runtime or "bin"))
 
 
 def _scripts_below(folder: str) -> Iterator[str]:
@@ -65,6 +80,8 @@ def _ament_python_install_package(run: Evaluator, call: Call) -> None:
     words, _rest = parse_keywords(
         call.args[1:], ["SKIP_COMPILE"], ["PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION"], []
     )
+    if "SCRIPTS_DESTINATION" in words:
+        run.unsure("scripts of a Python package", call.command.line)
     if call.args:
         folder = run.source_path((words.get("PACKAGE_DIR") or [call.args[0]])[0])
         run.draft.python_folders.append(os.path.dirname(os.path.normpath(folder)))

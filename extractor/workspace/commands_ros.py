@@ -15,6 +15,7 @@ from .commands_find import exported, find_one
 from .commands_targets import add_target, find_target
 from .commands_values import parse_keywords
 from .evaluator import Evaluator, command
+from .installs import copied, installing
 from .model import EXECUTABLE, INTERFACE, TEST
 
 
@@ -164,6 +165,14 @@ def _ament_export_dependencies(run: Evaluator, call: Call) -> None:
 @command("ament_auto_package")
 def _ament_auto_package(run: Evaluator, call: Call) -> None:
     run.draft.depends.extend(run.manifest_depends)
+    share = f"share/{run.project}"
+    words, _rest = parse_keywords(call.args, ["USE_SCOPED_HEADER_INSTALL_DIR"], [], ["INSTALL_TO_PATH", "INSTALL_TO_SHARE"])
+    copies = [(share, words.get("INSTALL_TO_SHARE", [])), (".", words.get("INSTALL_TO_PATH", []))]
+    for destination, names in copies:
+        run.draft.installs.extend(copied(installing(["DIRECTORY", *names, "DESTINATION", destination]), "/", run.directory.source))
+    run.draft.installed_targets.extend((name, f"lib/{run.project}") for name in run.draft.auto_executables)
+    if run.has_unset(call.command):
+        run.unsure(f"{call.command.written}() with something that is not known", call.command.line)
     _ament_package(run, call)
 
 
@@ -190,12 +199,16 @@ def register_components(run: Evaluator, call: Call) -> None:
     if executable:
         target = add_target(run, call, executable, EXECUTABLE, [])
         target.extend("LINK_LIBRARIES", [call.args[0]])
+        run.draft.installed_targets.append((executable, f"lib/{run.project}"))
 
 
 @command("pluginlib_export_plugin_description_file")
 def _export_plugins(run: Evaluator, call: Call) -> None:
     if len(call.args) > 1:
         run.draft.plugin_exports.append((call.args[0], run.source_path(call.args[1])))
+        run.draft.installs.extend(
+            copied(installing(["FILES", call.args[1], "DESTINATION", f"share/{run.project}"]), "/", run.directory.source)
+        )
 
 
 @command("find_dependency")

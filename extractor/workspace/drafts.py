@@ -11,6 +11,7 @@ from rosarch.extractor.diagnostics import Diagnostic, why
 from .cmake_expand import generator_expression, split_list
 from .cmake_state import TargetDraft
 from .evaluator import Evaluator
+from .installs import Install, Unsure
 from .manifests import Manifest
 from .model import EXECUTABLE, IMPORTED, TEST, Configured, Exports, Package, PluginClass, Program, Target
 from .plugins import read_plugins
@@ -34,7 +35,7 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         for library, cxx, executable, line in draft.component_nodes
         for name in [cxx.strip().removeprefix("::")]
     ]
-    setup, setup_problems = read_setup(manifest.path.parent)
+    setup, setup_problems = read_setup(manifest.path.parent, manifest.name)
     problems.extend(setup_problems)
     package = Package(
         name=manifest.name,
@@ -59,8 +60,41 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         programs=(*_programs(draft.programs), *setup.programs),
         entry_points=setup.entry_points,
         python_roots=tuple(dict.fromkeys((*_files(draft.python_folders), *setup.roots))),
+        installs=setup.installs if manifest.build_type == "ament_python" else tuple(_installs(run, manifest, targets)),
+        unsure=setup.unsure if manifest.build_type == "ament_python" else tuple(_unsure(run)),
     )
     return package, problems
+
+
+def _installs(run: Evaluator, manifest: Manifest, targets: Iterable[Target]) -> Iterator[Install]:
+    """What CMake installs: what its files say, programs, interfaces, and the manifest."""
+    draft, share = run.draft, f"share/{manifest.name}"
+    yield from dict.fromkeys(draft.installs)
+    outputs = {target.name: target for target in targets if target.kind in (EXECUTABLE, TEST)}
+    for name, destination in draft.installed_targets:
+        target = outputs.get(run.aliases.get(name, name))
+        if target is not None:
+            yield Install(os.path.normpath(f"{destination}/{target.output_name}"), target.cmake_file)
+    for files in (draft.message_files, draft.service_files, draft.action_files):
+        for path in map(Path, files):
+            yield Install(f"{share}/{path.parent.name}/{path.name}", path)
+    yield Install(f"{share}/package.xml", manifest.path)
+
+
+_LEAVING_OUT = """
+unknown-command missing-include missing-subdirectory cyclic-subdirectory cmake-limit cmake-arguments cmake-condition cmake-syntax
+cmake-message unreadable
+"""
+
+
+def _unsure(run: Evaluator) -> Iterator[Unsure]:
+    """Why CMake may install more than is known."""
+    yield from dict.fromkeys(run.draft.unsure)
+    for diagnostic in run.diagnostics:
+        if diagnostic.kind in _LEAVING_OUT.split():
+            yield Unsure(diagnostic.message, diagnostic.path, diagnostic.line)
+    if not os.path.isfile(run.file):
+        yield Unsure("no CMakeLists.txt", Path(run.file), 1)
 
 
 def _programs(installed: Iterable[tuple[str, str]]) -> Iterator[Program]:

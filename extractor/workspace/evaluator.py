@@ -7,7 +7,8 @@ command would learn from the machine is assumed (`options`). Commands are functi
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import NoReturn, Protocol
 
@@ -22,12 +23,18 @@ from .cmake_expand import expand, join_list, split_list
 from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_TEXT, MAX_VALUE, MAX_WORDS, OutOfTime, time_limit
 from .cmake_questions import surroundings
 from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
-from .cmake_syntax import Argument, Block, Command, If, Statement, blocks, parse
+from .cmake_syntax import Argument, Block, Branch, Command, If, Statement, blocks, parse
+from .installs import Unsure
 from .options import Options, initial_environment, initial_variables, versions
 
 Handler = Callable[["Evaluator", Call], None]
 COMMANDS: dict[str, Handler] = {}
 UNKNOWN_COMMAND = ""  # the handler of commands that nothing defines
+INSTALLING = frozenset(
+    {"install", "catkin_install_python", "ament_auto_package", "ament_python_install_package", "add_subdirectory", "subdirs", "include"}
+)
+"""The commands that copy something to where it is installed, or run files that may do so."""
+_REFERENCE = re.compile(r"\$\{([\w.+-]+)\}")
 
 
 class World(Protocol):
@@ -182,6 +189,15 @@ class Evaluator:
         shown = os.path.relpath(path, self.directory.source)
         self.complain(command, "unreadable", f"{command.written}: {shown} cannot be read: {why(error)}")
 
+    def unsure(self, reason: str, line: int) -> None:
+        """Record that more may be installed than is known, because of what is at a line of the current file."""
+        self.draft.unsure.append(Unsure(reason, Path(self.file), line))
+
+    def has_unset(self, command: Command) -> bool:
+        """Whether arguments of a command refer to variables that nothing has set."""
+        texts = (argument.text for argument in command.arguments if not argument.raw)
+        return any(not self.lookup("", name) for text in texts for name in _REFERENCE.findall(text))
+
     def charge(self, made: int, length: int = 0) -> None:
         """Count `made` characters that a command makes; give up when these are too many, or a value of `length` is too long."""
         self.characters += max(made, 0)
@@ -234,7 +250,7 @@ class Evaluator:
         try:
             self.run(statements)
         except (StopFile, StopLoop):
-            pass
+            self.unsure("return() before the end", self.current[1].line if self.current else 1)
         finally:
             self.file, self.made_before = previous
             self.depth -= 1
@@ -283,6 +299,7 @@ class Evaluator:
             if branch.condition is not None and not self.holds(branch.condition):
                 continue
             testing = branch.condition is not None and _asks_for_tests(branch.condition)
+            self._leave_out(other for other in statement.branches if other is not branch)
             self.testing += testing
             try:
                 self.run(branch.body)
@@ -292,6 +309,19 @@ class Evaluator:
             finally:
                 self.testing -= testing
             return
+        self._leave_out(statement.branches)
+
+    def _leave_out(self, branches: Iterable[Branch]) -> None:
+        """Note what branches that do not count here may install elsewhere."""
+        for branch in branches:
+            if branch.condition is None or not _asks_for_tests(branch.condition):
+                self.leave_out(branch.body)
+
+    def leave_out(self, body: Sequence[Statement]) -> None:
+        """Note that statements that are not run may install something."""
+        for found in _commands(body):
+            if found.name in INSTALLING or found.name in self.procedures or found.name not in COMMANDS:
+                self.unsure(f"{found.written}() under a condition", found.line)
 
     def _leaves_nothing(self) -> bool:
         """Whether the file that a `return()` leaves is one of the package's build, and no target of it is made so far."""
@@ -326,6 +356,8 @@ class Evaluator:
                 procedure = Procedure(words[0], opener.name == "macro", tuple(words[1:]), block.body, self.file)
                 self.procedures[words[0].lower()] = procedure
         elif opener.name == "foreach":
+            if self.has_unset(opener):
+                self.leave_out(block.body)
             cmake_loops.run_foreach(self, block)
         elif opener.name == "while":
             cmake_loops.run_while(self, block)
@@ -389,6 +421,18 @@ def _damage(data: bytes) -> tuple[int, str] | None:
         if zero < 0 or error.start < zero:
             return error.start, "not UTF-8"
     return None if zero < 0 else (zero, "a zero byte")
+
+
+def _commands(body: Sequence[Statement]) -> Iterator[Command]:
+    """The commands in statements, at any depth but in procedures."""
+    for statement in body:
+        if isinstance(statement, Command):
+            yield statement
+        elif isinstance(statement, If):
+            for branch in statement.branches:
+                yield from _commands(branch.body)
+        elif statement.opener.name not in ("function", "macro"):
+            yield from _commands(statement.body)
 
 
 def _asks_for_tests(condition: Command) -> bool:

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from rosarch.extractor.diagnostics import Diagnostic
 
+from .installs import Install, Unsure
+
 ROS1 = "ros1"
 ROS2 = "ros2"
 EXECUTABLE = "executable"
@@ -129,6 +131,8 @@ class Package:
     programs: tuple[Program, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
     python_roots: tuple[Path, ...] = ()
+    installs: tuple[Install, ...] = ()
+    unsure: tuple[Unsure, ...] = ()
 
     @property
     def middleware(self) -> str:

@@ -11,7 +11,7 @@ import ast
 import configparser
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,9 @@ from rosarch.extractor.diagnostics import Diagnostic, unreadable
 from rosarch.extractor.files import read_file
 from rosarch.extractor.python_syntax import parse_python
 
+from .installs import Install, Unsure
 from .model import EntryPoint, Program
+from .python_installs import DataFiles, changed_later, declared_elsewhere, programs_installed
 from .setup_values import SetupValues
 
 _PROGRAMS = re.compile(r"lib/[^/]+/?")
@@ -33,30 +35,65 @@ class Setup:
     entry_points: tuple[EntryPoint, ...] = ()
     programs: tuple[Program, ...] = ()
     roots: tuple[Path, ...] = ()
+    installs: tuple[Install, ...] = ()
+    unsure: tuple[Unsure, ...] = ()
 
 
-def read_setup(folder: Path) -> tuple[Setup, list[Diagnostic]]:
+def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
     """What the package in `folder` installs with setuptools."""
     problems: list[Diagnostic] = []
     points: list[EntryPoint] = []
     programs: list[Program] = []
     roots: list[Path] = []
     script, declared = folder / "setup.py", folder / "setup.cfg"
+    data = DataFiles(script)
     for keyword, value, values in _keywords(script, problems):
         if keyword == "entry_points":
             points.extend(_entry_points(value, values, script))
+            if not _is_told(value, values):
+                data.give_up("entry points that are not known", value)
         elif keyword == "scripts":
             programs.extend(_program(folder, text) for text, _ in values.texts(value))
+            if not _is_told(value, values):
+                data.give_up("scripts that are not known", value)
         elif keyword == "data_files":
             programs.extend(_program(folder, text) for text in _installed(value, values))
+            data.read(value, values)
         elif keyword == "package_dir":
             found = values.value(value)
             roots.extend(_roots(folder, found) if isinstance(found, dict) else ())
     points.extend(_declared(declared, problems))
     if os.path.isfile(script) and not roots:
         roots.append(folder)
-    setup = Setup(tuple(dict.fromkeys(points)), tuple(p for p in programs if os.path.isfile(p.path)), tuple(dict.fromkeys(roots)))
-    return setup, problems
+    data.installs.extend(programs_installed(package, points, programs))
+    unsure = (*data.unsure, *_not_read(script, problems), *declared_elsewhere(folder))
+    there = tuple(program for program in programs if os.path.isfile(program.path))
+    once = (tuple(dict.fromkeys(points)), there, tuple(dict.fromkeys(roots)))
+    return Setup(*once, tuple(dict.fromkeys(data.installs)), tuple(dict.fromkeys(unsure))), problems
+
+
+def _is_told(node: ast.expr, values: SetupValues) -> bool:
+    """Whether all of a value is known."""
+    node = values.written(node)
+    if isinstance(node, ast.Dict):
+        return all(key is not None and values.value(value) is not None for key, value in zip(node.keys, node.values, strict=True))
+    return values.value(node) is not None
+
+
+def _not_read(script: Path, problems: Iterable[Diagnostic]) -> Iterator[Unsure]:
+    """Why a `setup.py` may install more than its keywords say."""
+    for problem in problems:
+        yield Unsure(problem.message, problem.path, problem.line)
+    try:
+        tree = parse_python(read_file(script))
+    except (OSError, SyntaxError):
+        yield Unsure("no setup.py that can be read", script, 1)
+        return
+    for node in changed_later(tree):
+        yield Unsure("what is given to setup() in another way", script, getattr(node, "lineno", 1))
+    lines = [node.lineno for node in ast.walk(tree) if isinstance(node, ast.Call) and ast.unparse(node.func).endswith("setup")]
+    if len(lines) != 1:
+        yield Unsure("not one call of setup()", script, 1)
 
 
 def _program(folder: Path, path: str) -> Program:

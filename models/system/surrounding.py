@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.cache import hash_of, rows_digest
 from rosarch.extractor.launch.facts import launch_rows, library_name, started
-from rosarch.extractor.launch.model import Composition
+from rosarch.extractor.launch.model import Composition, FileMeant
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
+from rosarch.models.system.builds import build_rows
 from rosarch.models.system.processes import with_nodes
 from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged
@@ -34,6 +35,7 @@ from rosarch.models.system.workspace import (
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Component, Diagnostic
+    from rosarch.extractor.workspace.built import Built
     from rosarch.library import Library, LibraryComponent
     from rosarch.models.analysis import Analysis
 
@@ -70,11 +72,12 @@ class Components:
     """The components that launches start, of sources and of the library: their models, their interfaces, and what all systems see of them.
 
     `interfaces` begin with those of `models`, in their order. `programs` are package and name of all executables that the workspace builds
-    and of the components that it registers, `expected` the packages that the library knows.
+    and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows.
     """
 
     models: tuple[ComponentModel, ...]
     programs: frozenset[tuple[str, str]]
+    builds: tuple[Built, ...]
     expected: frozenset[str]
     interfaces: tuple[Interface, ...]
     shared: Interface
@@ -156,7 +159,8 @@ class Surrounding:
         titles = {title for interface in interfaces for title in interface.all("interface", 0)}
         composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
         named = named_by(launch.composition, self.named), source_rows(launch.composition, titles, self.said)
-        own = merged([*composed, *named, self.given])
+        builds = build_rows(launch.composition, self.components.builds, self.root)
+        own = merged([*composed, *named, builds, self.given])
         return SystemFacts(own, (self.components.shared, *interfaces))
 
     def rows(self, launch: Launch) -> Rows:
@@ -246,7 +250,9 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
     known = load(tuple(reading.library))
     diagnostics += known.problems
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
-    return Components(models, found.programs, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics))
+    return Components(
+        models, found.programs, found.builds, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics)
+    )
 
 
 def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:
@@ -266,6 +272,7 @@ class _Needed:
         self.words = {word for _, _, words in asked for word in words}
         self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
         self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}
+        self.packages |= _packages_of_files(launches)
 
     def key(self) -> list[str]:
         """All that tells these components from others."""
@@ -298,3 +305,16 @@ def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:
 def _packages_below(root: Path, names: Collection[str]) -> list[str]:
     known = PackagePath([os.path.abspath(root)]).packages
     return sorted(name for name in names if name in known)
+
+
+def _packages_of_files(launches: Sequence[Launch]) -> set[str]:
+    """The packages that launch files mean files in."""
+    folders = {folder: name for launch in launches for name, folder in launch.packages.packages.items()}
+    meant = {
+        (reference.file, launch.packages)
+        for launch in launches
+        for reference in launch.composition.references
+        if isinstance(reference, FileMeant)
+    }
+    found = (packages.of_file(file) for file, packages in meant)
+    return {folders[folder] for folder in found if folder is not None}

@@ -1,0 +1,48 @@
+"""What the build of a package comes to, as far as claims about its files and programs need it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from .installs import Install, Unsure
+from .model import EntryPoint, Workspace
+
+INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
+"""The build types of packages that are used from where they are installed: nothing is found in their sources."""
+
+
+@dataclass(frozen=True)
+class Built:
+    """A package in `folder`: what its build installs, why that may be more, the entry points that it declares."""
+
+    name: str
+    folder: Path
+    build_type: str
+    installs: tuple[Install, ...]
+    unsure: tuple[Unsure, ...]
+    entry_points: tuple[EntryPoint, ...] = ()
+
+    def brings(self, path: str) -> bool:
+        """Whether there is `path` below the prefix."""
+        return any(install.brings(path) for install in self.installs)
+
+    @property
+    def programs(self) -> frozenset[str]:
+        """The names of the programs that are found in it, those in folders left out."""
+        return frozenset(install.path.rpartition("/")[2] for install in self.installs if install.path.startswith(f"lib/{self.name}/"))
+
+
+def builds(workspace: Workspace) -> tuple[Built, ...]:
+    """The builds of all packages, of those that tell what they install."""
+    return tuple(
+        Built(package.name, package.path, package.build_type, package.installs, package.unsure, package.entry_points)
+        for package in workspace.packages
+    )
+
+
+def package_of(path: str, packages: Iterable[Built]) -> Built | None:
+    """The package that a file lies in, the innermost."""
+    above = [one for one in packages if path.startswith(f"{one.folder}/")]
+    return max(above, key=lambda one: len(str(one.folder)), default=None)

@@ -1,0 +1,149 @@
+"""What a package installs where: the paths, below the prefix, that its files and programs have once it is built.
+
+What a `CMakeLists.txt` or `setup.py` says in a way that is not understood is a reason why more may be installed (`Unsure`); a claim that
+something is not installed holds only where there is none. Source: cmake-commands(7) on `install`.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import os
+import posixpath
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Install:
+    """`source` becomes `path` below the prefix; of a `folder`, all that lies in it.
+
+    With patterns in `only`, just the files in it that one of them matches; what matches one of `but` is left out, with all below it.
+    """
+
+    path: str
+    source: Path
+    folder: bool = False
+    only: tuple[str, ...] = ()
+    but: tuple[str, ...] = ()
+
+    def brings(self, path: str) -> bool:
+        """Whether there is `path` below the prefix by this. A folder that is not there is made by the build: it may hold anything."""
+        if not self.folder:
+            return path == self.path
+        inside = path if self.path == "." else path[len(self.path) + 1 :] if path.startswith(f"{self.path}/") else None
+        if not inside:
+            return path == self.path
+        if os.path.isdir(self.source) and not os.path.exists(self.source / inside):
+            return False
+        if any(_matches(above, self.but) for above in _above(inside)):
+            return False
+        return not self.only or os.path.isdir(self.source / inside) or _matches(inside, self.only)
+
+
+@dataclass(frozen=True)
+class Unsure:
+    """Why more may be installed than is known, because of what is at `line` of `path`."""
+
+    reason: str
+    path: Path
+    line: int
+
+
+def _above(path: str) -> Iterator[str]:
+    while path:
+        yield path
+        path = posixpath.dirname(path)
+
+
+def _matches(path: str, patterns: Sequence[str]) -> bool:
+    """Whether one of the patterns fits the last parts of a path."""
+    parts = path.split("/")
+    ends = ["/".join(parts[start:]) for start in range(len(parts))]
+    return any(fnmatch.fnmatchcase(end, pattern) for end in ends for pattern in patterns)
+
+
+_ARTIFACTS = {"ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PRIVATE_HEADER", "PUBLIC_HEADER", "RESOURCE", "INCLUDES"}
+_LISTS = """
+TARGETS FILES PROGRAMS DIRECTORY SCRIPT CODE EXPORT PERMISSIONS FILE_PERMISSIONS DIRECTORY_PERMISSIONS CONFIGURATIONS
+IMPORTED_RUNTIME_ARTIFACTS RUNTIME_DEPENDENCY_SET
+"""
+_SINGLES = {"DESTINATION", "RENAME", "COMPONENT", "TYPE", "PATTERN", "REGEX", "NAMESPACE", "FILE"}
+_FLAGS = {"OPTIONAL", "EXCLUDE_FROM_ALL", "FILES_MATCHING", "EXCLUDE", "USE_SOURCE_PERMISSIONS", "MESSAGE_NEVER", "NAMELINK_ONLY",
+          "NAMELINK_SKIP"}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Installing:
+    """The words of one `install`: its lists, where they go (`runtime`: programs), and which files of a folder."""
+
+    lists: dict[str, list[str]]
+    destination: str | None
+    runtime: str | None
+    rename: str | None
+    only: tuple[str, ...]
+    but: tuple[str, ...]
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether all that is copied, and where to, is told."""
+        return not ({"SCRIPT", "CODE", "IMPORTED_RUNTIME_ARTIFACTS"} & set(self.lists)) and not any(
+            "$<" in word or "$ENV{" in word for words in self.lists.values() for word in words
+        )
+
+
+def installing(words: Sequence[str]) -> Installing:
+    """What the words of an `install` say."""
+    lists: dict[str, list[str]] = {}
+    places: dict[str, str] = {}
+    rename: str | None = None
+    only: list[str] = []
+    but: list[str] = []
+    current: list[str] | None = None
+    artifact, filtered = "", False
+    rest = list(words)
+    while rest:
+        word = rest.pop(0)
+        if word in _LISTS.split():
+            current = lists.setdefault(word, [])
+        elif word in _ARTIFACTS:
+            artifact, current = word, None
+        elif word in _SINGLES and rest:
+            value, current = rest.pop(0), None
+            if word == "DESTINATION":
+                places.setdefault(artifact, value)
+            elif word == "RENAME":
+                rename = value
+            elif word in ("PATTERN", "REGEX"):
+                left_out = rest[:1] == ["EXCLUDE"]
+                if not left_out:
+                    only.append(value if word == "PATTERN" else "*")
+                elif word == "PATTERN":
+                    but.append(value)
+        elif word in _FLAGS:
+            filtered |= word == "FILES_MATCHING"
+            current = None
+        elif current is not None:
+            current.append(word)
+    return Installing(lists, places.get(""), places.get("RUNTIME", places.get("")), rename, tuple(only) if filtered else (), tuple(but))
+
+
+def below(prefix: str, destination: str) -> str | None:
+    """A destination as a path below the prefix; None when it is elsewhere."""
+    path = posixpath.normpath(destination)
+    if path.startswith(prefix + "/"):
+        path = path[len(prefix) + 1 :]
+    return None if path.startswith(("/", "..")) else path
+
+
+def copied(words: Installing, prefix: str, folder: str) -> Iterator[Install]:
+    """The files and folders that an `install` in `folder` copies."""
+    destination = None if words.destination is None else below(prefix, words.destination)
+    if destination is None:
+        return
+    for name in (*words.lists.get("FILES", ()), *words.lists.get("PROGRAMS", ())):
+        yield Install(posixpath.normpath(f"{destination}/{words.rename or posixpath.basename(name)}"), Path(folder) / name)
+    for name in words.lists.get("DIRECTORY", ()):
+        into = "" if name.endswith("/") or not name else posixpath.basename(posixpath.normpath(name))
+        path = posixpath.normpath(f"{destination}/{'' if into in ('.', '..') else into}")
+        yield Install(path, Path(os.path.normpath(f"{folder}/{name}")), True, words.only, words.but)

@@ -1,0 +1,158 @@
+"""What the build files of packages of ROS 2 install, and where they are not understood."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from workspace_builder import manifest, write
+
+from rosarch.extractor.workspace import discover
+from rosarch.extractor.workspace.built import Built, builds, package_of
+
+HEAD = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n"
+FILES = {
+    "launch/a.launch.py": "",
+    "launch/old/b.launch.py": "",
+    "config/a.yaml": "",
+    "config/a.txt": "",
+    "node.cpp": "int main() {}\n",
+    "tool.py": "#!x",
+}
+
+
+def cmake(root: Path, text: str, files: dict[str, str] | None = None) -> Built:
+    """The build of a package with these commands."""
+    export = "<build_type>ament_cmake</build_type>"
+    content = {
+        "package.xml": manifest("demo", export=export),
+        "CMakeLists.txt": HEAD + text + "\nament_package()\n",
+        **FILES,
+        **(files or {}),
+    }
+    write(root / "demo", content)
+    (found,) = builds(discover(root))
+    return found
+
+
+def python(root: Path, setup: str, files: dict[str, str] | None = None) -> Built:
+    """The build of a package with this `setup.py`."""
+    export = "<build_type>ament_python</build_type>"
+    write(root / "demo", {"package.xml": manifest("demo", export=export), "setup.py": setup, **FILES, **(files or {})})
+    (found,) = builds(discover(root))
+    return found
+
+
+SHARED = [
+    ("install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME})", {"launch/a.launch.py", "launch/old/b.launch.py", "config/a.yaml", "config/a.txt"}),
+    ("install(DIRECTORY launch/ DESTINATION ${CMAKE_INSTALL_PREFIX}/share/demo/launch)", {"launch/a.launch.py", "launch/old/b.launch.py"}),
+    ("install(DIRECTORY launch DESTINATION share/demo PATTERN old EXCLUDE)", {"launch/a.launch.py"}),
+    ("install(DIRECTORY config DESTINATION share/demo FILES_MATCHING PATTERN *.yaml)", {"config/a.yaml"}),
+    ("install(DIRECTORY config DESTINATION share/demo FILES_MATCHING REGEX [.]txt)", {"config/a.yaml", "config/a.txt"}),
+    ("install(DIRECTORY . DESTINATION share/demo PATTERN launch EXCLUDE)", {"config/a.yaml", "config/a.txt"}),
+    ("install(FILES config/a.yaml DESTINATION share/demo/config)", {"config/a.yaml"}),
+    ("install(FILES config/a.txt DESTINATION share/demo/config RENAME a.yaml)", {"config/a.yaml"}),
+    ("install(DIRECTORY config DESTINATION share/other)", set()),
+    ("foreach(dir launch config)\ninstall(DIRECTORY ${dir} DESTINATION share/demo)\nendforeach()", {"launch/a.launch.py", "launch/old/b.launch.py", "config/a.yaml", "config/a.txt"}),
+    ("find_package(ament_cmake_auto)\nament_auto_package(INSTALL_TO_SHARE config)", {"config/a.yaml", "config/a.txt"}),
+    ("include(GNUInstallDirs)\ninstall(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/demo)", {"config/a.yaml", "config/a.txt"}),
+    ("if(UNIX)\nelseif(BUILD_TESTING)\nadd_subdirectory(test)\nendif()", set()),
+    ("pluginlib_export_plugin_description_file(base config/a.txt)", set()),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "expected"), SHARED)
+def test_files_in_the_share_folder(tmp_path: Path, text: str, expected: set[str]) -> None:
+    found = cmake(tmp_path, text)
+    assert found.unsure == ()
+    asked = ("launch/a.launch.py", "launch/old/b.launch.py", "config/a.yaml", "config/a.txt")
+    assert {path for path in asked if found.brings(f"share/demo/{path}")} == expected
+    assert found.brings("share/demo/package.xml")
+    assert found.brings("share/demo/a.txt") == ("pluginlib" in text)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("if(UNKNOWN)\ninstall(DIRECTORY config DESTINATION share/demo)\nendif()", "install() under a condition"),
+        ("if(UNIX)\nelse()\nforeach(x a)\ninstall(FILES ${x} DESTINATION b)\nendforeach()\nendif()", "install() under a condition"),
+        ("foreach(dir ${FOLDERS})\ninstall(DIRECTORY ${dir} DESTINATION share/demo)\nendforeach()", "install() under a condition"),
+        ("install(DIRECTORY ${FOLDERS} DESTINATION share/demo)", "install() with something that is not known"),
+        ('install(CODE "file(COPY x DESTINATION y)")', "install() with something that is not known"),
+        ("install(FILES x TYPE DATA)", "install() with something that is not known"),
+        ("install_all(config)", "unknown command install_all"),
+        ("autoware_ament_auto_package()", "autoware_ament_auto_package()"),
+        ("ament_python_install_package(demo SCRIPTS_DESTINATION lib/demo)", "scripts of a Python package"),
+        ("ament_auto_package(INSTALL_TO_SHARE ${FOLDERS})", "ament_auto_package() with something that is not known"),
+        ("add_executable(node node.cpp)\nreturn()", "return() before the end"),
+    ],
+)
+def test_what_is_not_understood(tmp_path: Path, text: str, reason: str) -> None:
+    assert [unsure.reason for unsure in cmake(tmp_path, text).unsure] == [reason]
+
+
+def test_programs_of_cmake(tmp_path: Path) -> None:
+    text = (
+        "add_executable(node node.cpp)\nadd_executable(other node.cpp)\nadd_executable(lost node.cpp)\nset_target_properties(node PROPERTIES OUTPUT_NAME named)\n"
+        "install(TARGETS node other ARCHIVE DESTINATION lib RUNTIME DESTINATION lib/${PROJECT_NAME})\ninstall(TARGETS lost DESTINATION bin)\n"
+        "install(PROGRAMS tool.py DESTINATION lib/demo RENAME tool)\nadd_library(part SHARED node.cpp)\n"
+        'rclcpp_components_register_node(part PLUGIN "demo::Part" EXECUTABLE part_node)\n'
+        "find_package(ament_cmake_auto)\nament_auto_add_executable(auto node.cpp)\nament_auto_package()\n"
+    )
+    found = cmake(tmp_path, text)
+    assert found.programs == {"named", "other", "tool", "part_node", "auto"}
+    assert found.unsure == ()
+
+
+SETUP = """from setuptools import setup
+from glob import glob
+import os
+package_name = 'demo'
+files = [('share/' + package_name, ['package.xml'])]
+setup(name=package_name, data_files=[('share/' + package_name, ['package.xml']), (os.path.join('share', package_name, 'launch'), glob('launch/*.py')),
+      ('lib/demo', ['tool.py']), {more}], {other} entry_points={{'console_scripts': ['cook = demo.cook:main']}})
+"""
+
+
+def test_data_files(tmp_path: Path) -> None:
+    found = python(tmp_path, SETUP.format(more="('share/demo/x', ['config/a.yaml'] + [])", other=""))
+    asked = ("package.xml", "launch/a.launch.py", "launch/old/b.launch.py", "config/a.yaml", "x/a.yaml")
+    assert {path for path in asked if found.brings(f"share/demo/{path}")} == {"package.xml", "launch/a.launch.py", "x/a.yaml"}
+    assert found.programs == {"cook", "tool.py"}
+    assert found.unsure == ()
+
+
+def test_files_that_are_not_known_may_be_any_of_their_folder(tmp_path: Path) -> None:
+    found = python(tmp_path, SETUP.format(more="('share/demo/config', find('config'))", other=""))
+    assert found.brings("share/demo/config/a.yaml")
+    assert not found.brings("share/demo/maps/a.yaml")
+    assert found.unsure == ()
+
+
+@pytest.mark.parametrize(
+    ("setup", "reason"),
+    [
+        (SETUP.format(more="*find('config')", other=""), "data_files that are not known"),
+        (SETUP.format(more="entry('config')", other=""), "data_files that are not known"),
+        (SETUP.format(more="(share(), ['config/a.yaml'])", other=""), "data_files of a folder that is not known"),
+        (SETUP.format(more="", other="**more,"), "what is given to setup() in another way"),
+        (SETUP.format(more="", other="cmdclass={'install': Install},"), "what is given to setup() in another way"),
+        (SETUP.format(more="", other="scripts=find('bin'),"), "scripts that are not known"),
+        ("from setuptools import setup\nfiles = []\nfiles += find()\nsetup(data_files=files)\n", "what is given to setup() in another way"),
+        (
+            "from setuptools import setup\nsetup(entry_points={'console_scripts': ['a = b:c', *find()]})\n",
+            "entry points that are not known",
+        ),
+        ("from setuptools import setup\nif x:\n    setup()\nelse:\n    setup(name='demo')\n", "not one call of setup()"),
+        ("(", "not read: '(' was never closed"),
+    ],
+)
+def test_setups_that_are_not_understood(tmp_path: Path, setup: str, reason: str) -> None:
+    assert reason in {unsure.reason for unsure in python(tmp_path, setup).unsure}
+
+
+def test_other_files_may_say_what_is_installed(tmp_path: Path) -> None:
+    found = python(tmp_path, SETUP.format(more="", other=""), {"setup.cfg": "[options.data_files]\nshare/demo = a\n"})
+    assert [unsure.reason for unsure in found.unsure] == ["options.data_files in setup.cfg"]
+    assert package_of(f"{tmp_path}/demo/config/a.yaml", [found]) is found
+    assert package_of(f"{tmp_path}/demolished", [found]) is None
