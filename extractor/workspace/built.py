@@ -6,8 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from .entry_points import Lack, lacks
 from .installs import Install, Unsure
 from .model import EntryPoint, Workspace
+from .registering import Described, Promised, described, exports_more, promised
 
 INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
 """The build types of packages that are used from where they are installed: nothing is found in their sources."""
@@ -15,7 +17,11 @@ INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
 
 @dataclass(frozen=True)
 class Built:
-    """A package in `folder`: what its build installs, why that may be more, the entry points that it declares."""
+    """A package in `folder`: what its build installs, why that may be more, the entry points that it declares, those without code.
+
+    `promised` are the components that its CMake files name, `described` the plug-ins that descriptions in it tell of; there are others when
+    it `exports_more`.
+    """
 
     name: str
     folder: Path
@@ -23,6 +29,10 @@ class Built:
     installs: tuple[Install, ...]
     unsure: tuple[Unsure, ...]
     entry_points: tuple[EntryPoint, ...] = ()
+    lacks: tuple[Lack, ...] = ()
+    promised: tuple[Promised, ...] = ()
+    described: tuple[Described, ...] = ()
+    exports_more: bool = False
 
     def brings(self, path: str) -> bool:
         """Whether there is `path` below the prefix."""
@@ -37,7 +47,18 @@ class Built:
 def builds(workspace: Workspace) -> tuple[Built, ...]:
     """The builds of all packages, of those that tell what they install."""
     return tuple(
-        Built(package.name, package.path, package.build_type, package.installs, package.unsure, package.entry_points)
+        Built(
+            package.name,
+            package.path,
+            package.build_type,
+            package.installs,
+            package.unsure,
+            package.entry_points,
+            tuple(lacks(package)),
+            tuple(promised(workspace, package)),
+            tuple(described(package)),
+            exports_more(package),
+        )
         for package in workspace.packages
     )
 

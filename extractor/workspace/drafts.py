@@ -61,6 +61,7 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         entry_points=setup.entry_points,
         python_roots=tuple(dict.fromkeys((*_files(draft.python_folders), *setup.roots))),
         installs=setup.installs if manifest.build_type == "ament_python" else tuple(_installs(run, manifest, targets)),
+        python_packages=setup.packages,
         unsure=setup.unsure if manifest.build_type == "ament_python" else tuple(_unsure(run)),
     )
     return package, problems

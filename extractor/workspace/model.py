@@ -133,6 +133,7 @@ class Package:
     python_roots: tuple[Path, ...] = ()
     installs: tuple[Install, ...] = ()
     unsure: tuple[Unsure, ...] = ()
+    python_packages: tuple[str, ...] | None = None
 
     @property
     def middleware(self) -> str:

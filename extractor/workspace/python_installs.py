@@ -77,6 +77,24 @@ def _files(node: ast.expr, values: SetupValues) -> Iterator[str | None]:
             yield None
 
 
+def installed_packages(node: ast.expr, values: SetupValues, folder: Path) -> tuple[str, ...] | None:
+    """The packages of Python that are installed, by their names; None when they are not known."""
+    written = values.written(node)
+    if isinstance(written, ast.Call) and ast.unparse(written.func).rpartition(".")[2] == "find_packages":
+        if written.args or any(keyword.arg != "exclude" for keyword in written.keywords):
+            return None
+        return tuple(_packages_below(folder))  # with those that are left out: they are the tests
+    value = values.value(node)
+    return tuple(value) if isinstance(value, (list, tuple)) and all(isinstance(name, str) for name in value) else None
+
+
+def _packages_below(folder: Path) -> Iterator[str]:
+    """What `find_packages` finds: the folders with an `__init__.py`, as long as those above have one."""
+    for here, folders, _ in os.walk(folder):
+        folders[:] = [name for name in folders if os.path.isfile(os.path.join(here, name, "__init__.py"))]
+        yield from (os.path.relpath(os.path.join(here, name), folder).replace(os.sep, ".") for name in folders)
+
+
 def changed_later(tree: ast.Module) -> Iterator[ast.AST]:
     """What `data_files` may get besides what is assigned to it once: names that are used where no value is read."""
     given = {keyword.value.id for keyword in _keywords(tree, "data_files") if isinstance(keyword.value, ast.Name)}

@@ -22,7 +22,7 @@ from rosarch.extractor.python_syntax import parse_python
 
 from .installs import Install, Unsure
 from .model import EntryPoint, Program
-from .python_installs import DataFiles, changed_later, declared_elsewhere, programs_installed
+from .python_installs import DataFiles, changed_later, declared_elsewhere, installed_packages, programs_installed
 from .setup_values import SetupValues
 
 _PROGRAMS = re.compile(r"lib/[^/]+/?")
@@ -37,6 +37,7 @@ class Setup:
     roots: tuple[Path, ...] = ()
     installs: tuple[Install, ...] = ()
     unsure: tuple[Unsure, ...] = ()
+    packages: tuple[str, ...] | None = None
 
 
 def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
@@ -45,6 +46,7 @@ def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
     points: list[EntryPoint] = []
     programs: list[Program] = []
     roots: list[Path] = []
+    packages: list[tuple[str, ...] | None] = []
     script, declared = folder / "setup.py", folder / "setup.cfg"
     data = DataFiles(script)
     for keyword, value, values in _keywords(script, problems):
@@ -59,6 +61,10 @@ def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
         elif keyword == "data_files":
             programs.extend(_program(folder, text) for text in _installed(value, values))
             data.read(value, values)
+        elif keyword == "packages":
+            packages.append(installed_packages(value, values, folder))
+        elif keyword == "py_modules":
+            packages.append(None)
         elif keyword == "package_dir":
             found = values.value(value)
             roots.extend(_roots(folder, found) if isinstance(found, dict) else ())
@@ -69,7 +75,8 @@ def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
     unsure = (*data.unsure, *_not_read(script, problems), *declared_elsewhere(folder))
     there = tuple(program for program in programs if os.path.isfile(program.path))
     once = (tuple(dict.fromkeys(points)), there, tuple(dict.fromkeys(roots)))
-    return Setup(*once, tuple(dict.fromkeys(data.installs)), tuple(dict.fromkeys(unsure))), problems
+    told = packages[0] if len(packages) == 1 and roots == [folder] else None
+    return Setup(*once, tuple(dict.fromkeys(data.installs)), tuple(dict.fromkeys(unsure)), told), problems
 
 
 def _is_told(node: ast.expr, values: SetupValues) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 
 from rosarch.extractor.files import path_text, read_file
 from rosarch.extractor.launch.facts import path_below
-from rosarch.extractor.launch.model import Composition, FileMeant, ProgramNamed
+from rosarch.extractor.launch.model import ComponentNamed, Composition, FileMeant, ProgramNamed
 from rosarch.extractor.workspace.built import INSTALLED_FIRST, Built, package_of
 
 _Rows = dict[str, set[tuple[Any, ...]]]
@@ -21,8 +21,10 @@ _BESIDE = re.compile(r"__file__|\$\(dirname\)|ThisLaunchFile")
 def build_rows(composition: Composition, builds: Sequence[Built], root: Path) -> _Rows:
     """The rows about one composition."""
     rows: _Rows = defaultdict(set)
+    top = os.path.abspath(root)
+    for package in builds:
+        _plugins(rows, top, package)
     if composition.ros == 2:
-        top = os.path.abspath(root)
         told = [one for one in builds if one.build_type in INSTALLED_FIRST]
         for named in composition.references:
             if isinstance(named, FileMeant) and (package := package_of(named.file, told)) is not None:
@@ -31,7 +33,31 @@ def build_rows(composition: Composition, builds: Sequence[Built], root: Path) ->
             elif isinstance(named, ProgramNamed):
                 for package in (one for one in told if one.name == named.package):
                     _program(rows, top, named.type, package)
+                    _entry_points(rows, top, package)
+            elif isinstance(named, ComponentNamed):
+                for package in (one for one in told if one.name == named.package):
+                    _components(rows, top, package)
     return rows
+
+
+def _plugins(rows: _Rows, root: str, package: Built) -> None:
+    for one in package.described:
+        for name in one.names:
+            if one.exported:
+                rows["plugin_exported"].add((_place(rows, root, one.path, one.line), package.name, name))
+            else:
+                place = _place(rows, root, one.manifest, one.manifest_line)
+                rows["plugin_left_out"].add((place, package.name, path_text(one.path.relative_to(package.folder)), name))
+    if package.exports_more:
+        rows["descriptions_open"].add((package.name,))
+
+
+def _components(rows: _Rows, root: str, package: Built) -> None:
+    for one in package.promised:
+        rows["component_promised"].add((_place(rows, root, one.path, one.line), package.name, one.library, one.name))
+        rows["class_registered"].update((package.name, one.library, name) for name in one.registered)
+        if one.open:
+            rows["registering_open"].add((package.name, one.library))
 
 
 def _file(rows: _Rows, root: str, file: str, package: Built) -> None:
@@ -48,13 +74,29 @@ def _program(rows: _Rows, root: str, name: str, package: Built) -> None:
     _tool(rows, root, package)
 
 
+def _entry_points(rows: _Rows, root: str, package: Built) -> None:
+    for point in package.entry_points if package.build_type == "ament_python" else ():
+        if point.is_command:
+            rows["entry_point"].add((_place(rows, root, point.path, point.line), package.name, point.name, point.module, point.function))
+    for lack in package.lacks:
+        module, function = lack.point.module, lack.point.function
+        if lack.what == "function":
+            rows["entry_function_absent"].add((package.name, module, function))
+        else:
+            rows["entry_module_absent" if lack.what == "module" else "entry_module_left_out"].add((package.name, module))
+
+
+def _place(rows: _Rows, root: str, path: Path, line: int) -> str:
+    shown = path_below(root, str(path))
+    place = f"{shown}:{line}:1"
+    rows["place"].add((place, shown, line, 1))
+    return place
+
+
 def _tool(rows: _Rows, root: str, package: Built) -> None:
     rows["package_built_with"].add((package.name, package.build_type))
     for unsure in package.unsure:
-        path = path_below(root, str(unsure.path))
-        place = f"{path}:{unsure.line}:1"
-        rows["place"].add((place, path, unsure.line, 1))
-        rows["installs_open"].add((package.name, unsure.reason, place))
+        rows["installs_open"].add((package.name, unsure.reason, _place(rows, root, unsure.path, unsure.line)))
 
 
 def _is_beside(named: FileMeant, package: Built) -> bool:

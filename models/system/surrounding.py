@@ -23,6 +23,7 @@ from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged
 from rosarch.models.system.workspace import (
     Dependencies,
+    container_rows,
     dependencies,
     named_by,
     programs_named,
@@ -212,7 +213,7 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
         return memo.recall(["dependencies", top], (top,), lambda: dependencies(root)) if memo else dependencies(root)
 
     there = workspace_rows(depends, compositions, components.programs, components.expected)
-    named = merged([there, set_rows(compositions, components.models)])
+    named = merged([there, set_rows(compositions, components.models), container_rows(compositions)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
     return Surrounding(root, components, named, said, tuple(dict.fromkeys(found)), given)

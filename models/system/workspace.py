@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
+from rosarch.extractor.launch.facts import starts
 from rosarch.extractor.launch.model import Composition, PackageNamed, ProgramNamed
 from rosarch.models.component import ComponentModel
 from rosarch.models.system.rows import Rows
@@ -79,6 +80,15 @@ def set_rows(compositions: Sequence[Composition], models: Sequence[ComponentMode
     names = {name for name, _ in shared_rows(models)["read_absolutely"]}
     set_ = {setting.name for composition in compositions for setting in composition.params}
     return {"set_somewhere": {(name,) for name in names & {above for param in set_ for above in (param, *_namespaces(param))}}}
+
+
+def container_rows(compositions: Sequence[Composition]) -> Rows:
+    """Which of the nodes that launch files start may be what others are loaded into: by the last part of their name."""
+    nodes = [found for composition in compositions for found in starts(composition)]
+    named = {node.container or "" for _, node in nodes} | {word for _, node in nodes for word in node.args.split()}
+    wanted = {name.rpartition("/")[2] for name in named}
+    names = {start.partition("#")[0] for start, _ in nodes}
+    return {"started_somewhere": {(name,) for name in names if name.rpartition("/")[2] in wanted}}
 
 
 def _namespaces(name: str) -> Iterator[str]:

@@ -156,3 +156,45 @@ def test_other_files_may_say_what_is_installed(tmp_path: Path) -> None:
     assert [unsure.reason for unsure in found.unsure] == ["options.data_files in setup.cfg"]
     assert package_of(f"{tmp_path}/demo/config/a.yaml", [found]) is found
     assert package_of(f"{tmp_path}/demolished", [found]) is None
+
+
+POINTS = """from setuptools import {find}setup
+setup(name='demo', packages={packages}, entry_points={{'console_scripts': ['a = {target}']}})
+"""
+MODULES = {
+    "demo/__init__.py": "",
+    "demo/a.py": "from demo.b import run\nif x:\n    def main(): pass\nelse:\n    other = 1\nclass Node:\n    pass\n",
+    "demo/star.py": "from demo.a import *\n",
+    "demo/made.py": "globals()['main'] = 1\n",
+    "demo/fast.cpython.so": "",
+    "demo/inner/part.py": "def main(): pass\n",
+    "demo/full/__init__.py": "def main(): pass\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("target", "packages", "expected"),
+    [
+        *((target, "['demo']", []) for target in ("demo.a:main", "demo.a:other", "demo.a:run", "demo.a:Node.start", "demo.star:main")),
+        *((target, "['demo']", []) for target in ("demo.made:main", "demo.fast:main", "elsewhere.a:main", "single:main")),
+        ("demo.b:main", "['demo']", ["module"]),
+        ("demo.a:man", "['demo']", ["function"]),
+        ("demo.inner.part:main", "['demo']", ["left-out"]),
+        ("demo.inner.part:main", "['demo', 'demo.inner']", []),
+        ("demo.inner.part:main", "find_packages(exclude=['test'])", ["left-out"]),
+        ("demo.full:main", "find_packages()", []),
+        ("demo.inner.part:main", "find_packages('demo')", []),
+        ("demo.inner.part:main", "listed()", []),
+    ],
+)
+def test_entry_points_without_code(tmp_path: Path, target: str, packages: str, expected: list[str]) -> None:
+    found = python(tmp_path, POINTS.format(find="find_packages, ", packages=packages, target=target), MODULES)
+    assert [lack.what for lack in found.lacks] == expected
+
+
+def test_of_setups_that_are_not_understood_no_entry_point_is_told(tmp_path: Path) -> None:
+    setup = POINTS.format(find="", packages="['demo']", target="demo.b:main").replace("name='demo'", "**more")
+    assert python(tmp_path, setup, MODULES).lacks == ()
+    (tmp_path / "demo" / "setup.py").write_text(setup.replace("**more", "name='demo'"))
+    (tmp_path / "demo" / "demo" / "__init__.py").write_text("__path__ = __import__('pkgutil').extend_path(__path__, __name__)\n")
+    assert [one.lacks for one in builds(discover(tmp_path))] == [()]

@@ -1,0 +1,130 @@
+"""Which classes the libraries of a package register, and which of them CMake and descriptions promise.
+
+A library registers what the macros in its sources, and in those that it is linked with, name. Where a source may register something in
+another way, nothing is said of its library.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosarch.extractor.files import LARGEST_PARSED, read_file
+
+from .graph import closure
+from .model import LIBRARY_KINDS, Package, PluginClass, Target, Workspace
+from .plugins import own_headers, parse_plugins, registrations
+
+COMPONENT_BASE = "rclcpp_components"
+_OTHER_MACRO = re.compile(
+    r"\b(?!PLUGINLIB_|CLASS_LOADER_REGISTER_CLASS\b|RCLCPP_COMPONENTS_REGISTER_NODE\b|NODELET_|GZ_|IGNITION_)\w*(?:REGISTER|EXPORT_CLASS)\w*\s*\("
+)
+_MADE_OTHERWISE = re.compile(r"NodeFactory|class_loader::|#\s*include\s*[<\"][^>\"]+\.(?:c|cc|cpp|cxx|inc|def)[>\"]")
+
+
+@dataclass(frozen=True)
+class Promised:
+    """At `line` of `path`, CMake says that `library` registers the component `name`; `registered` are the classes that it does register."""
+
+    name: str
+    library: str
+    path: Path
+    line: int
+    registered: tuple[str, ...]
+    open: bool
+
+
+def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
+    """The components that CMake names for libraries of the package whose sources are known."""
+    known: dict[str, tuple[frozenset[str], bool]] = {}
+    for plugin in package.plugins:
+        target = package.target(plugin.library) if plugin.base == COMPONENT_BASE else None
+        if target is not None and target.kind in LIBRARY_KINDS:
+            if target.name not in known:
+                known[target.name] = _registered(workspace, package, target)
+            names, is_open = known[target.name]
+            yield Promised(plugin.name, target.name, plugin.declared_at, plugin.line, tuple(sorted(names)), is_open)
+
+
+def _registered(workspace: Workspace, package: Package, target: Target) -> tuple[frozenset[str], bool]:
+    """What a library registers, and whether it may be more."""
+    targets = (target, *closure(workspace, target))
+    sources = [source for one in targets for source in one.sources]
+    files = dict.fromkeys(sources)
+    for source in sources:
+        files.update(dict.fromkeys(own_headers(source, (*target.include_dirs, package.path / "include"), package.path)))
+    names = frozenset(found.cxx_class for file in files for found in registrations(file))
+    return names, not target.sources or any(map(_may_register, files)) or any(_is_unknown(workspace, one) for one in targets)
+
+
+def _is_unknown(workspace: Workspace, target: Target) -> bool:
+    """Whether a target has sources that are not there."""
+    return any(d.kind == "missing-source" and d.message.startswith(f"source of {target.name} ") for d in workspace.diagnostics)
+
+
+def _may_register(file: Path) -> bool:
+    try:
+        text = read_file(file).decode(errors="replace")
+    except OSError:
+        return True
+    return _OTHER_MACRO.search(text) is not None or _MADE_OTHERWISE.search(text) is not None
+
+
+@dataclass(frozen=True)
+class Described:
+    """A plug-in that a description calls `names`; at `line` of `manifest` its package exports the description, or would."""
+
+    names: tuple[str, ...]
+    path: Path
+    line: int
+    exported: bool
+    manifest: Path
+    manifest_line: int
+
+
+def described(package: Package) -> Iterator[Described]:
+    """The plug-ins that the descriptions in a package tell of: those that it exports, and others that lie in it."""
+    exported = {path for _, path in package.plugin_exports}
+    found = [one for one in package.plugins if one.declared_at in exported]
+    others = [one for path in _others(package.path) if path not in exported for one in _classes(path)]
+    if found or others:
+        at = package.manifest if package.build_type == "catkin" else package.path / "CMakeLists.txt"
+        line = _line_of(at, "<export" if package.build_type == "catkin" else "ament_package")
+        for one in (*found, *others):
+            yield Described((one.name, one.cxx_class), one.declared_at, one.line, one.declared_at in exported, at, line)
+
+
+def exports_more(package: Package) -> bool:
+    """Whether a description that a package exports is not there, or holds no plug-in that was understood."""
+    return bool({path for _, path in package.plugin_exports} - {one.declared_at for one in package.plugins})
+
+
+def _classes(path: Path) -> list[PluginClass]:
+    try:
+        text = read_file(path, LARGEST_PARSED).decode(errors="replace")
+    except OSError:
+        return []
+    classes, problems = parse_plugins(text, path) if "<library" in text and "base_class" in text else ([], [])
+    return [] if problems else classes
+
+
+def _line_of(path: Path, word: str) -> int:
+    try:
+        text = read_file(path).decode(errors="replace")
+    except OSError:
+        return 1
+    return next((line for line, written in enumerate(text.splitlines(), 1) if word in written), 1)
+
+
+def _others(folder: Path) -> Iterator[Path]:
+    """The XML files in a package's folder, and in those in it."""
+    for here in (folder, *sorted(path for path in folder.iterdir() if os.path.isdir(path) and not path.name.startswith("."))):
+        try:
+            yield from sorted(
+                path for path in here.iterdir() if path.suffix == ".xml" and path.name != "package.xml" and os.path.isfile(path)
+            )
+        except OSError:
+            continue
