@@ -27,9 +27,9 @@ def build_rows(composition: Composition, builds: Sequence[Built], root: Path) ->
     if composition.ros == 2:
         told = [one for one in builds if one.build_type in INSTALLED_FIRST]
         for named in composition.references:
-            if isinstance(named, FileMeant) and (package := package_of(named.file, told)) is not None:
-                if not _is_beside(named, package):
-                    _file(rows, top, named.file, package)
+            if isinstance(named, FileMeant) and (holder := package_of(named.file, told)) is not None:
+                if not _is_beside(named, holder):
+                    _file(rows, top, named.file, holder)
             elif isinstance(named, ProgramNamed):
                 for package in (one for one in told if one.name == named.package):
                     _program(rows, top, named.type, package)

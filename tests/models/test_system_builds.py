@@ -16,7 +16,8 @@ LAUNCH = """
 import os
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
-from launch_ros.actions import Node
+from launch_ros.actions import ComposableNodeContainer, Node
+from launch_ros.descriptions import ComposableNode
 
 def generate_launch_description():
     share = get_package_share_directory('demo')
@@ -24,9 +25,17 @@ def generate_launch_description():
     return LaunchDescription([
         Node(package='demo', executable='tool.py', parameters=[os.path.join(share, 'config', 'a.yaml')]),
         Node(package='demo', executable='gone', arguments=['-d', os.path.join(share, 'b.rviz')], parameters=[{'map': share + '/c.yaml'}]),
+        Node(package='kitchen', executable='cook'),
+        ComposableNodeContainer(package='rclcpp_components', executable='component_container', name='box', namespace='', composable_node_descriptions=[
+            ComposableNode(package='demo', plugin='demo::Part')]),
         Node(package='open', executable='x', arguments=[os.path.join(get_package_share_directory('open'), 'd.yaml')]),
     ])
 """
+SETUP = """from setuptools import setup
+setup(name='kitchen', packages=['kitchen'], entry_points={'console_scripts': [
+    'cook = kitchen.cook:main', 'bake = kitchen.bake:main', 'boil = kitchen.stove.boil:main']})
+"""
+POINTS = (("cook", "kitchen.cook"), ("bake", "kitchen.bake"), ("boil", "kitchen.stove.boil"))
 BESIDE = LAUNCH.replace("share = get_package_share_directory('demo')", "share = os.path.dirname(os.path.dirname(__file__))")
 
 
@@ -38,9 +47,23 @@ def rows(root: Path, launch: str) -> dict[str, set[tuple[object, ...]]]:
         (folder / "package.xml").write_text(MANIFEST.format(folder.name))
     for name in ("config/a.yaml", "config/maybe.yaml", "tool.py"):
         (demo / name).write_text("{}")
-    (demo / "CMakeLists.txt").write_text(
-        "install(PROGRAMS tool.py DESTINATION lib/demo)\ninstall(DIRECTORY config DESTINATION share/demo)\n"
+    cmake = (
+        "install(PROGRAMS tool.py DESTINATION lib/demo)\ninstall(DIRECTORY config DESTINATION share/demo)\nadd_library(part SHARED part.cpp gone.cpp)\n"
+        'rclcpp_components_register_nodes(part "demo::Part")\npluginlib_export_plugin_description_file(base plugins.xml)\n'
+        "pluginlib_export_plugin_description_file(base gone.xml)\nament_package()\n"
     )
+    (demo / "CMakeLists.txt").write_text(cmake)
+    (demo / "part.cpp").write_text("RCLCPP_COMPONENTS_REGISTER_NODE(demo::Other)\n")
+    for name in ("plugins", "more"):
+        text = f'<library path="{name}"><class name="demo/{name}" type="demo::{name}" base_class_type="base::Base"/></library>'
+        (demo / f"{name}.xml").write_text(text)
+    kitchen = root / "kitchen"
+    (kitchen / "kitchen").mkdir(parents=True)
+    (kitchen / "package.xml").write_text(MANIFEST.format("kitchen").replace("ament_cmake", "ament_python"))
+    (kitchen / "setup.py").write_text(SETUP)
+    for name in ("__init__", "cook", "stove/boil"):
+        (kitchen / "kitchen" / f"{name}.py").parent.mkdir(exist_ok=True)
+        (kitchen / "kitchen" / f"{name}.py").touch()
     (other / "CMakeLists.txt").write_text("install_all()\n")
     (demo / "launch" / "a.launch.py").write_text(launch)
     composition = compose([demo / "launch" / "a.launch.py"], files=Files(PackagePath([root])))
@@ -49,7 +72,7 @@ def rows(root: Path, launch: str) -> dict[str, set[tuple[object, ...]]]:
 
 def test_rows(tmp_path: Path) -> None:
     found = rows(tmp_path, LAUNCH.replace("os.path.dirname(__file__)", "share"))
-    assert found["package_built_with"] == {("demo", "ament_cmake"), ("open", "ament_cmake")}
+    assert found["package_built_with"] == {("demo", "ament_cmake"), ("open", "ament_cmake"), ("kitchen", "ament_python")}
     assert found["installs_open"] == {("open", "unknown command install_all", "open/CMakeLists.txt:1:1")}
     assert found["file_in_package"] == {
         ("demo/config/a.yaml", "demo", "config/a.yaml"),
@@ -58,7 +81,17 @@ def test_rows(tmp_path: Path) -> None:
         ("open/d.yaml", "open", "d.yaml"),
     }
     assert found["path_installed"] == {("demo", "config/a.yaml")}
-    assert found["program_installed"] == {("demo", "tool.py")}
+    assert found["program_installed"] == {("demo", "tool.py"), ("kitchen", "cook")}
+    assert {row[2:] for row in found["entry_point"]} == {(name, module, "main") for name, module in POINTS}
+    assert found["entry_function_absent"] == {("kitchen", "kitchen.cook", "main")}
+    assert found["entry_module_absent"] == {("kitchen", "kitchen.bake")}
+    assert found["entry_module_left_out"] == {("kitchen", "kitchen.stove.boil")}
+    assert found["component_promised"] == {("demo/CMakeLists.txt:4:1", "demo", "part", "demo::Part")}
+    assert found["class_registered"] == {("demo", "part", "demo::Other")}
+    assert found["registering_open"] == {("demo", "part")}  # for a source that is not there
+    assert found["plugin_exported"] == {("demo/plugins.xml:1:1", "demo", name) for name in ("demo/plugins", "demo::plugins")}
+    assert found["plugin_left_out"] == {("demo/CMakeLists.txt:7:1", "demo", "more.xml", name) for name in ("demo/more", "demo::more")}
+    assert found["descriptions_open"] == {("demo",)}
     declared = load_declarations(rules_folder() / "schema" / "build.dl")
     assert set(declared) == set(found) - {"place"}
     for name in declared:

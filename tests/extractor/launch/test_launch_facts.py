@@ -16,7 +16,7 @@ from rosarch.extractor.launch.scripts import MAX_FILES, script_rows
 from rosarch.extractor.launch.values import Binary
 from rosarch.extractor.manifest import rules_folder
 from rosarch.library import load
-from rosarch.models.system.workspace import dependencies, workspace_rows
+from rosarch.models.system.workspace import container_rows, dependencies, workspace_rows
 
 Rows = dict[str, set[tuple[Any, ...]]]
 MAIN = "here/main.launch:"
@@ -267,7 +267,9 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")
     view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"
     (tmp_path / "here" / "demo.rviz").write_text(view)
-    filled |= launch_rows(compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path]))), tmp_path)
+    in_python = compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path])))
+    filled |= launch_rows(in_python, tmp_path)
+    filled |= container_rows([in_python])
     filled |= workspace_rows(lambda: dependencies(tmp_path), [composition], {("here", "built")}, load().packages)
     declared = load_declarations(rules_folder() / "schema" / "launch.dl")
     ports = load_declarations(rules_folder() / "schema" / "interfaces.dl")  # of viewers
