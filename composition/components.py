@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from rosarch.models.machine.cells import Document, Domains, value_in
-from rosarch.models.machine.logic import Subject
+from rosarch.models.machine.counting import whole
+from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 from rosarch.models.machine.reactions import PERIODIC, Step, component_steps, loop_trigger
+from rosarch.models.rhythm import with_numbers
 
 
 @dataclass(frozen=True)
@@ -128,17 +131,24 @@ class Component:
         return frozenset(row["name"].rsplit("::", 1)[-1] for row in _variables(self.document))
 
 
-def component(document: Document) -> Component:
-    """The component that a document in the format of `rosarch analyze -o` describes."""
+Settings = Mapping[str, tuple[str, str]]
+"""What the parameters of a node are: by the name that its component has for each, the kind and the text of its value."""
+
+
+def component(document: Document, settings: Settings | None = None) -> Component:
+    """The component that a document in the format of `rosarch analyze -o` describes, as it is with these settings."""
+    known = {name: settings[parameter] for name, parameter in _keeping(document) if parameter in (settings or {})} if settings else {}
+    numbers = {name: number for name, (_, text) in known.items() if (number := whole(text)) is not None}
+    document = with_numbers(document, numbers)
     document = {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
-    domains = Domains(document)
+    domains = Domains(document, counts=True)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}
     read = {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
     for key, cell in domains.cells.items():
         initial = cell.subject.values if cell.variable in read else cell.initial
         variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial)
-    variables |= _settings(document, (subject for own in steps.values() for step in own for subject in step.tested()))
+    variables |= _settings(document, (subject for own in steps.values() for step in own for subject in step.tested()), known)
     return Component(
         document,
         variables,
@@ -154,17 +164,34 @@ def _variables(document: Document) -> list[Mapping[str, str]]:
     return [*(document.get("state_variables") or ()), *(document.get("configuration") or ())]
 
 
-def _settings(document: Document, tested: Iterable[Subject]) -> dict[str, StateVariable]:
-    """The variables of the configuration that conditions test: a value that never changes, known when no parameter gives it."""
-    rows = {row["name"].rsplit("::", 1)[-1]: row for row in document.get("configuration") or ()}
+def _keeping(document: Document) -> list[tuple[str, str]]:
+    """What the source calls the values that parameters give, with the parameters."""
+    return [(name, parameter) for name, parameter in (document.get("traits") or {}).get("keeps_value_of", ())]
+
+
+def _settings(document: Document, tested: Iterable[Subject], known: Settings) -> dict[str, StateVariable]:
+    """What conditions test of the configuration: a value that never changes, which the source or the parameter of the node tells."""
+    rows: dict[str, Mapping[str, Any]] = {name: {"from_param": parameter} for name, parameter in _keeping(document)}
+    rows |= {row["name"].rsplit("::", 1)[-1]: row for row in document.get("configuration") or ()}
     found = {}
     for subject in tested:
-        row = rows.get(subject.key)
+        name = subject.key.removeprefix("self.")
+        row = rows.get(name)
         if row is not None and not subject.cell:
-            value = None if row.get("from_param") else value_in(row.get("initial"), subject.values)
+            value = _set(known.get(name), subject.values) if row.get("from_param") else value_in(row.get("initial"), subject.values)
             initial = subject.values if value is None else (value,)
             found[subject.key] = StateVariable(subject.key, subject.text, subject.values, initial)
     return found
+
+
+def _set(setting: tuple[str, str] | None, values: Sequence[str]) -> str | None:
+    """The one of `values` that a parameter is set to; None where that is not known."""
+    kind, text = setting or ("", "")
+    if tuple(values) == BOOLEAN:
+        return text.lower() if kind in ("bool", "default") and text.lower() in BOOLEAN else None
+    if kind in ("string", "default") and any(value[:1] in "\"'" for value in values):
+        return next((value for value in values if value[:1] in "\"'" and value[1:-1] == text), OTHER if OTHER in values else None)
+    return None
 
 
 def _rate(trigger: str, document: Document) -> float | None:

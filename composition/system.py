@@ -83,13 +83,14 @@ UNSEEN = "a node that was not seen"
 
 def composed(model: SystemModel, documents: Mapping[str, Document]) -> System:
     """A system with the behaviour of its nodes, from the documents of components by `package/name`."""
-    known: dict[str, Component] = {}
+    known: dict[object, Component] = {}
     nodes: dict[str, Component] = {}
     for node in model.nodes:
         if node.component in documents:
-            name = str(node.component)
-            known[name] = known.get(name) or component(documents[name])
-            nodes[node.id] = known[name].timed(
+            own = node.component, node.settings
+            document = documents[str(node.component)]
+            known[own] = known.get(own) or component(document, {name: (kind, text) for name, kind, text in node.settings})
+            nodes[node.id] = known[own].timed(
                 {str(place): hz for place, hz in _certain(node.rates)}, [str(place) for place in node.serving]
             )
     topics: dict[str, Topic] = {}

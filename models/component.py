@@ -144,7 +144,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         system,
         component,
         package,
-        _MANAGED if kind in _MAY_BE_MANAGED and any(relations["managed_node"]) else kind,
+        MANAGED if kind in _MAY_BE_MANAGED and any(relations["managed_node"]) else kind,
         names[0] if names else None,
         sources,
         ports,
@@ -161,7 +161,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
     )
 
 
-_MANAGED, _MAY_BE_MANAGED = "lifecycle_node", ("node", "component")
+MANAGED, _MAY_BE_MANAGED = "lifecycle_node", ("node", "component")
 
 
 def _first(rows: Iterable[Row]) -> dict[Any, Any]:

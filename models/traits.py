@@ -67,6 +67,8 @@ TRAITS = {
     "never_spun": ("place",),
     "spins_again": ("place", "text"),
     "timer_waits": ("place", "place", "text", "text"),
+    "keeps_value_of": ("text", "text"),
+    "repeated": ("place",),
     **FLOW_TRAITS,
 }
 

@@ -21,6 +21,7 @@ from rosarch.models.machine.conditions import (
     parse_condition,
     strip,
 )
+from rosarch.models.machine.counting import Arithmetic, Counting, arithmetic, calculated, counting, step, stepped, whole
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 
 Document = Mapping[str, Any]
@@ -30,13 +31,17 @@ _QUALIFIERS = re.compile(r"\b(const|volatile|static|mutable|std::)\s*|std::atomi
 _POINTER = re.compile(r"\*\s*$|Ptr\b|_ptr\b|::ConstPtr\b")
 _INTEGER = re.compile(r"(unsigned|signed|short|long|int|char|u?int\d+_t|size_t|std::size_t|float|double)( (int|char|long|double|short))*")
 _SIZES = (".size()", ".length()")
+_LENGTH = re.compile(r"^len\((.*)\)$")
+_LISTS = r"^$|\b(vector|deque|list|queue|stack)\b"  # of Python no types are told
+EMPTIES = re.compile(r"(?:\.|->)clear\(\)|^\w*\(\)$|^\{\}$|^\[\]$|^\"\"$")
 
 
 @dataclass(frozen=True)
 class Cell:
     """A state variable, or a field of one, with its finitely many values; `subject` stands for it in conditions.
 
-    `initial` are the values it may begin with, several when the source does not tell. `at` is the line of its first value.
+    `initial` are the values it may begin with, several when the source does not tell. `at` is the line of its first value. `counting` is
+    how it is counted, if it is.
     """
 
     subject: Subject
@@ -45,9 +50,13 @@ class Cell:
     type: str
     initial: tuple[str, ...]
     at: str
+    counting: Counting | None = None
 
     def value_of(self, text: str) -> str | None:
         """The value that a constant in the source is here, `None` when the text is no constant."""
+        if self.counting:
+            number = whole(text)
+            return None if number is None else self.counting.name(number)
         return value_in(text, self.subject.values)
 
     def nearest(self, value: str) -> str | None:
@@ -88,6 +97,9 @@ class _Draft:
     open: bool = False  # may take values that no constant names
     copies: set[tuple[str, str]] = field(default_factory=set)
     inputs: set[str] = field(default_factory=set)  # that it takes values from or is compared with
+    asked: list[tuple[Arithmetic, int]] = field(default_factory=list)  # comparisons with whole numbers
+    given: list[str | None] = field(default_factory=list)  # the texts that are assigned
+    compared: bool = False  # with something that is no number
 
 
 Place = tuple[str, str]  # the name of a variable, and `""`, `.field` or `.empty()`
@@ -107,7 +119,7 @@ class Locator:
 
     def locate(self, text: str, owner: str) -> Place | None:
         """The variable and the field of it, seen from a member of the class `owner`; nothing for what is no state variable."""
-        match = _PATH.fullmatch(compact(text).replace("->", "."))
+        match = _PATH.fullmatch(_LENGTH.sub(r"\1.size()", compact(text).replace("->", ".")))
         if not match:
             return None
         parts = match.group(1).split(".")
@@ -153,16 +165,21 @@ def atoms(condition: Condition) -> Iterator[Operand | Comparison]:
 
 
 class Domains:
-    """The cells of a component, and the values of its inputs that conditions tell apart."""
+    """The cells of a component, and the values of its inputs that conditions tell apart.
 
-    def __init__(self, document: Document) -> None:
+    When it `counts`, variables that count have each number as a value, as far as conditions tell them apart.
+    """
+
+    def __init__(self, document: Document, *, counts: bool = False) -> None:
+        self._counts = counts
+        self._repeated = {str(place) for (place,) in (document.get("traits") or {}).get("repeated", ())} if counts else set()
         self._variables = {v["name"]: v for v in reversed(document.get("state_variables") or ())}
         self._order = list(dict.fromkeys(v["name"] for v in document.get("state_variables") or ()))
         self.locator = Locator(self._order)
         self._drafts: dict[Place, _Draft] = {}
         self._inputs: dict[str, _Draft] = {}
         rows = [row for row in document.get("transitions") or () if row.get("variable")]
-        self._assignments = [(*variable_and_field(row, self._variables), row.get("value")) for row in rows]
+        self._assignments = [(*variable_and_field(row, self._variables), self.assigned(row)) for row in rows]
         for owner, text in _conditions(document):
             self._read_condition(parse_condition(text), owner)
         self._read_assignments()
@@ -186,8 +203,14 @@ class Domains:
         draft = self._inputs.get(compact(text), _Draft())
         return Subject(compact(text), strip(text), _values(draft.constants, True) if draft.constants else BOOLEAN)
 
+    def assigned(self, row: Mapping[str, Any]) -> str | None:
+        """What a row gives its variable; of what may be done several times in a row that is known of constants only."""
+        text: str | None = row.get("value")
+        return None if text is not None and constant(text) is None and not self._repeated.isdisjoint(str(row.get("at")).split()) else text
+
     def _read_condition(self, condition: Condition, owner: str) -> None:
         for atom in atoms(condition):
+            self._read_numbers(atom, owner)
             if isinstance(atom, Operand):
                 self._draft(atom.text, owner).tested = True
             elif atom.op == "==":
@@ -197,6 +220,16 @@ class Domains:
                     place = self.locator.locate(side, owner)
                     if place and place[1].endswith(EMPTY):
                         self._drafts.setdefault(place, _Draft()).tested = True
+
+    def _read_numbers(self, atom: Operand | Comparison, owner: str) -> None:
+        sides = (atom.text, "0") if isinstance(atom, Operand) else (atom.left, atom.right)
+        asked = calculated(*sides)
+        place = self.locator.locate(asked[0].name, owner) if asked else None
+        if asked and place:
+            self._drafts.setdefault(place, _Draft()).asked.append(asked)
+        for side in () if place else sides:
+            if (part := arithmetic(side)) and (other := self.locator.locate(part.name, owner)):
+                self._drafts.setdefault(other, _Draft()).compared = True
 
     def _read_equality(self, left: str, right: str, owner: str) -> None:
         draft, value = self._draft(left, owner), constant(right)
@@ -224,11 +257,13 @@ class Domains:
                     self._read_value(self._drafts[place], value, _owner(variable))
                 elif place[1].startswith(suffix) or suffix.startswith(place[1]):
                     self._drafts[place].open = self._drafts[place].assigned = True
+                    self._drafts[place].given.append(value if place[1] == suffix + EMPTY else None)
                     if value and (part := part_text(value, place[1][len(suffix) :])):
                         self._drafts[place].inputs.add(compact(part))
 
     def _read_value(self, draft: _Draft, value: str | None, owner: str) -> None:
         draft.assigned = True
+        draft.given.append(value)
         if value is None:
             draft.open = True
         elif (known := constant(value)) is not None:
@@ -238,7 +273,8 @@ class Domains:
         else:
             draft.open = True
             draft.inputs.add(compact(value))
-            self._read_condition(parse_condition(value), owner)
+            if not (self._counts and step(value)):
+                self._read_condition(parse_condition(value), owner)
 
     def _settle(self) -> Iterator[Cell]:
         distinct = {place for place, draft in self._drafts.items() if draft.constants or draft.tested}
@@ -259,6 +295,9 @@ class Domains:
         rank = {name: number for number, name in enumerate(self._order)}
         for place in sorted(self._drafts, key=lambda place: (rank[place[0]], place[1])):
             draft = self._drafts[place]
+            if self._counts and (found := self._counting(place, draft)) is not None:
+                yield self._counted(place, found)
+                continue
             values = self._cell_values(place, draft)
             if draft.assigned and len(values) > 1 and (values == BOOLEAN or place in distinct):
                 yield self._cell(place, values)
@@ -275,6 +314,47 @@ class Domains:
         first = self._initial(place)
         value = cell.value_of(first) if first is not None else None
         return Cell(cell.subject, name, suffix, cell.type, (value,) if value else values, cell.at)
+
+    def _counting(self, place: Place, draft: _Draft) -> Counting | None:
+        """How the variable at a place is counted, if it is: it begins with a number, and gets numbers and what these come to."""
+        first = self._first_number(place)
+        sized = place[1] == EMPTY
+        if first is None or not draft.asked or (sized and all(limit < 2 for _, limit in draft.asked)):
+            return None
+        given, steps = [], []
+        for text in draft.given:
+            known = None if text is None else 0 if sized and EMPTIES.search(text) else whole(text)
+            taken = stepped(text, sized) if known is None and text is not None else None
+            if known is not None:
+                given.append(known)
+            elif taken is not None and self.locator.locate(taken.name, _owner(place[0])) == place:
+                steps.append(taken)
+            else:
+                return None
+        return counting(first, given, steps, draft.asked, rests=not draft.compared) if steps else None
+
+    def _first_number(self, place: Place) -> int | None:
+        name, suffix = place
+        text, type_ = self._variables[name].get("initial"), _plain_type(self._variables[name])
+        if suffix == EMPTY:
+            return 0 if text in (None, "", '""', "[]", "list()", "deque()") and re.search(_LISTS, type_) else None
+        if suffix:
+            return None
+        if text is None and name.startswith("::") and _INTEGER.fullmatch(type_):
+            return 0
+        if type_ and not (_INTEGER.fullmatch(type_) and type_ not in ("float", "double")):
+            return None
+        return whole(text) if re.fullmatch(r"\s*-?\d+[uUlL]*\s*", str(text)) else None
+
+    def _counted(self, place: Place, found: Counting) -> Cell:
+        name, suffix = place
+        row = self._variables[name]
+        last = name.rsplit("::", 1)[-1]
+        shown = ".size()" if suffix.endswith(EMPTY) else suffix
+        text = (last if self.locator.is_unique(name) else name.lstrip(":")) + shown
+        subject = Subject(name + shown, text, (*found.names, *found.beyond), True)
+        first = self._first_number(place) or 0
+        return Cell(subject, name, suffix, _plain_type(row), (found.name(first),), str(row.get("at") or ""), found)
 
     def _initial(self, place: Place) -> str | None:
         """The constant that a variable begins with; C++ fixes some that are not written."""

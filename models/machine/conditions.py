@@ -101,8 +101,8 @@ def spaced(text: str) -> str:
 
 
 def compact(text: str) -> str:
-    """The same for texts that differ in white space, redundant brackets, casts that change no value, or `this->` alone."""
-    text = re.sub(r"(?<!\w)this\s*->\s*", "", strip(text))
+    """The same for texts that differ in white space, redundant brackets, casts that change no value, or `this->` and `self.` alone."""
+    text = re.sub(r"(?<!\w)this\s*->\s*|(?<![\w.>])self\s*\.\s*(?=\w)", "", strip(text))
     return re.sub(r"\s+(?!\w)|(?<!\w)\s+", "", text)
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rosarch.models.machine.cells import EMPTY, Cell, Domains, nonzero, part_text
+from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
     Comparison,
@@ -22,6 +22,7 @@ from rosarch.models.machine.conditions import (
     parse_condition,
     strip,
 )
+from rosarch.models.machine.counting import calculated, stepped
 from rosarch.models.machine.logic import (
     BOOLEAN,
     FALSE,
@@ -73,8 +74,11 @@ class Meaning:
         if isinstance(condition, Negation):
             return negation(self.formula(condition.inner, owner))
         if isinstance(condition, Operand):
-            return self._test(condition.text, owner)
+            found = self._counted("==", condition.text, "0", owner)
+            return negation(found) if found else self._test(condition.text, owner)
         if isinstance(condition, Comparison):
+            if found := self._counted(condition.op, condition.left, condition.right, owner):
+                return found
             return self._equality(condition, owner) if condition.op == "==" else self._order(condition, owner)
         parts = tuple(self.formula(part, owner) for part in condition.parts)
         return conjunction(parts) if isinstance(condition, Conjunction) else Any(parts)
@@ -92,9 +96,24 @@ class Meaning:
                 found.append(Assignment(cell, self._unknown(cell)))
         return found
 
+    def _counted(self, op: str, left: str, right: str, owner: str) -> Formula | None:
+        """A comparison of a variable that is counted, or of what it comes to, with a number."""
+        asked = calculated(left, right)
+        cell = self._domains.cell(self._domains.locator.locate(asked[0].name, owner)) if asked else None
+        if asked is None or cell is None or cell.counting is None:
+            return None
+        known = {value: cell.counting.holds(op, *asked, value) for value in cell.subject.values}
+        true = Is(cell.subject, frozenset(value for value, truth in known.items() if truth))
+        rest = frozenset(value for value, truth in known.items() if truth is None)
+        if not rest:
+            return true
+        return Any((true, All((Is(cell.subject, rest), self._compared(Comparison(op, left, right))))))
+
     def _test(self, operand: str, owner: str) -> Formula:
         cell = self._domains.cell(self._domains.locator.locate(operand, owner))
         subject = cell.subject if cell else self._domains.input(operand)
+        if cell and cell.counting:
+            return Is(subject, frozenset({cell.counting.name(0)})) if cell.suffix == EMPTY else self._opaque(operand)
         if subject.values == BOOLEAN:
             if cell and operand.replace(" ", "").endswith((".size()", ".length()")):
                 return Is(subject, frozenset({"false"}))
@@ -104,6 +123,8 @@ class Meaning:
 
     def _equality(self, condition: Comparison, owner: str) -> Formula:
         cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
+        if cell and cell.counting:
+            return self._compared(condition)
         if cell and cell.suffix.endswith(EMPTY) and not condition.left.rstrip().endswith(EMPTY[1:]):
             return self._size(cell, lambda size: size == number(condition.right), condition)
         value = constant(condition.right)
@@ -130,7 +151,7 @@ class Meaning:
         """A comparison by size, decided for the values that are numbers."""
         cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
         limit = number(condition.right)
-        if cell is None or limit is None:
+        if cell is None or limit is None or cell.counting:
             return self._compared(condition)
 
         def holds(value: float) -> bool:
@@ -176,6 +197,8 @@ class Meaning:
         known = cell.value_of(value)
         if known is not None:
             return ((TRUE, known),)
+        if cell.counting:
+            return self._counted_on(cell, value)
         if cell.suffix.endswith(EMPTY):
             return self._filled(cell, value)
         if cell.subject.values == BOOLEAN:
@@ -193,9 +216,22 @@ class Meaning:
         if value is None:
             return self._unknown(cell)
         if rest == EMPTY:
-            return self._filled(cell, value)
+            return self._counted_on(cell, value) if cell.counting else self._filled(cell, value)
         part = part_text(value, rest)
         return self._table(cell, part, owner) if part else self._unknown(cell)
+
+    def _counted_on(self, cell: Cell, value: str) -> Table:
+        """The next number, from each of the values."""
+        sized = cell.suffix == EMPTY
+        taken = stepped(value, sized)
+        if sized and EMPTIES.search(value) and cell.counting:
+            return ((TRUE, cell.counting.name(0)),)
+        if taken is None or cell.counting is None:
+            return self._unknown(cell)
+        rows: list[tuple[Formula, str]] = []
+        for current in cell.subject.values:
+            rows += self._choice(cell, Is(cell.subject, frozenset({current})), cell.counting.after(taken, current))
+        return tuple(rows)
 
     def _filled(self, cell: Cell, value: str) -> Table:
         if re.search(r"\.clear\(\)|^\w*\(\)$|^\{\}$|^\"\"$", value):

@@ -59,6 +59,7 @@ class Step:
     assignments: tuple[Assignment, ...] = ()
     outputs: tuple[str, ...] = ()
     sometimes: bool = False
+    done_at: str = ""  # where it is done, when its row is about another place
 
     def tested(self) -> set[Subject]:
         """What its guard and its values are about."""
@@ -88,7 +89,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             continue
         variable, suffix = variable_and_field(row, names)
         owner = variable.rpartition("::")[0].rsplit("::", 1)[-1]
-        assignments = meaning.assignments(variable, suffix, row.get("value"), owner)
+        assignments = meaning.assignments(variable, suffix, domains.assigned(row), owner)
         step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(condition_of(row, "guard"), owner), tuple(assignments))
         for trigger in _triggers(row, loops):
             found.setdefault(trigger, []).append(step)
@@ -101,7 +102,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     for index, row in enumerate(document.get("periodic") or ()):
         guard = meaning.conjuncts(condition_of(row, "conditional"), "")
         if sent := sent_in_loop(row):
-            step = Step(Row("periodic", index, _place(row)), guard, (), tuple(sent))
+            step = Step(Row("periodic", index, _place(row)), guard, (), tuple(sent), done_at=_last_condition(row.get("conditional_tree")))
             found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
@@ -163,11 +164,25 @@ def _place(row: Mapping[str, object]) -> str:
     return " ".join(_list(row.get("at")))
 
 
+def _last_condition(tree: object) -> str:
+    """The place of the last condition of a guard: what it guards is done behind it."""
+    if not isinstance(tree, Mapping):
+        return ""
+    if "condition" in tree:
+        return str(tree.get("at") or "")
+    found = [place for part in (*tree.get("all", ()), *tree.get("any", ())) if (place := _last_condition(part))]
+    return max(found, key=_line, default="")
+
+
+def _line(place: str) -> tuple[str, int]:
+    path, _, line = place.rpartition(":")
+    return path, int(line) if re.fullmatch(r"\d+", line) else 0
+
+
 def _order(step: Step) -> tuple[str, int, bool, int]:
-    """By line; the place of a timed loop is that of its pause, behind everything that a cycle does."""
-    first = step.row.at.split(" ")[0]
-    path, _, line = first.rpartition(":")
-    return path, int(line) if re.fullmatch(r"\d+", line) else 0, bool(step.outputs), step.row.index
+    """By line; the place of a timed loop or timer is that of its pause, or where it is made: what it sends is behind its conditions."""
+    first = (step.done_at or step.row.at).split(" ")[0]
+    return *_line(first), bool(step.outputs), step.row.index
 
 
 @dataclass

@@ -38,6 +38,7 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
     conditions = grouped(rows.get("started_if", ()))
     names = {row[0]: row[1] for row in rows.get("started_name", ())}
     rates = grouped(result.rows("loop_rate"))
+    settings = grouped(result.rows("setting"))
     serving = grouped(rows.get("interface_serves_callbacks", ()))
     origins = {row[0]: row[4] for row in rows.get("interface", ())}
     nodes = []
@@ -57,6 +58,7 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
                 open=start in opened,
                 rates=tuple(sorted((places[place], hz) for place, hz in rates.get(start, []))),
                 serving=tuple(sorted(places[place] for (place,) in serving.get(components[0], []))) if components else (),
+                settings=tuple(sorted(settings.get(start, []))),
             )
         )
     inclusions = tuple(sorted((_inclusion(row, places) for row in rows.get("included", ())), key=lambda inclusion: inclusion.at))

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from rosarch.library import LibraryComponent
-from rosarch.models.component import ComponentModel, parameter_json, port_json
+from rosarch.models.component import MANAGED, ComponentModel, parameter_json, port_json, to_json, traits_json
 from rosarch.models.places import Place
+from rosarch.models.rhythm import rhythms, way_needs
 from rosarch.models.traits import TRAITS
 
 Rows = dict[str, set[tuple[Any, ...]]]
@@ -80,12 +81,33 @@ def model_rows(model: ComponentModel) -> Rows:
         for sent in loop.publishes:
             writer.add("interface_periodic", f"{component}#{sent}", loop.hz or 0.0, loop.hz_from_param or "")
         writer.add("interface_loop", component, writer.placed(loop.at), loop.hz or 0.0, loop.hz_from_param or "")
+    _sendings(writer, component, model)
     for each in model.unseen:
         writer.add("interface_open", component, each.what, each.kind, each.subject, writer.placed(each.at))
     for trait in model.traits:
         values = zip(TRAITS[trait.name], trait.values, strict=True)
         writer.add(f"interface_{trait.name}", component, *(_trait_value(writer, component, kind, value) for kind, value in values))
     return writer.rows
+
+
+def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
+    """What decides whether something is sent, as far as parameters and counters do."""
+    kept = {str(trait.values[0]): str(trait.values[1]) for trait in model.traits if trait.name == "keeps_value_of"}
+    managed = model.kind == MANAGED  # what it sends while it is not active is dropped
+    guards = [(f"{component}#{r.input}", r.output, r.guard) for r in model.behavior.reactive]
+    guards += [(writer.placed(loop.at), sent, loop.guard) for loop in model.behavior.periodic for sent in loop.publishes]
+    for source, output, guard in guards if kept else ():
+        for number, (wholly, needs) in enumerate(way_needs(guard, kept), 1):
+            way = f"{component}#{source} {output} {number}"
+            told = "wholly" if wholly and not managed else "partly"
+            writer.add("interface_way", way, component, source, f"{component}#{output}", told)
+            for parameter, value, holds in needs:
+                writer.add("interface_way_needs", way, parameter, value, "yes" if holds else "no")
+    places = {str(loop.at): loop.at for loop in model.behavior.periodic}
+    for rhythm in () if managed else rhythms({**to_json(model), "traits": traits_json(model)}):
+        source = writer.placed(places[rhythm.trigger]) if rhythm.trigger in places else f"{component}#{rhythm.trigger}"
+        sink = f"{component}#{rhythm.output}"
+        writer.add("interface_rhythm", component, source, sink, rhythm.parameter, rhythm.rounds, rhythm.sends)
 
 
 def _trait_value(writer: _Writer, component: str, kind: str, value: str | Place) -> str:

@@ -36,7 +36,7 @@ class SystemNode:
     `library`, or `unknown` when there is none; a host of nodelets, which has no ports to speak of, is known without one. `lines` lead from
     the launch file given to the `<node>`, `conditions` are those that launch files leave open. `open` nodes may have more ports than are
     known. `rates` are those of timed loops and timers by place, as often a second as launch files make them; the loops at `serving` handle
-    the messages that have come.
+    the messages that have come. `settings` are parameters, as the component calls them, with the kinds and texts of their values.
     """
 
     id: str
@@ -51,6 +51,7 @@ class SystemNode:
     open: bool = False
     rates: tuple[tuple[Place, float], ...] = ()
     serving: tuple[Place, ...] = ()
+    settings: tuple[tuple[str, str, str], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -26,12 +26,14 @@ def system_of(
     unknown: dict[str, list[str]] | None = None,
     serving: dict[str, tuple[Place, float]] | None = None,
     *,
+    settings: dict[str, list[tuple[str, str, str]]] | None = None,
     opened: Collection[str] = (),
     condition: str | None = None,
 ) -> System:
     """The system; `unknown` nodes have no behaviour, only topics that they send to; loops that are `serving` handle the messages of nodes.
 
-    There may be more ports at topics that are `opened`; all nodes are started under the `condition`.
+    There may be more ports at topics that are `opened`; all nodes are started under the `condition`. `settings`
+    are parameters of nodes with the kinds and texts of their values.
     """
     ends: dict[tuple[str, str], tuple[list[tuple[str, str]], list[tuple[str, str]]]] = defaultdict(lambda: ([], []))
     for name, document in nodes.items():
@@ -46,6 +48,7 @@ def system_of(
         SystemNode(
             f"/{name}", f"/{name}", "p", name, "source", f"p/{name}", (), (), (condition,) if condition else (),
             rates=loops.get(name, ()), serving=tuple(place for place, _ in loops.get(name, ())),
+            settings=tuple((settings or {}).get(name, ())),
         )
         for name in nodes
     ]  # fmt: skip

@@ -8,7 +8,7 @@ from rosarch.datalog import load_declarations
 from rosarch.extractor.manifest import rules_folder
 from rosarch.library import LibraryComponent, LibraryParameter, LibraryPort
 from rosarch.models import formula
-from rosarch.models.behavior import NOTHING, Periodic, Reactive
+from rosarch.models.behavior import NOTHING, Periodic, Reactive, StateVariable, Transition
 from rosarch.models.component import ComponentModel, Parameter, Plugin, Port
 from rosarch.models.places import Place
 from rosarch.models.system.interfaces import Rows, library_rows, model_rows
@@ -32,6 +32,9 @@ OUT = Port(
 IN = Port(
     "p2", "subscriber", "cmd_vel", None, "geometry_msgs/Twist", 1, False, "Base::onCommand", "plain", Place("base/src/base.cpp", 8, 3)
 )
+COUNT = StateVariable("Base::count_", "int", "0", None, None, AT)
+COUNTED = Transition("Base::count_", None, ("p2",), formula.TRUE, "++count_", Place("base/src/base.cpp", 20, 5))
+THIRD = Reactive("p2", "p1", (Place("base/src/base.cpp", 21, 5),), True, formula.condition("count_ % 3 == 0", True))
 LOG = Port("p3", "publisher", "/rosout", None, None, None, False, None, "plain", AT, implicit=True)
 VALUES: dict[str, str | Place] = {"port": "p1", "place": AT, "variable": "speed_", "text": "x"}
 MODEL = ComponentModel(
@@ -39,8 +42,10 @@ MODEL = ComponentModel(
     (Parameter("~odom_topic", "read", "string", "odom", Place("base/src/base.cpp", 5, 1)), Parameter("rate", "write", None, None, AT)),
     replace(
         NOTHING,
-        periodic=(Periodic("timer", 20.0, "~rate", ("p1",), Place("base/src/base.cpp", 9, 1), formula.TRUE),),
-        reactive=(Reactive("p2", "p1", (AT,), True, formula.TRUE),),
+        periodic=(Periodic("timer", 20.0, "~rate", ("p1",), Place("base/src/base.cpp", 9, 1), formula.condition("!x", True)),),
+        reactive=(THIRD,),
+        state_variables=(COUNT,),
+        transitions=(COUNTED,),
     ),
     plugin=Plugin("robot/Base", "nodelet::Nodelet"),
     reconfigurable=(Parameter("~gain", "read", "double", None, AT),),
@@ -104,6 +109,19 @@ def test_behavior_of_a_model() -> None:
     assert rows["interface_loop"] == {("robot/base", "base/src/base.cpp:9:1", 20.0, "~rate")}
     assert rows["interface_sent_at_start"] == {("robot/base", "robot/base#p1", f"{AT}:3")}
     assert rows["interface_sends_frame"] == {("robot/base", f"{AT}:3", "x", "x")}
+    loop, sent = "base/src/base.cpp:9:1", "robot/base#p1"
+    assert rows["interface_way"] == {
+        (f"robot/base#{loop} p1 1", "robot/base", loop, sent, "wholly"),
+        ("robot/base#robot/base#p2 p1 1", "robot/base", "robot/base#p2", sent, "partly"),
+    }
+    assert rows["interface_way_needs"] == {(f"robot/base#{loop} p1 1", "x", "true", "no")}
+    assert rows["interface_rhythm"] == {("robot/base", "robot/base#p2", sent, "", 3, 1)}
+
+
+def test_of_managed_nodes_nothing_is_sent_for_certain() -> None:
+    rows = model_rows(replace(MODEL, kind="lifecycle_node"))
+    assert {told for *_, told in rows["interface_way"]} == {"partly"}
+    assert "interface_rhythm" not in rows
 
 
 def test_a_rate_that_is_not_known() -> None:

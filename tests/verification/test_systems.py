@@ -12,7 +12,7 @@ from hand_made import load, system_of
 from rosarch.composition.inputs import Inputs
 from rosarch.composition.scenario import read_scenario
 from rosarch.verification import ltl, spin, storm
-from rosarch.verification.check import HOLDS, POSSIBLE, model_for, verify
+from rosarch.verification.check import HOLDS, POSSIBLE, VIOLATED, model_for, verify
 from rosarch.verification.explorer import violation
 from rosarch.verification.properties import read_properties
 
@@ -86,6 +86,42 @@ def test_nothing_is_proved_of_what_may_be_otherwise(formula: str, unseen: dict[s
     for system, verdict in ((system_of(nodes), HOLDS), (system_of(_with(nodes, traits), **unseen), POSSIBLE)):
         (found,) = verify(system, read_properties(f"p: {formula}\n", "properties", system), Inputs(), "spin")
         assert found.verdict == verdict
+
+
+FILTER = {
+    "ports": [
+        {"id": "p1", "kind": "subscriber", "name": "/in", "queue": 1}, {"id": "p2", "kind": "publisher", "name": "/out", "queue": 1},
+        {"id": "p3", "kind": "publisher", "name": "/auto", "queue": 1}, {"id": "p4", "kind": "publisher", "name": "/nth", "queue": 1},
+    ],
+    "traits": {"keeps_value_of": [["active_", "~active"], ["mode_", "~mode"], ["skip_", "~skip"]]},
+    "state_variables": [{"name": "Filter::left_", "type": "int", "initial": "skip_", "at": "filter.h:3"}],
+    "transitions": [
+        {"variable": "Filter::left_", "trigger": ["p1"], "value": "--left_", "at": "filter.cpp:12"},
+        {"variable": "Filter::left_", "trigger": ["p1"], "guard": "--left_ == 0", "value": "skip_", "at": "filter.cpp:13"},
+    ],
+    "reactive": [
+        {"input": "p1", "output": "p2", "when": "active_", "must": False, "at": ["filter.cpp:10"]},
+        {"input": "p1", "output": "p3", "when": 'mode_ == "auto"', "must": False, "at": ["filter.cpp:11"]},
+        {"input": "p1", "output": "p4", "when": "--left_ == 0", "must": False, "at": ["filter.cpp:14"]},
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
+@pytest.mark.parametrize(
+    ("settings", "verdicts"),
+    [
+        ([("~active", "bool", "false"), ("~mode", "string", "manual"), ("~skip", "int", "3")], (HOLDS, HOLDS, HOLDS)),
+        ([("~active", "bool", "true"), ("~mode", "string", "auto"), ("~skip", "int", "1")], (VIOLATED, VIOLATED, VIOLATED)),
+        ([("~active", "string", "false")], (POSSIBLE, POSSIBLE, POSSIBLE)),
+    ],
+    ids=["off", "on", "not_known"],
+)
+def test_parameters_of_nodes_decide(settings: list[tuple[str, str, str]], verdicts: tuple[str, ...]) -> None:
+    system = system_of({"filter": FILTER}, settings={"filter": settings})
+    gap = "always (sent(/nth) -> next (received(filter, /in) -> !sent(/nth)))"
+    properties = read_properties(f"a: absence(sent(/out))\nb: absence(sent(/auto))\nc: {gap}\n", "properties", system)
+    assert tuple(found.verdict for found in verify(system, properties, Inputs(), "spin")) == verdicts
 
 
 def _with(nodes: dict[str, Any], traits: dict[str, list[list[str]]]) -> dict[str, Any]:

@@ -1,0 +1,219 @@
+"""Numbers that are counted: what expressions come to that are made of one variable and whole numbers, and how far a variable is counted."""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from math import lcm
+
+from rosarch.models.machine.conditions import compact, number, strip
+from rosarch.models.machine.logic import OTHER
+
+MOST_VALUES = 128
+_PATH = r"[A-Za-z_][\w:]*(?![\w:(])(?:(?:\.|->)[A-Za-z_]\w*(?![\w(]))*(?:(?:\.|->)(?:size|length)\(\))?"
+_OPERAND = re.compile(rf"(?<![\w.])(?P<before>\+\+|--)?(?:len\((?P<list>{_PATH})\)|(?P<name>{_PATH}))(?P<after>\+\+|--)?")
+_NUMBER = re.compile(r"(?<![\w.])(\d+)[uUlL]*(?![\w.])")
+_CAST = re.compile(r"\((?:unsigned|signed|int|long|size_t|std::size_t|u?int\d+_t)\)")
+_SIGNS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Mod: operator.mod}
+_AFTER = {"++": "(n-1)", "--": "(n+1)", None: "n"}
+_REST = re.compile(r"\(?n(?:[+-]\d+)?\)?%(\d+)|\(\(n[+-]1\)(?:[+-]\d+)?\)%(\d+)|\(n[+-]1\)%(\d+)")
+_ADDS_ONE = re.compile(r"(.+?)(?:\.|->)(?:push|push_back|push_front|emplace|emplace_back|emplace_front|append|appendleft)\(")
+_TAKES_ONE = re.compile(r"(.+?)(?:\.|->)(?:pop|pop_back|pop_front|popleft)\(")
+COMPARE: dict[str, Callable[[int, int], bool]] = {
+    "==": operator.eq, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """A calculation with whole numbers, in which `name` is the one variable, "" where there is none; `text` calls it n.
+
+    Of what counts on the way (`++n`, `n--`) it is the value where that has been counted already.
+    """
+
+    name: str
+    text: str
+
+    def at(self, n: int) -> int | None:
+        """What it comes to; None where languages differ: with what is negative."""
+        try:
+            return _value(ast.parse(self.text, mode="eval").body, n)
+        except (SyntaxError, ValueError, RecursionError):
+            return None
+
+    @property
+    def numbers(self) -> list[int]:
+        """The numbers that are written in it."""
+        return [int(digits) for digits in re.findall(r"\d+", self.text)]
+
+    @property
+    def modulus(self) -> int | None:
+        """What it is the rest of a division by, where it is nothing else."""
+        match = _REST.fullmatch(self.text)
+        return int(next(filter(None, match.groups()))) or None if match else None
+
+
+def arithmetic(text: str) -> Arithmetic | None:
+    """The calculation that a text tells, if it is one; it names one variable at most."""
+    names: set[str] = set()
+
+    def called(match: re.Match[str]) -> str:
+        names.add(f"{match['list']}.size()" if match["list"] else str(match["name"]))
+        return "n" if match["before"] else _AFTER[match["after"]]
+
+    plain = _NUMBER.sub(r"\1", _CAST.sub("", compact(strip(text))))
+    if len(plain) > 120 or re.search(r"[\"'\[\],&|<>=!?]", plain.replace("->", ".")):
+        return None
+    short = _OPERAND.sub(called, plain)
+    if len(names) > 1 or not re.fullmatch(r"[\dn+\-*%()]+", short) or "**" in short:
+        return None
+    found = Arithmetic(next(iter(names), ""), short)
+    return found if found.at(1) is not None or found.at(0) is not None else None
+
+
+def step(text: str) -> Arithmetic | None:
+    """The calculation that gives a variable its next value: `++n`, `n += 2` as `n + 2`, `(n + 1) % 4`."""
+    plain = compact(text)
+    match = re.fullmatch(r"(\+\+|--)(.+)|(.+?)(\+\+|--)", plain)
+    return arithmetic(f"{match[2] or match[3]}{(match[1] or match[4])[0]}1" if match else plain)
+
+
+def whole(text: object) -> int | None:
+    """The whole number that a text is."""
+    size = None if text is None else number(strip(str(text)))
+    return int(size) if size is not None and size == int(size) else None
+
+
+def calculated(left: str, right: str) -> tuple[Arithmetic, int] | None:
+    """A comparison of a calculation that has a variable with a whole number."""
+    asked, limit = arithmetic(left), arithmetic(right)
+    size = limit.at(0) if limit and not limit.name else None
+    return (asked, size) if asked and asked.name and size is not None else None
+
+
+def stepped(text: str, sized: bool) -> Arithmetic | None:
+    """What an assignment makes of the number that a variable is, or of the number of elements that a container has."""
+    if not sized:
+        return step(text)
+    if match := _ADDS_ONE.match(text):
+        return arithmetic(f"{match[1]}.size() + 1")
+    if match := _TAKES_ONE.match(text):
+        return arithmetic(f"{match[1]}.size() - 1")
+    return None
+
+
+def _value(part: ast.expr, n: int) -> int:
+    if isinstance(part, ast.Constant) and isinstance(part.value, int):
+        return part.value
+    if isinstance(part, ast.Name) and part.id == "n":
+        return n
+    if isinstance(part, ast.UnaryOp) and isinstance(part.op, ast.USub):
+        return -_value(part.operand, n)
+    if isinstance(part, ast.BinOp) and type(part.op) in _SIGNS:
+        left, right = _value(part.left, n), _value(part.right, n)
+        if isinstance(part.op, ast.Mod) and (left < 0 or right <= 0):
+            raise ValueError(part)
+        found: int = _SIGNS[type(part.op)](left, right)
+        if abs(found) < 10**9:
+            return found
+    raise ValueError(part)
+
+
+@dataclass(frozen=True)
+class Counting:
+    """The whole numbers that a counted variable is told apart as: from `least` to `most`.
+
+    `above` and `below` tell that it may be more, or less, than that. With a `modulus` it stands for the rest that it leaves, as nothing
+    else is asked of it.
+    """
+
+    least: int
+    most: int
+    above: bool = False
+    below: bool = False
+    modulus: int | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What its values are called, without what is beyond."""
+        return tuple(f"{number}{self._rest}" for number in range(self.least, self.most + 1))
+
+    @property
+    def _rest(self) -> str:
+        return f" of {self.modulus}" if self.modulus else ""
+
+    def number(self, name: str) -> int | None:
+        """The number that a value stands for, None for what is beyond."""
+        digits = name.removesuffix(self._rest)
+        return int(digits) if re.fullmatch(r"-?\d+", digits) else None
+
+    def name(self, number: int) -> str:
+        """What a number is called."""
+        if self.modulus:
+            return f"{number % self.modulus}{self._rest}"
+        return str(number) if self.least <= number <= self.most else OTHER
+
+    def holds(self, op: str, asked: Arithmetic, limit: int, name: str) -> bool | None:
+        """Whether a condition holds of a value; None where that is not known."""
+        number = self.number(name)
+        if number is None and (self.above is self.below or "%" in asked.text):
+            return None
+        left = asked.at(self.most + 1 if self.above else self.least - 1) if number is None else asked.at(number + (self.modulus or 0))
+        return None if left is None else COMPARE[op](left, limit)
+
+    def after(self, step: Arithmetic, name: str) -> list[str]:
+        """The values that one may be after a step."""
+        number = self.number(name)
+        if number is not None:
+            reached = step.at(number)
+            return [*self.names, *self.beyond] if reached is None else [self.name(reached)]
+        far = self.most + 1 if self.above else self.least - 1
+        reached = None if self.above is self.below else step.at(far)
+        onward = reached is not None and (reached >= far if self.above else reached <= far)
+        return [OTHER] if onward and re.fullmatch(r"n[+-]\d+|n", _bare(step.text)) else [*self.names, OTHER]
+
+    @property
+    def beyond(self) -> tuple[str, ...]:
+        """What stands for the numbers that are not told apart."""
+        return (OTHER,) if self.above or self.below else ()
+
+
+def _bare(text: str) -> str:
+    return text[1:-1] if text.startswith("(") and text.endswith(")") and text.count("(") == 1 else text
+
+
+def counting(
+    first: int, given: Iterable[int], steps: Sequence[Arithmetic], asked: Sequence[tuple[Arithmetic, int]], *, rests: bool = True
+) -> Counting | None:
+    """How a variable is counted that begins with `first`, may be `given` numbers and take `steps`.
+
+    Conditions compare what is `asked` with limits.
+    Where nothing else is asked, it is enough to know its `rests`. None: there are too many numbers.
+    """
+    starts = {first, *given}
+    moduli = [left.modulus for left, _ in asked]
+    if rests and None not in moduli and min(starts) >= 0 and all(re.fullmatch(r"n(\+\d+)?", _bare(step.text)) for step in steps):
+        modulus = lcm(*(modulus for modulus in moduli if modulus))
+        return Counting(0, modulus - 1, modulus=modulus) if modulus <= MOST_VALUES else None
+    far = [abs(limit) + sum(left.numbers) for left, limit in asked]
+    far += [max(step.numbers, default=0) for step in steps if "%" in step.text]
+    least, most = min([*starts, *(-number for number in far if min(starts) < 0)], default=0), max([*starts, *far])
+    if any(step.at(number) is not None and (step.at(number) or 0) < number for step in steps for number in (most, first)):
+        least = min(least, 0)
+    if most - least >= MOST_VALUES:
+        return None
+    reached, waiting, above, below = set(starts), list(starts), False, False
+    while waiting:
+        number = waiting.pop()
+        for step in steps:
+            after = step.at(number)
+            if after is None:
+                return None
+            above, below = above or after > most, below or after < least
+            if least <= after <= most and after not in reached:
+                reached.add(after)
+                waiting.append(after)
+    return Counting(least if below else min(reached), most if above else max(reached), above, below)
