@@ -13,7 +13,7 @@ from rosarch.composition.model import Command, Model, Queue, Variable
 from rosarch.composition.reactions import Effect, alternatives, effects
 from rosarch.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
-from rosarch.models.machine.reactions import Step
+from rosarch.models.machine.steps import Step
 
 BOUND = 2
 _ACTIVITIES = {"timer": "a timer that runs once"}

@@ -10,7 +10,8 @@ from typing import Any
 from rosarch.models.machine.cells import Document, Domains, value_in
 from rosarch.models.machine.counting import whole
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
-from rosarch.models.machine.reactions import PERIODIC, Step, component_steps, loop_trigger
+from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger
+from rosarch.models.machine.steps import Step
 from rosarch.models.rhythm import with_numbers
 
 
@@ -102,7 +103,10 @@ class Component:
         return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
 
     def is_ambiguous(self, steps: Iterable[Step]) -> bool:
-        """Whether the order of some of these steps, all of one reaction, is not known."""
+        """Whether the order of some of these steps, all of one reaction, is not known, or that of their tests."""
+        steps = list(steps)
+        if any(step.unclear for step in steps):
+            return True
         places = {place for step in steps for place in step.row.at.split()}
         return any(places.issuperset(pair) for pair in self._traits("several_orders"))
 

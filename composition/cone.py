@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from rosarch.composition.system import End, System
-from rosarch.models.machine.reactions import Step
+from rosarch.models.machine.steps import Step
 
 
 @dataclass(frozen=True, order=True)

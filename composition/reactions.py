@@ -1,13 +1,14 @@
 """What a reaction of a node does: its steps, run for every case that makes a difference or for one that is chosen on the way.
 
-A reaction is atomic and its steps are taken in the order of their lines, as `models.machine.reactions` has it: a variable is tested
-once, conditions of equal text are one condition.
+A reaction is atomic and its steps are taken in the order of their lines, as `models.machine.reactions` has it; conditions of equal text
+are one condition.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 from rosarch.models.machine.logic import (
     BOOLEAN,
@@ -25,7 +26,7 @@ from rosarch.models.machine.logic import (
 from rosarch.models.machine.logic import All as AllOf
 from rosarch.models.machine.logic import Any as AnyOf
 from rosarch.models.machine.meaning import Assignment
-from rosarch.models.machine.reactions import Row, Step
+from rosarch.models.machine.steps import Row, Step
 
 MOST_CASES = 5000
 MOST_WAYS = 16
@@ -72,11 +73,10 @@ class _Run:
     ways: tuple[Case, ...] = ({},)
     effect: Effect = field(default_factory=lambda: Effect({}, {}, {}, (), ()))
 
-    def tested(self, subject: Subject) -> str | None:
-        """The value that a condition sees."""
-        if subject.key in self.seen:
-            return self.seen[subject.key]
-        return self.current(subject)
+    def tested(self, subject: Subject, step: Step) -> str | None:
+        """The value that the guard of a step sees."""
+        seen = self.seen.get(step.tested_as(subject.key))
+        return self.current(subject) if seen is None else seen
 
     def current(self, subject: Subject) -> str | None:
         """The value that an assignment reads."""
@@ -175,10 +175,11 @@ def whether_sent(step: Step, port: str) -> Subject:
 
 def _outcomes(run: _Run, step: Step, variables: Collection[str], pick: Pick) -> Iterator[_Run]:
     """The ways in which a step may end."""
-    rest, run = _residue(step.guard, run)
-    truth = evaluate(rest, run.tested)
+    rest, run = _residue(step, run)
+    tested = partial(run.tested, step=step)
+    truth = evaluate(rest, tested)
     if truth is None:
-        subject = first_unknown(rest, run.tested)
+        subject = first_unknown(rest, tested)
         for value in pick(subject):
             yield from _outcomes(run.choosing(subject, value, variable=subject.key in variables), step, variables, pick)
     elif truth:
@@ -217,14 +218,18 @@ def _sent(run: _Run, step: Step, left: Sequence[str], sent: tuple[str, ...], pic
             yield from _sent(run.choosing(subject, value, variable=False), step, left[1:], sent + more, pick)
 
 
-def _residue(guard: Iterable[Formula], run: _Run) -> tuple[Formula, _Run]:
-    """What of a guard is open, and the run, in which the variables that it tests are seen from now on."""
+def _residue(step: Step, run: _Run) -> tuple[Formula, _Run]:
+    """What of the guard of a step is open, and the run, in which the variables that it tests are seen from now on."""
     parts = []
-    for conjunct in guard:
-        rest = simplify(conjunct, run.tested)
-        seen = {s.key: run.values[s.key] for s in subjects(conjunct) if s.key in run.values and s.key not in run.seen}
+    for conjunct in step.guard:
+        rest = simplify(conjunct, partial(run.tested, step=step))
+        seen = {
+            step.tested_as(s.key): run.values[s.key]
+            for s in subjects(conjunct)
+            if s.key in run.values and step.tested_as(s.key) not in run.seen
+        }
         run = replace(run, seen={**run.seen, **seen}) if seen else run
         parts.append(rest)
-        if evaluate(rest, run.tested) is False:
+        if evaluate(rest, partial(run.tested, step=step)) is False:
             break
     return conjunction(parts), run

@@ -15,7 +15,8 @@ from rosarch.models.machine.cells import Document, Domains
 from rosarch.models.machine.conditions import Comparison, Negation, Operand, constant, parse_condition, strip
 from rosarch.models.machine.counting import stepped
 from rosarch.models.machine.logic import TRUE
-from rosarch.models.machine.reactions import PERIODIC, Step, TooManyCases, component_steps, courses
+from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses
+from rosarch.models.machine.steps import Step
 
 _TRIED = (2, 3, 4, 5, 7)  # values of a parameter, from which is seen what it does
 _MOST_ROUNDS = 1000

@@ -9,7 +9,7 @@ from itertools import islice, product
 from rosarch.composition.components import Component
 from rosarch.composition.reactions import Effect, TooManyCases, effects
 from rosarch.models.machine.logic import Subject
-from rosarch.models.machine.reactions import Row
+from rosarch.models.machine.steps import Row
 
 State = frozenset[tuple[str, str]]
 """The value of each variable."""

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from rosarch.models.machine.reactions import Row
+from rosarch.models.machine.steps import Row
 from rosarch.observation.machine import Belief, Expected, Input, Machine, Outcome
 
 Given = Input | None

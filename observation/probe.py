@@ -11,7 +11,7 @@ from itertools import pairwise
 from statistics import median
 
 from rosarch.models.component import sent_in_loop
-from rosarch.models.machine.reactions import Row
+from rosarch.models.machine.steps import Row
 from rosarch.observation.compare import Filled
 from rosarch.observation.peer import ANY, Heard, MessageType, Peer
 from rosarch.observation.plan import Experiment, Plan, Stimulus

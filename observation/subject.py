@@ -12,7 +12,7 @@ from rosarch.extractor.messages import MessageStore
 from rosarch.models.machine.cells import Document, value_in
 from rosarch.models.machine.logic import BOOLEAN
 from rosarch.models.machine.logic import Subject as Asked
-from rosarch.models.machine.reactions import Row
+from rosarch.models.machine.steps import Row
 from rosarch.observation.content import ContentError, encoded, needed
 from rosarch.observation.machine import Input, Machine, machine
 

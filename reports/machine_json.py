@@ -9,7 +9,7 @@ from typing import Any as Anything
 
 from rosarch.models.machine.build import Region, StateMachine, Transition
 from rosarch.models.machine.logic import Any, Formula, Is, Not, without_hidden
-from rosarch.models.machine.reactions import Row
+from rosarch.models.machine.steps import Row
 from rosarch.reports.machine_labels import formula_text
 from rosarch.reports.printable import json_text
 

@@ -23,7 +23,7 @@ from rosarch.models.machine.logic import (
     from_cases,
     without_hidden,
 )
-from rosarch.models.machine.reactions import Output, Row
+from rosarch.models.machine.steps import Output, Row
 
 _SIMPLE = re.compile(r"[\w.:>\-]+(\([^()]*\))?")
 

@@ -29,7 +29,7 @@ from rosarch.models.machine.logic import (
     negation,
     subjects,
 )
-from rosarch.models.machine.reactions import Output
+from rosarch.models.machine.steps import Output
 from rosarch.reports.machine_labels import region_title, state_text, title
 
 NAMESPACE = "http://www.w3.org/2005/07/scxml"

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from rosarch.models.component import sent_in_loop
-from rosarch.models.machine.reactions import Row
+from rosarch.models.machine.steps import Row
 from rosarch.observation.plan import Plan, Stimulus
 from rosarch.observation.probe import CONFIRMED, REFUTED, UNREACHED, Results
 from rosarch.observation.subject import Subject

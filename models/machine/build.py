@@ -16,18 +16,8 @@ from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import spaced
 from rosarch.models.machine.logic import TRUE, Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects
-from rosarch.models.machine.reactions import (
-    PERIODIC,
-    Course,
-    Output,
-    Row,
-    Step,
-    TooManyCases,
-    component_steps,
-    courses,
-    loop_trigger,
-    loops_told_apart,
-)
+from rosarch.models.machine.reactions import PERIODIC, Course, TooManyCases, component_steps, courses, loop_trigger, loops_told_apart
+from rosarch.models.machine.steps import Output, Row, Step
 
 MAX_STATES = 16
 MAX_COURSES = 256

@@ -1,8 +1,8 @@
 """What happens in one go: the steps of a node's reaction to a trigger, run from a state for every course they may take.
 
-A reaction is atomic, as callbacks of a single-threaded spinner are. Its steps are taken in the order of their lines. A variable is
-tested once: later conditions of the same reaction see the value of its first test, as the cases of a `switch` do, so that a reaction
-takes one arc of a state machine and not two; a variable that is assigned before its first test shows what was assigned.
+A reaction is atomic, as callbacks of a single-threaded spinner are. Its steps are taken in the order of their lines. What one test
+of a variable finds is what all see that hangs on it, whatever is assigned behind it, as the cases of a `switch` do; a later test sees
+what was assigned before it.
 """
 
 from __future__ import annotations
@@ -10,9 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Document, Domains, condition_of, variable_and_field
+from rosarch.models.machine.epochs import with_epochs
 from rosarch.models.machine.logic import (
     TRUE,
     Formula,
@@ -23,48 +25,14 @@ from rosarch.models.machine.logic import (
     simplify,
     subjects,
 )
-from rosarch.models.machine.meaning import Assignment, Meaning
+from rosarch.models.machine.meaning import Meaning
+from rosarch.models.machine.steps import Output, Row, Step
 
 PERIODIC = "periodic"
 
 
 class TooManyCases(Exception):
     """A reaction has more courses than anyone wants to see."""
-
-
-@dataclass(frozen=True)
-class Row:
-    """The row of the component model that an element rests on: its list, its index there, and its source line."""
-
-    kind: str
-    index: int
-    at: str
-
-
-@dataclass(frozen=True)
-class Output:
-    """A port that is sent to, under a condition of its own; `sometimes` when the source's condition is not known."""
-
-    port: str
-    when: Formula = TRUE
-    sometimes: bool = False
-
-
-@dataclass(frozen=True)
-class Step:
-    """An assignment or a sending, under a guard."""
-
-    row: Row
-    guard: tuple[Formula, ...]
-    assignments: tuple[Assignment, ...] = ()
-    outputs: tuple[str, ...] = ()
-    sometimes: bool = False
-    done_at: str = ""  # where it is done, when its row is about another place
-
-    def tested(self) -> set[Subject]:
-        """What its guard and its values are about."""
-        values = (formula for assignment in self.assignments for formula, _ in assignment.table)
-        return {subject for formula in (*self.guard, *values) for subject in subjects(formula)}
 
 
 @dataclass(frozen=True)
@@ -108,7 +76,12 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
         found.setdefault("timer", []).append(step)
     later = _done_later(document)
-    return {trigger: _in_order(sorted(steps, key=_order), later) for trigger, steps in found.items()}
+    trees = {
+        (kind, index): row.get(f"{guard}_tree")
+        for kind, guard in (("transitions", "guard"), ("reactive", "when"), ("periodic", "conditional"), ("one_shot", "when"))
+        for index, row in enumerate(document.get(kind) or ())
+    }
+    return {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees) for trigger, steps in found.items()}
 
 
 def _done_later(document: Document) -> Mapping[str, frozenset[str]]:
@@ -208,9 +181,11 @@ class _Run:
             copy.values[subject.key] = value
         return copy
 
-    def tested(self, subject: Subject) -> str | None:
-        """The value that a guard sees."""
-        return self.seen.get(subject.key, self.values.get(subject.key)) if subject.cell else self.choices.get(subject)
+    def tested(self, subject: Subject, step: Step) -> str | None:
+        """The value that the guard of a step sees."""
+        if not subject.cell:
+            return self.choices.get(subject)
+        return self.seen.get(step.tested_as(subject.key), self.values.get(subject.key))
 
     def current(self, subject: Subject) -> str | None:
         """The value that an assignment reads."""
@@ -247,10 +222,11 @@ def _advance(run: _Run, steps: Sequence[Step], cells: set[str], deciding: set[Su
     """Run on to the end, or to a subject that something hangs on and of which nothing is known."""
     while run.step < len(steps):
         step = steps[run.step]
-        rest = _residue(step.guard, run)
-        truth = evaluate(rest, run.tested)
+        rest = _residue(step, run)
+        tested = partial(run.tested, step=step)
+        truth = evaluate(rest, tested)
         if truth is None and (step.assignments or not deciding.isdisjoint(subjects(rest))):
-            return first_unknown(rest, run.tested)
+            return first_unknown(rest, tested)
         if truth is not False:
             if (subject := _assign(run, step)) is not None:
                 return subject
@@ -261,16 +237,17 @@ def _advance(run: _Run, steps: Sequence[Step], cells: set[str], deciding: set[Su
     return None
 
 
-def _residue(guard: Iterable[Formula], run: _Run) -> Formula:
-    """What of a guard is open; the cells that it tests are seen from now on."""
+def _residue(step: Step, run: _Run) -> Formula:
+    """What of the guard of a step is open; the cells that it tests are seen from now on."""
     parts = []
-    for conjunct in guard:
-        rest = simplify(conjunct, run.tested)
+    tested = partial(run.tested, step=step)
+    for conjunct in step.guard:
+        rest = simplify(conjunct, tested)
         for subject in subjects(conjunct):
             if subject.cell and subject.key in run.values:
-                run.seen.setdefault(subject.key, run.values[subject.key])
+                run.seen.setdefault(step.tested_as(subject.key), run.values[subject.key])
         parts.append(rest)
-        if evaluate(rest, run.tested) is False:
+        if evaluate(rest, tested) is False:
             break
     return conjunction(parts)
 

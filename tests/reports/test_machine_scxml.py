@@ -22,7 +22,7 @@ from test_machine_text import hostile
 
 from rosarch.models.machine.build import StateMachine, build_machine
 from rosarch.models.machine.logic import BOOLEAN, Formula, Subject, evaluate, subjects
-from rosarch.models.machine.reactions import Output
+from rosarch.models.machine.steps import Output
 from rosarch.reports.machine_scxml import machine_text
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

@@ -1,0 +1,69 @@
+"""When a condition is tested: before or after assignments of the same reaction to what it is about."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from rosarch.models.machine.logic import subjects
+from rosarch.models.machine.steps import Step
+
+Leaf = tuple[str, str, bool]
+"""A condition: its place, its text, and whether it holds."""
+
+
+@dataclass(frozen=True)
+class _Guard:
+    """The conditions that guard a step, by place; `alone` tells that all of them have to be so."""
+
+    at: Mapping[str, frozenset[Leaf]]
+    alone: bool
+
+    def excludes(self, other: _Guard) -> bool:
+        """Whether one and the same test leads to one step or to the other."""
+        shared = self.at.keys() & other.at.keys() if self.alone and other.alone else ()
+        return any(self.at[place].isdisjoint(other.at[place]) for place in shared)
+
+
+def with_epochs(steps: Sequence[Step], trees: Mapping[tuple[str, int], Any]) -> list[Step]:
+    """The steps of a reaction, in order, with the epochs in which their guards test variables; `trees` are those of the guards of rows."""
+    guards = [_guard(trees.get((step.row.kind, step.row.index))) for step in steps]
+    found = []
+    for number, step in enumerate(steps):
+        epochs: dict[str, int] = {}
+        unclear = False
+        for subject in {subject for conjunct in step.guard for subject in subjects(conjunct) if subject.cell}:
+            before = [
+                guards[index]
+                for index, other in enumerate(steps[:number])
+                if any(a.cell.subject.key == subject.key for a in other.assignments) and not guards[index].excludes(guards[number])
+            ]
+            told = {sum(place not in guard.at for guard in before) for place in _places(guards[number], subject.text)} if before else set()
+            epochs[subject.key] = max(told, default=0)
+            unclear |= len(told) > 1
+        found.append(replace(step, epochs=tuple(sorted(item for item in epochs.items() if item[1])), unclear=unclear))
+    return found
+
+
+def _places(guard: _Guard, text: str) -> set[str]:
+    """Where conditions that name a variable are tested; all places when none of them names it."""
+    name = re.compile(rf"(?<!\w){re.escape(re.split(r'::|[.]', text.removesuffix('.size()').removesuffix('.empty()'))[-1])}(?!\w)")
+    return {place for place, leaves in guard.at.items() if any(name.search(leaf[1]) for leaf in leaves)} or set(guard.at)
+
+
+def _guard(tree: object) -> _Guard:
+    at: dict[str, frozenset[Leaf]] = {}
+    for leaf in _leaves(tree):
+        at[leaf[0]] = at.get(leaf[0], frozenset()) | {leaf}
+    return _Guard(at, not (isinstance(tree, Mapping) and "any" in tree))
+
+
+def _leaves(tree: object) -> Iterator[Leaf]:
+    if not isinstance(tree, Mapping):
+        return
+    if "condition" in tree:
+        yield str(tree.get("at") or ""), str(tree["condition"]), bool(tree.get("holds"))
+    for part in (*tree.get("all", ()), *tree.get("any", ())):
+        yield from _leaves(part)

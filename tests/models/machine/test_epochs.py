@@ -1,0 +1,56 @@
+"""Tests of a variable before and after assignments to it in the same reaction."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from rosarch.models.machine.cells import Domains
+from rosarch.models.machine.reactions import component_steps, courses
+
+
+def _leaf(line: int, text: str, holds: bool = True) -> dict[str, Any]:
+    return {"condition": text, "holds": holds, "at": f"n.cpp:{line}"}
+
+
+def _guarded(key: str, text: str, *leaves: dict[str, Any]) -> dict[str, Any]:
+    return {key: text, f"{key}_tree": {"all": list(leaves)}}
+
+
+def _assigned(line: int, value: str, guard: str, *leaves: dict[str, Any]) -> dict[str, Any]:
+    return {"variable": "N::mode_", "trigger": ["p1"], "value": value, "at": f"n.cpp:{line}", **_guarded("guard", guard, *leaves)}
+
+
+def _sent(line: int, guard: str, *leaves: dict[str, Any]) -> dict[str, Any]:
+    return {"input": "p1", "output": "p2", "must": False, "at": [f"n.cpp:{line}"], **_guarded("when", guard, *leaves)}
+
+
+IDLE, ARMED = _leaf(10, "mode_ == IDLE"), _leaf(12, "mode_ == ARMED")
+ARM = _assigned(11, "ARMED", "mode_ == IDLE", IDLE)
+
+
+@pytest.mark.parametrize(
+    ("transitions", "sent", "sends", "unclear"),
+    [
+        # if (mode_ == IDLE) mode_ = ARMED;  if (mode_ == ARMED) send();
+        ([ARM], _sent(13, "mode_ == ARMED", ARMED), {"IDLE", "ARMED"}, False),
+        # if (mode_ == IDLE) mode_ = ARMED;  else if (mode_ == ARMED) send();
+        ([ARM], _sent(13, "mode_ != IDLE && mode_ == ARMED", _leaf(10, "mode_ == IDLE", False), ARMED), {"ARMED"}, False),
+        # if (mode_ == IDLE) mode_ = ARMED;  if (mode_ == ARMED) { mode_ = RUN; send(); }
+        ([ARM, _assigned(13, "RUN", "mode_ == ARMED", ARMED)], _sent(14, "mode_ == ARMED", ARMED), {"IDLE", "ARMED"}, False),
+        # if (mode_ == IDLE) { mode_ = ARMED; send(); }
+        ([ARM], _sent(12, "mode_ == IDLE", IDLE), {"IDLE"}, False),
+        # if (mode_ == IDLE) { mode_ = ARMED; if (mode_ == ARMED) send(); }
+        ([ARM], _sent(13, "mode_ == IDLE && mode_ == ARMED", IDLE, ARMED), None, True),
+    ],
+    ids=["tested_again", "else", "assigned_behind", "same_test", "before_and_after"],
+)
+def test_what_a_test_sees(transitions: list[dict[str, Any]], sent: dict[str, Any], sends: set[str] | None, unclear: bool) -> None:
+    variable = {"name": "N::mode_", "type": "Mode", "initial": "IDLE", "at": "n.h:3"}
+    document = {"state_variables": [variable], "transitions": transitions, "reactive": [sent]}
+    steps = component_steps(document, Domains(document))["p1"]
+    assert any(step.unclear for step in steps) is unclear
+    if sends is not None:
+        found = {mode: list(courses(steps, ["N::mode_"], [mode], 10)) for mode in ("IDLE", "ARMED")}
+        assert {mode for mode, ways in found.items() if any(way.outputs for way in ways)} == sends
