@@ -99,7 +99,8 @@ def _queue(builder: _Builder, end: End) -> None:
     if is_open:
         builder.notes.append(f"the queue of {node} for {topic.name} is counted up to {builder.bound}")
     builder.queue_of[end] = len(builder.queues)
-    builder.queues.append(Queue(node, topic.name, builder.bound if is_open or size is None else size, is_open))
+    length = builder.bound if is_open or size is None else size
+    builder.queues.append(Queue(node, topic.name, length, is_open, component.is_prompt(port)))
     _oblige(builder, builder.queue_of[end])
 
 
@@ -153,6 +154,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
             full=tuple(others),
             events=frozenset(_events(builder, end, topic, effect)),
             obligation=obligation,
+            clock=f"{component.label(trigger)} of {node}" if loop and component.rates[trigger] else "",
             inputs=inputs,
             assumes=assumes + _runs_if(builder, end),
             places=tuple(dict.fromkeys(row.at for row in effect.rows)),

@@ -90,6 +90,11 @@ class Component:
         waits = {reason for (reason,) in self._traits("held_up")}
         return {port: reason for port, reason in self._traits("unheard") if reason not in waits}
 
+    def is_prompt(self, port: str) -> bool:
+        """Whether nothing that was seen keeps the node from taking what arrives at once."""
+        held = port in self.filtered or self.together.get(port) or self.serving or self._traits("held_up")
+        return not held and port not in dict(self._traits("unheard"))
+
     @cached_property
     def answered(self) -> frozenset[str]:
         """The triggers that are clients: what runs when something answers their requests."""

@@ -23,13 +23,14 @@ class Queue:
     """The messages that wait for a node's callback, by number.
 
     A queue that is `open` is longer than `size`, and `size` stands for that many messages or more; else the oldest message is dropped
-    from a full one.
+    from a full one. From a `prompt` one a message is taken as soon as it has come, as long as callbacks take no time.
     """
 
     node: str
     topic: str
     size: int
     open: bool
+    prompt: bool = False
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,8 @@ class Command:
     Then variables are `given` values, messages are put into queues, and `events` happen: those in `full_events` only when the queue
     that they are about is full. The queues in `full` have to be full; one that `takes` a message and `keeps` it leaves the queue so.
     `obligation` is the index of what has to happen again and again that this fulfils. `inputs` and `assumes` tell what this takes for
-    granted of messages from outside, and of anything else. `cause` and `places` are for people.
+    granted of messages from outside, and of anything else. `clock` is the timer or timed loop of known rate that sets it off. `cause` and
+    `places` are for people.
     """
 
     actor: str
@@ -58,6 +60,7 @@ class Command:
     assumes: tuple[str, ...] = ()
     places: tuple[str, ...] = ()
     stage: int | None = None
+    clock: str = ""
 
 
 @dataclass(frozen=True)

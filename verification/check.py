@@ -16,6 +16,7 @@ from rosarch.verification.checkers import CheckerError, Found
 from rosarch.verification.explorer import Explorer, Lasso, TooManyStates, violation
 from rosarch.verification.ltl import Formula
 from rosarch.verification.properties import Property
+from rosarch.verification.timing import clocks_compared
 from rosarch.verification.trace import Trace, trace
 from rosarch.verification.transitions import TransitionSystem, transition_system
 
@@ -95,20 +96,40 @@ def _verdict(system: System, item: Property, inputs: Inputs, checker: str, bound
     except CheckerError as error:
         reason = f"{error}{_largest(transitions) if error.large else ''}"
         return Verdict(item, UNDECIDED, 0, time.perf_counter() - start, None, (*notes, reason))
-    shown = None if found.holds else _shown(transitions, item.formula, found, limits)
-    sure = HOLDS if found.holds else POSSIBLE if shown is None or shown.assumes else VIOLATED
+    lasso = None if found.holds else _lasso(transitions, item.formula, found, limits)
+    shown = trace(Explorer(transitions), lasso, _watched(item.formula).variables) if lasso else None
+    clocks = clocks_compared(transitions.model, _commands(transitions, lasso)) if lasso else ()
+    if clocks and _never(system, item, inputs, checker, bound, limits):
+        clocks = ()
+    if clocks:
+        notes = (*notes, f"whether this can be hangs on how fast they run: {', '.join(sorted(clocks))}")
+    sure = HOLDS if found.holds else POSSIBLE if shown is None or shown.assumes or clocks else VIOLATED
     verdict = POSSIBLE if transitions.model.doubts else sure
     return Verdict(item, verdict, found.states, time.perf_counter() - start, shown, notes)
 
 
-def _shown(system: TransitionSystem, formula: Formula, found: Found, limits: Limits) -> Trace | None:
-    """A run that violates the property: a shortest one, where that can be searched for, else the checker's."""
-    lasso: Lasso | None
+def _never(system: System, item: Property, inputs: Inputs, checker: str, bound: int, limits: Limits) -> bool:
+    """Whether a property is violated in every run, however fast clocks run."""
+    opposite = ltl.Not(item.formula)
     try:
-        lasso = violation(system, formula, limits.states) or found.lasso
+        transitions = model_for(system, opposite, inputs, bound)
+        return CHECKERS[checker].check(transitions, opposite, timeout=limits.seconds, memory=limits.memory).holds
+    except (CheckerError, TooManyCases):
+        return False
+
+
+def _lasso(system: TransitionSystem, formula: Formula, found: Found, limits: Limits) -> Lasso | None:
+    """A run that violates the property: a shortest one, where that can be searched for, else the checker's."""
+    try:
+        return violation(system, formula, limits.states) or found.lasso
     except TooManyStates:
-        lasso = found.lasso
-    return trace(Explorer(system), lasso, _watched(formula).variables) if lasso else None
+        return found.lasso
+
+
+def _commands(system: TransitionSystem, lasso: Lasso) -> list[int]:
+    """What happens in a run."""
+    taken = (system.transitions[index].command for index in (*lasso.stem, *lasso.loop))
+    return [command for command in taken if command is not None]
 
 
 def _largest(system: TransitionSystem) -> str:
