@@ -93,7 +93,7 @@ class Component:
     def is_prompt(self, port: str) -> bool:
         """Whether nothing that was seen keeps the node from taking what arrives at once."""
         held = port in self.filtered or self.together.get(port) or self.serving or self._traits("held_up")
-        return not held and port not in dict(self._traits("unheard"))
+        return not held and all(other != port for other, _ in self._traits("unheard"))
 
     @cached_property
     def answered(self) -> frozenset[str]:

@@ -113,9 +113,10 @@ def _never(system: System, item: Property, inputs: Inputs, checker: str, bound: 
     opposite = ltl.Not(item.formula)
     try:
         transitions = model_for(system, opposite, inputs, bound)
-        return CHECKERS[checker].check(transitions, opposite, timeout=limits.seconds, memory=limits.memory).holds
+        found: Found = CHECKERS[checker].check(transitions, opposite, timeout=limits.seconds, memory=limits.memory)
     except (CheckerError, TooManyCases):
         return False
+    return found.holds
 
 
 def _lasso(system: TransitionSystem, formula: Formula, found: Found, limits: Limits) -> Lasso | None:
