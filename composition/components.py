@@ -12,7 +12,7 @@ from rosarch.models.machine.counting import whole
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger
 from rosarch.models.machine.steps import Step
-from rosarch.models.rhythm import with_numbers
+from rosarch.models.rhythm import with_constants, with_numbers
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,7 @@ def component(document: Document, settings: Settings | None = None) -> Component
     """The component that a document in the format of `rosarch analyze -o` describes, as it is with these settings."""
     known = {name: settings[parameter] for name, parameter in _keeping(document) if parameter in (settings or {})} if settings else {}
     numbers = {name: number for name, (_, text) in known.items() if (number := whole(text)) is not None}
-    document = with_numbers(document, numbers)
+    document = with_numbers(with_constants(document), numbers)
     document = {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
     domains = Domains(document, counts=True)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}

@@ -13,7 +13,7 @@ from typing import Any
 from rosarch.models import formula
 from rosarch.models.machine.cells import Document, Domains
 from rosarch.models.machine.conditions import Comparison, Negation, Operand, constant, parse_condition, strip
-from rosarch.models.machine.counting import stepped
+from rosarch.models.machine.counting import stepped, whole
 from rosarch.models.machine.logic import TRUE
 from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses
 from rosarch.models.machine.steps import Step
@@ -65,6 +65,7 @@ def _name(text: str) -> str:
 def rhythms(document: Document) -> Iterator[Rhythm]:
     """The rhythms of a component's reactions to messages, and of its loops and timers."""
     traits: Mapping[str, Any] = document.get("traits") or {}
+    document = with_constants(document)
     values = [str(row.get("value")) for row in document.get("transitions") or ()]
     if not any(stepped(value, sized) for value in values for sized in (False, True)):
         return
@@ -76,6 +77,12 @@ def rhythms(document: Document) -> Iterator[Rhythm]:
             more = [rhythm.rounds - value if rhythm else None for rhythm, value in zip(same, _TRIED, strict=True)]
             if None not in more and len(set(more)) == 1 and len({rhythm.sends for rhythm in same if rhythm}) == 1:
                 yield Rhythm(first.trigger, first.output, parameter, first.rounds - _TRIED[0], first.sends)
+
+
+def with_constants(document: Document) -> Document:
+    """The document where names of constants are replaced by the whole numbers that they are."""
+    told = (document.get("traits") or {}).get("names_number", ())
+    return with_numbers(document, {name: number for name, text in told if (number := whole(text)) is not None})
 
 
 def with_numbers(document: Document, numbers: Mapping[str, int]) -> Document:

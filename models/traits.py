@@ -68,6 +68,7 @@ TRAITS = {
     "spins_again": ("place", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     "keeps_value_of": ("text", "text"),
+    "names_number": ("text", "text"),
     "repeated": ("place",),
     **FLOW_TRAITS,
 }

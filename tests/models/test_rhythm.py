@@ -99,3 +99,8 @@ def test_ways_that_parameters_open() -> None:
     guard = formula.both(formula.condition("!this->active_", True), formula.condition("ready_", True))
     assert list(way_needs(guard, kept)) == [(False, [("~active", "true", False)])]
     assert list(way_needs(formula.TRUE, kept)) == [(False, [])]
+
+
+def test_constants_have_names() -> None:
+    document = _counting("0", "++n_ >= MOST", ("++n_", None), ("0", "++n_ >= MOST"), traits={"names_number": [["MOST", "6"]]})
+    assert list(rhythms(document)) == [Rhythm("p1", "p2", "", 6, 1)]
