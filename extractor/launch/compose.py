@@ -18,6 +18,7 @@ from rosarch.extractor.xml_reader import XmlError
 from . import elements, nodes
 from .descriptions import note_worlds
 from .files import Files
+from .meant import files_meant
 from .model import (
     ArgumentDeclared,
     Composition,
@@ -64,7 +65,8 @@ def compose(
     values = {name: cleaned(value) for name, value in (arguments or {}).items()}
     for path in launch_files:
         _Composer(state).top(str(path), Scope(namespace=root, filename=str(path), args=dict(values)))
-    return finished(state, itertools.chain.from_iterable(map(files.references, state.read)))
+    composition = finished(state, itertools.chain.from_iterable(map(files.references, state.read)))
+    return replace(composition, references=tuple(dict.fromkeys((*composition.references, *files_meant(composition, files.packages)))))
 
 
 class _Composer:

@@ -28,6 +28,8 @@ from .model import (
     Place,
     ProgramNamed,
     Reference,
+    SubstitutionUsed,
+    TextTested,
 )
 from .names import canonical, global_namespace, ns_join
 from .record import plain
@@ -186,6 +188,12 @@ class _Writer:
                 self.add("file_meant", place, named.role, self.path(named.file))
                 if named.absent:
                     self.add("file_absent", self.path(named.file))
+                if named.beside is not None:
+                    self.add("file_beside", self.path(named.file), self.path(named.beside))
+            case TextTested():
+                self.add("text_tested", place, named.name)
+            case SubstitutionUsed():
+                self.add("substitution_used", place, named.name, named.effect)
             case ProgramNamed():
                 self.add("program_named", place, named.package, named.type)
                 if named.mentioned:

@@ -6,10 +6,13 @@ import os
 import re
 from collections.abc import Iterator
 
-from .model import Composition, Place
+from rosarch.extractor import tracing
+
+from .model import Composition, FileMeant, Place
 from .packages import PackagePath
 
 _NAMED = re.compile(r"(?<![\w./~-])/[^\s'\",;:=\[\]{}()$]+\.\w+(?![\w$(])")
+_WRITTEN = frozenset({".yaml", ".yml", ".xml", ".urdf", ".xacro", ".sdf", ".world", ".rviz", ".json", ".srdf", ".launch"})
 
 
 def meant(composition: Composition, packages: PackagePath) -> Iterator[tuple[str, str, Place]]:
@@ -22,6 +25,28 @@ def meant(composition: Composition, packages: PackagePath) -> Iterator[tuple[str
     for setting in composition.params:
         if setting.source is None and isinstance(setting.value, str) and len(setting.value) < 1000:
             yield from (("value", path, setting.place) for path in _paths(setting.value))
+
+
+def files_meant(composition: Composition, packages: PackagePath) -> Iterator[FileMeant]:
+    """The files that are meant, as they lie in the sources."""
+    for role, path, place in meant(composition, packages):
+        if packages.of_file(path) is not None:
+            absent = not os.path.exists(path) and not packages.makes(path)
+            tracing.probe(path)
+            yield FileMeant(role, path, absent, place, beside(path) if absent else None)
+
+
+def beside(path: str) -> str | None:
+    """A file of the same kind in the folder of one that is not there: of those kinds that are written by hand."""
+    folder, kind = os.path.dirname(path), os.path.splitext(path)[1]
+    if kind not in _WRITTEN:
+        return None
+    tracing.listed(folder)
+    try:
+        names = sorted(name for name in os.listdir(folder) if name.endswith(kind))
+    except OSError:
+        return None
+    return os.path.join(folder, names[0]) if names else None
 
 
 def _paths(text: str) -> Iterator[str]:

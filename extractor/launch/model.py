@@ -253,12 +253,16 @@ class FileNamed:
 
 @dataclass(frozen=True)
 class FileMeant:
-    """With the arguments of this launch, an element means `file`; `role` is include, read (its content is used here) or value."""
+    """With the arguments of this launch, an element means `file`; `role` is include, read (its content is used here) or value.
+
+    Of one that is `absent`, `beside` is a file of its kind in the same folder.
+    """
 
     role: str
     file: str
     absent: bool
     place: Place
+    beside: str | None = None
 
 
 @dataclass(frozen=True)
@@ -308,7 +312,24 @@ class HomePath:
     place: Place
 
 
-Reference = FileNamed | FileMeant | ProgramNamed | ComponentNamed | PackageNamed | ArgumentUsed | HomePath
+@dataclass(frozen=True)
+class TextTested:
+    """What `perform` gives for the launch configuration `name`, a text, is taken for a truth value."""
+
+    name: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class SubstitutionUsed:
+    """What stands for the launch configuration `name` is taken for its value; `effect` is what comes of it."""
+
+    name: str
+    effect: str
+    place: Place
+
+
+Reference = TextTested | SubstitutionUsed | FileNamed | FileMeant | ProgramNamed | ComponentNamed | PackageNamed | ArgumentUsed | HomePath
 
 
 @dataclass(frozen=True)

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
 from rosarch.extractor.launch.compose import finished
 from rosarch.extractor.launch.files import Files
-from rosarch.extractor.launch.meant import meant
+from rosarch.extractor.launch.meant import beside, meant
 from rosarch.extractor.launch.model import Composition, FileMeant, FileNamed, LaunchError, Place, Reference
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import Exhausted, State
 from rosarch.extractor.launch.unknowns import cleaned, is_known
+from rosarch.extractor.python_syntax import parse_python
 
 from . import starts  # noqa: F401  (registers its actions)
 from .actions import joined, visit
 from .context import Context
 from .expressions import Raised, Stopped, Undecided
 from .includes import read
+from .truths import truths
 from .world import World
 
 
@@ -39,7 +42,8 @@ def compose_ros2(
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
         _top(world, path, context)
     composition = replace(finished(state, _references(world)), ros=2)
-    return replace(composition, references=tuple(dict.fromkeys((*composition.references, *_meant(world, composition)))))
+    more = (*_meant(world, composition), *_truths(world))
+    return replace(composition, references=tuple(dict.fromkeys((*composition.references, *more))))
 
 
 def _top(world: World, path: str, context: Context) -> None:
@@ -64,7 +68,16 @@ def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:
     for role, path, place in (*read, *meant(composition, packages)):
         made = path in world.written or world.is_handed(path)
         if packages.of_file(path) is not None and path not in world.looked_for and not made:
-            yield FileMeant(role, path, not os.path.exists(world.located(path)) and not packages.makes(path), place)
+            absent = not os.path.exists(world.located(path)) and not packages.makes(path)
+            yield FileMeant(role, path, absent, place, beside(path) if absent else None)
+
+
+def _truths(world: World) -> Iterator[Reference]:
+    """Where Python launch files take configurations for values."""
+    for path in world.state.read:
+        if path.endswith(".py"):
+            with suppress(LaunchError, SyntaxError):
+                yield from truths(parse_python(world.state.files.read(path)), path)
 
 
 def _references(world: World) -> tuple[Reference, ...]:

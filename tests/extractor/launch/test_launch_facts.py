@@ -246,7 +246,12 @@ def generate_launch_description():
     viewer = Node(package="rviz2", executable="rviz2", name="viewer", arguments=["-d", os.path.join(here, "demo.rviz")])
     return LaunchDescription([viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
                                                       composable_node_descriptions=[inner],
-                                                      parameters=[os.path.join(here, "box.yaml")])])
+                                                      parameters=[os.path.join(here, "box.yaml"), {"map": os.path.join(here, "gone.yaml")}])])
+
+def unused(context):
+    mode = LaunchConfiguration("mode")
+    if mode or mode.perform(context):
+        pass
 """
 
 

@@ -1,0 +1,115 @@
+"""Where a Python launch file takes what stands for a launch configuration for its value.
+
+A `LaunchConfiguration` has no value while a launch file is read: it counts as true, and equals no text. What its `perform` gives is a text,
+which counts as true unless it is empty.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+
+from rosarch.extractor.launch.model import Place, SubstitutionUsed, TextTested
+
+_Found = TextTested | SubstitutionUsed
+_Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def truths(tree: ast.Module, path: str) -> Iterator[_Found]:
+    """All such places of a file."""
+    outer = _Names({}, tree.body)
+    for found in _within(tree.body):
+        yield from _of_node(found, outer, path)
+    yield from _functions(tree.body, outer, path)
+
+
+def _functions(body: list[ast.stmt], outer: _Names, path: str) -> Iterator[_Found]:
+    for function in _within(body):
+        if isinstance(function, _Function):
+            names = _Names(outer.known, function.body, function.args)
+            for node in _within(function.body):
+                yield from _of_node(node, names, path)
+            yield from _functions(function.body, names, path)
+
+
+def _within(body: list[ast.stmt]) -> Iterator[ast.AST]:
+    """The nodes of a body, functions in it not entered."""
+    stack: list[ast.AST] = list(reversed(body))
+    while stack:
+        node = stack.pop()
+        yield node
+        if not isinstance(node, (*_Function.__args__, ast.Lambda)):
+            stack.extend(reversed(list(ast.iter_child_nodes(node))))
+
+
+class _Names:
+    """The variables that stand for a configuration (`text` when for its text), of those that are assigned once."""
+
+    def __init__(self, outer: dict[str, tuple[str, bool]], body: list[ast.stmt], arguments: ast.arguments | None = None) -> None:
+        nodes = list(_within(body))
+        made = Counter(node.id for node in nodes if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load))
+        given = [one.arg for one in ast.walk(arguments) if isinstance(one, ast.arg)] if arguments else []
+        self.known = {name: value for name, value in outer.items() if name not in made and name not in given}
+        for node in nodes:
+            if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(target := node.targets[0], ast.Name):
+                found = self.of(node.value) if made[target.id] == 1 else None
+                if found is not None:
+                    self.known[target.id] = found
+
+    def of(self, node: ast.expr) -> tuple[str, bool] | None:
+        """The configuration that an expression stands for, and whether it is its text."""
+        match node:
+            case ast.Name(id=name):
+                return self.known.get(name)
+            case ast.Call(
+                func=ast.Name(id="LaunchConfiguration") | ast.Attribute(attr="LaunchConfiguration"),
+                args=[ast.Constant(value=str(name)), *_],
+            ):
+                return name, False
+            case ast.Call(func=ast.Attribute(value=inner, attr="perform"), args=[_]):
+                found = self.of(inner)
+                return None if found is None or found[1] else (found[0], True)
+        return None
+
+
+def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Found]:
+    match node:
+        case (
+            ast.If(test=test)
+            | ast.While(test=test)
+            | ast.IfExp(test=test)
+            | ast.Assert(test=test)
+            | ast.UnaryOp(op=ast.Not(), operand=test)
+        ):
+            yield from _tested(test, names, path)
+        case ast.comprehension(ifs=tests):
+            for test in tests:
+                yield from _tested(test, names, path)
+        case ast.Call(func=ast.Name(id="bool"), args=[test]):
+            yield from _tested(test, names, path)
+        case ast.Compare(left=left, ops=[ast.Eq() | ast.NotEq() | ast.Is() | ast.IsNot()], comparators=[right]):
+            yield from _compared(node, left, right, names, path)
+
+
+def _tested(test: ast.expr, names: _Names, path: str) -> Iterator[_Found]:
+    if isinstance(test, ast.BoolOp):
+        for one in test.values:
+            yield from _tested(one, names, path)
+        return
+    found = names.of(test)
+    if found is not None:
+        place = Place(path, test.lineno, test.col_offset + 1)
+        yield TextTested(found[0], place) if found[1] else SubstitutionUsed(found[0], "counts as true", place)
+
+
+def _compared(node: ast.Compare, left: ast.expr, right: ast.expr, names: _Names, path: str) -> Iterator[_Found]:
+    """A comparison with something that is written, None left out."""
+    for one, other in ((left, right), (right, left)):
+        found = names.of(one)
+        if found is not None and isinstance(other, ast.Constant) and other.value is not None:
+            place = Place(path, node.lineno, node.col_offset + 1)
+            if not found[1]:
+                yield SubstitutionUsed(found[0], "equals no value", place)
+            elif not isinstance(other.value, str):
+                yield SubstitutionUsed(found[0], "is a text and equals no other value", place)
