@@ -83,8 +83,7 @@ def declare_function(unit: UnitFacts, cursor: Cursor) -> str:
     identifier = f"{name}@{file.key}:{line}:{column}" if file.key else name
     unit.declared[cursor.d0 or 0] = unit.declared[pattern.d0 or 0] = identifier
     kind = libclang.template_kind(pattern) if pattern.kind == kinds.FUNCTION_TEMPLATE else pattern.kind
-    static = kind == kinds.METHOD and libclang.is_static_method(pattern)
-    unit.add("function", identifier, "static_method" if static else _FUNCTION_KINDS.get(kind, "function"))
+    unit.add("function", identifier, _kind_of_function(pattern, kind))
     unit.add("function_name", identifier, name)
     if file.key:
         unit.add("location", identifier, file.key, line, column)
@@ -106,6 +105,14 @@ def declare_function(unit: UnitFacts, cursor: Cursor) -> str:
         for index in range(libclang.argument_count(pattern)):
             declare_parameter(unit, identifier, index, libclang.argument(pattern, index))
     return identifier
+
+
+def _kind_of_function(pattern: Cursor, kind: int) -> str:
+    if kind in (kinds.CONSTRUCTOR, kinds.METHOD) and libclang.is_deleted_method(pattern):
+        return "deleted"  # nobody can call it
+    if kind == kinds.METHOD and libclang.is_static_method(pattern):
+        return "static_method"
+    return _FUNCTION_KINDS.get(kind, "function")
 
 
 def declare_parameter(unit: UnitFacts, function: str, index: int, cursor: Cursor) -> str:
