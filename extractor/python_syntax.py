@@ -7,12 +7,31 @@ import warnings
 
 from rosarch.extractor.files import LARGEST_PARSED
 
+from .python_fstrings import with_older_fstrings
+
 
 def parse_python(text: str | bytes) -> ast.Module:
-    """The tree of a source, without Python's warnings about it.
+    """The tree of a source, without Python's warnings about it; columns are off in lines with f-strings that this Python does not take.
 
     Raises:
         SyntaxError: it is not Python 3, nested too deeply for the parser, or too large.
+    """
+    try:
+        return parse_as_it_stands(text)
+    except SyntaxError:
+        if len(text) > LARGEST_PARSED:
+            raise
+        older = with_older_fstrings(text if isinstance(text, str) else text.decode(errors="replace"))
+        if older is None:
+            raise
+    return parse_as_it_stands(older)
+
+
+def parse_as_it_stands(text: str | bytes) -> ast.Module:
+    """The tree of a source that this Python takes.
+
+    Raises:
+        SyntaxError: it does not take it.
     """
     if len(text) > LARGEST_PARSED:
         raise SyntaxError(f"larger than {LARGEST_PARSED >> 20} MiB", ("", 1, 1, ""))

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.extractor.files import LARGEST_PARSED, read_file
-from rosarch.extractor.python_syntax import parse_python
+from rosarch.extractor.python_fstrings import with_older_fstrings
+from rosarch.extractor.python_syntax import parse_as_it_stands
 
 from .python2 import as_python3
 
@@ -47,6 +48,9 @@ def read_source(path: Path) -> Parsed | Problem:
     tree = _parse(text)
     if isinstance(tree, ast.Module):
         return Parsed(text.encode(), tree, problems)
+    rewritten = with_older_fstrings(text)
+    if rewritten is not None and isinstance(newer := _parse(rewritten), ast.Module):
+        return Parsed(rewritten.encode(), newer, problems)
     older = as_python3(text) if "nested" not in tree.message else None
     if older is not None:
         converted = _parse(older)
@@ -85,6 +89,6 @@ def _decoded(data: bytes) -> tuple[str, tuple[Problem, ...]]:
 
 def _parse(text: str) -> ast.Module | Problem:
     try:
-        return parse_python(text)
+        return parse_as_it_stands(text)
     except SyntaxError as error:
         return Problem(error.lineno or 1, max(error.offset or 1, 1), f"syntax error: {error.msg}")
