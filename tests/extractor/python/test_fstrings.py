@@ -15,12 +15,12 @@ from rosarch.extractor.python_syntax import parse_python
 @pytest.mark.parametrize(
     ("newer", "older"),
     [
-        ('f"{a["b"]} {d("e")}"', "f'{a[\"b\"]} {d(\"e\")}'"),
+        ('f"{a["b"]} {d("e")}"', 'f\'{a["b"]} {d("e")}\''),
         ('f"{f"{y}"}"', "f\"{f'{y}'}\""),
         ('f"{f"{y["k"]}"}"', "f'''{f\"{y['k']}\"}'''"),
         ('rf"\\d{n["a"]}"', "rf'\\d{n[\"a\"]}'"),
         ('f"{a["b"]}" "c"', "f'{a[\"b\"]}' 'c'"),
-        ('f"{a["b"]!r:>{w["c"]}} {{q}}"', "f'{a[\"b\"]!r:>{w[\"c\"]}} {{q}}'"),
+        ('f"{a["b"]!r:>{w["c"]}} {{q}}"', 'f\'{a["b"]!r:>{w["c"]}} {{q}}\''),
         ('f"{a != "c"}"', "f\"{a != 'c'}\""),
         ('f"{"" or d[""]}"', "f\"{'' or d['']}\""),
         ('f"\\N{BULLET}{a["b"]}"', "f'\\N{BULLET}{a[\"b\"]}'"),
@@ -57,7 +57,7 @@ def test_a_text_with_a_backslash_within_braces_is_an_unknown_one() -> None:
         "f'",
         "'",
         'f"{f"{f"{f"{a["b"]}"}"}"}"',  # too deep
-        "f\"{a['''b''']} {c[\"d\"]} \\\"\"\"\"\"\"",
+        'f"{a[\'\'\'b\'\'\']} {c["d"]} \\""""""',
     ],
 )
 def test_other_texts_stay(source: str) -> None:
