@@ -10,6 +10,8 @@ from rosarch.extractor.files import read_file
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 
+IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
+"""Files that hide a folder, with all that lies below it, from the tools that build."""
 HEAVY_FOLDERS = frozenset({"node_modules", "__pycache__", "venv", "site-packages"})
 TEMPLATES = frozenset({"template", "templates"})
 NO_PACKAGES = HEAVY_FOLDERS | TEMPLATES | {"test", "tests"}

@@ -10,6 +10,7 @@ from pathlib import Path
 from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
 from rosarch.extractor.limits import LIMITS
+from rosarch.extractor.package_names import IGNORE_MARKERS
 from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
 from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.xml_reader import XmlError
@@ -31,10 +32,10 @@ _NAME = re.compile(r"[\w.-]+")
 
 
 def launch_files(folder: Path | str, *, templates: bool = False) -> list[str]:
-    """The launch files below a folder, sorted, without hidden folders, those that CATKIN_IGNORE hides and (unless asked for) templates."""
+    """The launch files below a folder, sorted, without hidden folders, those that ignore markers hide and (unless asked for) templates."""
     found: list[str] = []
     for here, folders, names in os.walk(folder):
-        if "CATKIN_IGNORE" in names:
+        if IGNORE_MARKERS.intersection(names):
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))

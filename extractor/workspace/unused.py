@@ -8,8 +8,7 @@ from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
-
-from .manifests import IGNORE_MARKERS
+from rosarch.extractor.package_names import IGNORE_MARKERS
 
 _USES_ROS = re.compile(
     rb"^[ \t]*(?:#[ \t]*include[ \t]*[<\"](?:ros/ros\.h|rclcpp\w*/)|(?:import|from)[ \t]+(?:rospy|rclpy)\b)", re.MULTILINE

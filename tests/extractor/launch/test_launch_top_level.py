@@ -24,6 +24,10 @@ def test_top_level(tmp_path: Path) -> None:
         ".hidden/x.launch": "<launch/>",
         "off/inner/y.launch": "<launch/>",
         "off/CATKIN_IGNORE": "",
+        "shelved/y.launch": "<launch/>",
+        "shelved/COLCON_IGNORE": "",
+        "left/inner/y.launch": "<launch/>",
+        "left/AMENT_IGNORE": "",
     }
     for name, text in {**texts, "package.xml": "<package><name>p</name></package>"}.items():
         path = tmp_path / name
