@@ -103,6 +103,19 @@ def _not_read(script: Path, problems: Iterable[Diagnostic]) -> Iterator[Unsure]:
         yield Unsure("not one call of setup()", script, 1)
 
 
+def _assigned(tree: ast.Module) -> dict[str, ast.expr]:
+    """What the names of the module are given last; of those in branches, which ROS may decide, such as are given one value only."""
+    names: dict[str, ast.expr] = {}
+    below: dict[str, list[ast.expr]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
+            below.setdefault(node.targets[0].id, []).append(node.value)
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
+            names[node.targets[0].id] = node.value
+    return {name: values[0] for name, values in below.items() if len(values) == 1} | names
+
+
 def _program(folder: Path, path: str) -> Program:
     return Program(path.rpartition("/")[2], folder / path)
 
@@ -119,11 +132,7 @@ def _keywords(path: Path, problems: list[Diagnostic]) -> Iterator[tuple[str | No
     except SyntaxError as error:
         problems.append(Diagnostic("setup", path, error.lineno or 1, error.offset or 1, f"not read: {error.msg}"))
         return
-    names: dict[str, ast.expr] = {}
-    for node in tree.body:
-        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
-            names[node.targets[0].id] = node.value
-    values = SetupValues(path.parent, names)
+    values = SetupValues(path.parent, _assigned(tree))
     for part in ast.walk(tree):
         match part:
             case ast.Call(keywords=keywords):

@@ -62,6 +62,16 @@ def test_entry_points_of_setup_py(tmp_path: Path) -> None:
     assert problems == ["demo/setup.py:7:1: entry point lost: no module demo.lost in the package"]
 
 
+def test_names_in_branches_that_are_given_one_value_are_known(tmp_path: Path) -> None:
+    setup = (
+        "import os\nif os.environ['ROS_VERSION'] == '1':\n  from distutils.core import setup\n  setup(packages=['demo'])\n"
+        "else:\n  from setuptools import setup\n  name = 'demo'\n"
+        "  setup(name=name, entry_points={'console_scripts': ['{}_node = {}.node:main'.format(name, name)]})\n"
+    )
+    ament(tmp_path, "demo", setup, {"demo/__init__.py": "", "demo/node.py": "import rclpy\ndef main(): rclpy.init()\n"})
+    assert list(nodes(tmp_path)) == ["demo_node"]
+
+
 def test_entry_points_of_setup_cfg_and_text(tmp_path: Path) -> None:
     cfg = "[develop]\nscript_dir=$base/lib/demo\n[options.entry_points]\nconsole_scripts =\n    talk = demo.talker:main\n"
     ament(tmp_path, "demo", "import setuptools\nsetuptools.setup()\n", {"setup.cfg": cfg, "demo/talker.py": "import rclpy\n"})
