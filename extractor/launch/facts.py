@@ -16,6 +16,7 @@ from rosarch.extractor.files import path_text
 from .arguments import NodeArguments, node_arguments
 from .model import (
     ArgumentDeclared,
+    ArgumentLeaked,
     ArgumentUsed,
     ComponentNamed,
     Composition,
@@ -192,6 +193,8 @@ class _Writer:
                     self.add("file_beside", self.path(named.file), self.path(named.beside))
             case TextTested():
                 self.add("text_tested", place, named.name)
+            case ArgumentLeaked():
+                self.add("argument_leaked", place, named.name, named.value, self.place(named.origin))
             case SubstitutionUsed():
                 self.add("substitution_used", place, named.name, named.effect)
             case ProgramNamed():

@@ -329,7 +329,18 @@ class SubstitutionUsed:
     place: Place
 
 
-Reference = TextTested | SubstitutionUsed | FileNamed | FileMeant | ProgramNamed | ComponentNamed | PackageNamed | ArgumentUsed | HomePath
+@dataclass(frozen=True)
+class ArgumentLeaked:
+    """The argument `name`, declared at `place`, has the `value` that a file included before gave it at `origin`, not its own default."""
+
+    name: str
+    value: str
+    place: Place
+    origin: Place
+
+
+_OfArguments = ArgumentLeaked | ArgumentUsed | SubstitutionUsed | TextTested
+Reference = _OfArguments | FileNamed | FileMeant | ProgramNamed | ComponentNamed | PackageNamed | HomePath
 
 
 @dataclass(frozen=True)

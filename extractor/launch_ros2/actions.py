@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.model import ArgumentDeclared, LaunchError, Remap
+from rosarch.extractor.launch.model import ArgumentDeclared, ArgumentLeaked, LaunchError, Remap
 from rosarch.extractor.launch.names import canonical
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import PART_COST
@@ -125,14 +125,14 @@ def _group(world: World, made: Made, context: Context) -> None:
     scoped, forwarding = made.arguments.get("scoped", True), made.arguments.get("forwarding", True)
     given = made.get("launch_configurations") or {}
     if scoped is False:
-        context.configurations.update(_performed(world, given, context))
+        context.put(_performed(world, given, context))
         visit(world, made.get("actions"), context)
         return
     with context.scoped():
         own = _performed(world, given, context)
         if forwarding is False:
             context.configurations.clear()
-        context.configurations.update(own)
+        context.put(own)
         visit(world, made.get("actions"), context)
 
 
@@ -143,7 +143,8 @@ def _performed(world: World, given: Any, context: Context) -> dict[str, str]:
 
 @carries_out("TimerAction", "RosTimer", "ROSTimer")
 def _timer(world: World, made: Made, context: Context) -> None:
-    visit(world, made.get("actions"), context)
+    with context.later():
+        visit(world, made.get("actions"), context)
 
 
 _HANDLED = ("on_exit", "on_start", "on_completion", "on_shutdown", "on_stdout", "on_stderr", "entities")
@@ -163,7 +164,8 @@ def _events(world: World, made: Made, context: Context) -> None:
 def _visit_outcome(world: World, outcome: Any, context: Context) -> None:
     if isinstance(outcome, (Function, Bound)):
         outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
-    visit(world, outcome, context)
+    with context.later():
+        visit(world, outcome, context)
 
 
 @carries_out("EmitEvent", "LifecycleTransition")
@@ -183,7 +185,9 @@ def _declare(world: World, made: Made, context: Context) -> None:
         if default is None:
             state.report(LaunchError("argument", name, f"argument `{name}` must be passed, it has no default"))
             default = state.unknowns.mark(f"$(var {name})", context.file)
-        context.configurations[name] = default
+        context.give(name, default, state.here)
+    elif default is not None:
+        _note_leak(world, name, default, context)
     choices = made.arguments.get("choices")
     value = context.configurations[name]
     if isinstance(choices, (list, tuple)) and choices and not state.unknowns.is_open(value):
@@ -192,9 +196,17 @@ def _declare(world: World, made: Made, context: Context) -> None:
             raise LaunchError("choice", name, f"argument `{name}` is `{value}`, but must be one of {', '.join(texts)}")
 
 
+def _note_leak(world: World, name: str, default: str, context: Context) -> None:
+    """Note that an argument, which a file included before left set, has another value than its default."""
+    origin, is_open = context.leaked(name), world.state.unknowns.is_open
+    if origin is not None and origin.value.lower() != default.lower() and not is_open(default) and not is_open(origin.value):
+        world.references.append(ArgumentLeaked(name, origin.value, world.state.here, origin.place))
+
+
 @carries_out("SetLaunchConfiguration")
 def _set(world: World, made: Made, context: Context) -> None:
-    context.configurations[perform(world, made.get("name"), context)] = perform(world, made.get("value"), context)
+    name = perform(world, made.get("name"), context)
+    context.put({name: perform(world, made.get("value"), context)})
 
 
 @carries_out("UnsetLaunchConfiguration")
@@ -206,7 +218,7 @@ def _unset(world: World, made: Made, context: Context) -> None:
 def _reset(world: World, made: Made, context: Context) -> None:
     kept = _performed(world, made.get("launch_configurations") or {}, context)
     context.configurations.clear()
-    context.configurations.update(kept)
+    context.put(kept)
 
 
 @carries_out("SetEnvironmentVariable", "AppendEnvironmentVariable")

@@ -21,15 +21,27 @@ class Given:
     node: str | None = None
 
 
+@dataclass(frozen=True)
+class Origin:
+    """Where a declaration, or an include that passes an argument, gave a configuration its value; `lines` are the includes up to there."""
+
+    value: str
+    place: Place
+    lines: tuple[Place, ...]
+    conditions: tuple[Condition, ...]
+
+
 @dataclass
 class Context:
     """The state of launch. What a group keeps to itself is put back when the group ends; an included file changes its includer's.
 
-    `environment` is what differs from the environment `outside`; None for a variable that was unset.
+    `origins` are those of configurations that are arguments; `environment` is what differs from the environment `outside`, with None for a
+    variable that was unset.
     """
 
     file: str
     configurations: dict[str, str] = field(default_factory=dict)
+    origins: dict[str, Origin] = field(default_factory=dict)
     outside: Mapping[str, str] = field(default_factory=dict)
     environment: dict[str, str | None] = field(default_factory=dict)
     namespace: str = ""
@@ -48,14 +60,40 @@ class Context:
         """Whether something under this condition, too, may be there."""
         return not exclusive(self.conditions, (condition,))
 
+    def put(self, values: Mapping[str, str]) -> None:
+        """Set configurations, for all that follows."""
+        self.configurations.update(values)
+        self.origins = {name: origin for name, origin in self.origins.items() if name not in values}
+
+    def give(self, name: str, value: str, place: Place, *includes: Place) -> None:
+        """Set an argument, for this file or for one that it includes."""
+        self.configurations[name] = value
+        self.origins[name] = Origin(value, place, (*self.lines, *includes), self.conditions)
+
+    def leaked(self, name: str) -> Origin | None:
+        """Where an argument has its value from, if certainly from a file that was included before and does not include this one."""
+        origin = self.origins.get(name)
+        if origin is None or origin.value != self.configurations.get(name) or not set(origin.conditions) <= set(self.conditions):
+            return None
+        return None if self.lines[: len(origin.lines)] == origin.lines else origin
+
     @contextmanager
-    def scoped(self) -> Iterator[None]:
-        """What changes meanwhile is put back."""
-        kept = replace(self, configurations=dict(self.configurations), environment=dict(self.environment))
+    def later(self) -> Iterator[None]:
+        """What happens meanwhile happens when all else has, and in an order that is not known."""
+        kept, self.origins = self.origins, {}
         try:
             yield
         finally:
-            self.configurations, self.environment = kept.configurations, kept.environment
+            self.origins = kept
+
+    @contextmanager
+    def scoped(self) -> Iterator[None]:
+        """What changes meanwhile is put back."""
+        kept = replace(self, configurations=dict(self.configurations), origins=dict(self.origins), environment=dict(self.environment))
+        try:
+            yield
+        finally:
+            self.configurations, self.origins, self.environment = kept.configurations, kept.origins, kept.environment
             self.namespace, self.remaps, self.params = kept.namespace, kept.remaps, kept.params
 
     @contextmanager

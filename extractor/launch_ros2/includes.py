@@ -43,7 +43,7 @@ def _include(world: World, made: Made, context: Context) -> None:
     place = state.here
     if len(state.includes) >= MAX_INCLUDES:
         raise Exhausted(f"more than {MAX_INCLUDES} includes, the rest is left out")
-    passed = _pass(world, made, context)
+    passed = _pass(world, made, place, context)
     file = None if state.unknowns.is_open(path) else world.located(path)
     entities = None if file is None else read(world, file, len(context.lines))
     lines = (*context.lines, place)
@@ -74,7 +74,7 @@ def _unused(world: World, passed: Iterable[str], file: str, before: tuple[int, i
     return [name for name in passed if name not in known and not any(name in text for text in texts)]
 
 
-def _pass(world: World, made: Made, context: Context) -> dict[str, str]:
+def _pass(world: World, made: Made, place: Place, context: Context) -> dict[str, str]:
     """Set the arguments that are passed, in their order: later ones see earlier ones."""
     given = made.get("launch_arguments")
     pairs = given.items() if isinstance(given, dict) else given if isinstance(given, (list, tuple)) else ()
@@ -82,7 +82,8 @@ def _pass(world: World, made: Made, context: Context) -> dict[str, str]:
     for pair in pairs:
         if isinstance(pair, (list, tuple)) and len(pair) == 2:
             name = perform(world, pair[0], context)
-            found[name] = context.configurations[name] = perform(world, pair[1], context)
+            found[name] = perform(world, pair[1], context)
+            context.give(name, found[name], made.place, place)
             world.state.passed.append(ArgumentPassed(name, found[name], made.place, made.place))
     return found
 

@@ -236,7 +236,7 @@ EVERYTHING = """<arg name="x"/><arg name="y" default="1"/>
 
 IN_PYTHON = """import os
 from launch import LaunchDescription
-from launch.actions import ExecuteProcess
+from launch.actions import ExecuteProcess, IncludeLaunchDescription
 from launch_ros.actions import ComposableNodeContainer, Node
 from launch_ros.descriptions import ComposableNode
 
@@ -244,7 +244,9 @@ def generate_launch_description():
     inner = ComposableNode(package="here", plugin="here::Inner")
     here = os.path.dirname(__file__)
     viewer = Node(package="rviz2", executable="rviz2", name="viewer", arguments=["-d", os.path.join(here, "demo.rviz")])
-    return LaunchDescription([viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
+    arm = os.path.join(here, "arm.launch.xml")
+    arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]
+    return LaunchDescription([*arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
                                                       composable_node_descriptions=[inner],
                                                       parameters=[os.path.join(here, "box.yaml"), {"map": os.path.join(here, "gone.yaml")}])])
 
@@ -268,6 +270,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\nregister(Inner)\n")
     filled = launch_rows(composition, tmp_path)
     filled |= script_rows(composition, PackagePath([tmp_path]))
+    (tmp_path / "here" / "arm.launch.xml").write_text('<launch><arg name="rate" default="2"/></launch>')
     (tmp_path / "here" / "ros2.launch.py").write_text(IN_PYTHON)
     (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")
     view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"

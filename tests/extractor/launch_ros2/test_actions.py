@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 from ros2_launch_builder import HEAD, composed, described, names, params, problems
+
+from rosarch.extractor.launch.model import ArgumentLeaked
 
 
 def test_groups_keep_what_they_change(tmp_path: Path) -> None:
@@ -82,6 +85,35 @@ def test_arguments_that_are_wrong(tmp_path: Path) -> None:
         "launch configuration `never` is not set",
     ]
     assert names(found) == ["/$(var never)"]
+
+
+@pytest.mark.parametrize(
+    ("entities", "expected"),
+    [
+        # the default of one file, and what one is passed, are left to the next
+        ("include('one'), include('two')", ["rate=5 at one.launch.py"]),
+        ("include('two', rate='7'), include('two')", ["rate=7 at main.launch.py"]),
+        # passed itself, set on purpose, kept within a group, given by an outer file
+        ("include('one'), include('two', rate='9')", []),
+        ("include('one'), SetLaunchConfiguration('rate', '5'), include('two')", []),
+        ("GroupAction([include('one')]), include('two')", []),
+        ("GroupAction([include('one'), include('two')], launch_configurations={'rate': '5'})", []),
+        ("DeclareLaunchArgument('rate', default_value='3'), include('one'), include('two')", []),
+        # perhaps not started, or started later
+        ("include('one', condition=IfCondition(EnvironmentVariable('ONE'))), include('two')", []),
+        ("TimerAction(period=1.0, actions=[include('one')]), include('two')", []),
+        # the same default
+        ("include('one'), include('one')", []),
+    ],
+)
+def test_arguments_that_leak(tmp_path: Path, entities: str, expected: list[str]) -> None:
+    source = r"IncludeLaunchDescription(PythonLaunchDescriptionSource([ThisLaunchFileDir(), '/\1.launch.py'])"
+    entities = re.sub(r"include\('(\w+)'", source, re.sub(r"rate='(\d)'", r"launch_arguments={'rate': '\1'}.items()", entities))
+    main = f"{HEAD}def generate_launch_description():\n    return LaunchDescription([{entities}])\n"
+    part = f"{HEAD}def generate_launch_description():\n    return LaunchDescription([DeclareLaunchArgument('rate', default_value='%s')])\n"
+    files = {"main.launch.py": main, "one.launch.py": part % 5, "two.launch.py": part % 50}
+    found = composed(tmp_path, files).references
+    assert [f"{one.name}={one.value} at {Path(one.origin.path).name}" for one in found if isinstance(one, ArgumentLeaked)] == expected
 
 
 def test_includes_that_are_not_there(tmp_path: Path) -> None:
