@@ -125,8 +125,9 @@ class Meaning:
         cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
         if cell and cell.counting:
             return self._compared(condition)
-        if cell and cell.suffix.endswith(EMPTY) and not condition.left.rstrip().endswith(EMPTY[1:]):
-            return self._size(cell, lambda size: size == number(condition.right), condition)
+        limit = number(condition.right)
+        if cell and limit is not None and cell.suffix.endswith(EMPTY) and not condition.left.rstrip().endswith(EMPTY[1:]):
+            return self._size(cell, lambda size: size == limit, condition, limit)
         value = constant(condition.right)
         if value is None:
             other = self._domains.cell(self._domains.locator.locate(condition.right, owner))
@@ -158,16 +159,16 @@ class Meaning:
             return bool(_COMPARE[condition.op](value, limit))
 
         if cell.suffix.endswith(EMPTY):
-            return self._size(cell, holds, condition)
+            return self._size(cell, holds, condition, limit)
         known = {v: holds(size) for v in cell.subject.values if (size := number(v)) is not None}
         rest = frozenset(v for v in cell.subject.values if v not in known)
         true = Is(cell.subject, frozenset(v for v, truth in known.items() if truth))
         return Any((true, All((Is(cell.subject, rest), self._compared(condition))))) if rest else true
 
-    def _size(self, cell: Cell, holds: Callable[[float], bool], condition: Comparison) -> Formula:
-        """A comparison of a container's size, decided where 0 and more differ."""
-        answers = [holds(float(size)) for size in (0, 1, 10**9)]
-        if answers[1:] == [True, True] or answers[1:] == [False, False]:
+    def _size(self, cell: Cell, holds: Callable[[float], bool], condition: Comparison, limit: float) -> Formula:
+        """A comparison of a container's size with a limit, decided where 0 and more differ."""
+        answers = [holds(0.0), *(holds(size) for size in (1.0, limit, 1e9) if size >= 1)]
+        if len(set(answers[1:])) == 1:
             return Is(cell.subject, frozenset(v for v, truth in (("true", answers[0]), ("false", answers[1])) if truth))
         empty = frozenset({"true"})
         rest = All((Is(cell.subject, frozenset({"false"})), self._compared(condition)))

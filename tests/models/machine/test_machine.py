@@ -104,6 +104,7 @@ def test_values_are_copied_between_variables() -> None:
         ("std::string", '"RED"', [("in", 'flag_ == "RED"', '"GREEN"')], {'"RED" in "GREEN"'}),
         ("std::vector<int>", None, [("in", "flag_.empty()", "flag_.push_back(1)"), ("in2", "flag_.size() > 0", "flag_.clear()")], {"true in false", "false in2 true"}),
         ("std::vector<int>", None, [("in", "flag_.size() < 1", "flag_.push_back(1)")], {"true in false"}),
+        ("std::vector<int>", None, [("in", "flag_.size() == 3", "flag_.clear()"), ("in2", None, "flag_.push_back(1)")], {"false in[flag_.size() == 3] true", "true in2 false"}),
         ("std::map<int, int>", None, [("in", "flag_.size() >= 3", "flag_.erase(3)"), ("in2", None, "flag_.emplace(1, 2)")], {"false in[flag_.size() >= 3] true", "true in2 false"}),
     ],
 )  # fmt: skip
