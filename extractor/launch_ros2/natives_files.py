@@ -59,13 +59,29 @@ _OF_TEXT: dict[str, Callable[[str], Any]] = {
     "normpath": os.path.normpath,
     "realpath": os.path.normpath,
     "abspath": os.path.normpath,
-    "expanduser": str,
     "split": os.path.split,
     "splitext": os.path.splitext,
     "isabs": os.path.isabs,
 }
 for _name, _function in _OF_TEXT.items():
     native(f"os.path.{_name}")(_of_text(_function))
+
+
+def _below_home(run: Calls, text: str) -> str:
+    """A path with the home folder in place of `~`: an unknown one, whoever reads the sources here is not who launches them."""
+    user, slash, rest = text.partition("/")
+    return f"{run.world.state.unknowns.mark(f'$(home {user})', user)}{slash}{rest}" if user.startswith("~") else text
+
+
+@native("os.path.expanduser")
+def _expanded(run: Calls, path: Any) -> Any:
+    text = _path(path)
+    return NOTHING if text is None else _below_home(run, text)
+
+
+@native("pathlib.Path.home")
+def _home(run: Calls) -> PathText:
+    return PathText(_below_home(run, "~"))
 
 
 def _there(run: Calls, path: Any, *_more: Any) -> Any:
@@ -95,7 +111,8 @@ def _same_path(_run: Calls, owner: PathText, *_more: Any, **_named: Any) -> Path
 
 
 PATH_METHODS: dict[str, _Call] = {
-    **dict.fromkeys(("resolve", "absolute", "expanduser"), _same_path),
+    **dict.fromkeys(("resolve", "absolute"), _same_path),
+    "expanduser": lambda run, owner: PathText(_below_home(run, owner.text)),
     "joinpath": lambda run, owner, *parts: owner.joined(*_paths(parts, run)),
     "as_posix": lambda _run, owner: owner.text,
     "with_suffix": lambda _run, owner, suffix: PathText(os.path.splitext(owner.text)[0] + suffix),
