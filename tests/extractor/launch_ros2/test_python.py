@@ -33,7 +33,9 @@ def test_a_list_of_remappings_that_nodes_share_is_at_one_place(tmp_path: Path) -
 
 def test_the_home_folder_of_whoever_launches_is_not_known(tmp_path: Path) -> None:
     before = "from os.path import expanduser\nfrom pathlib import Path\nhomes = [expanduser('~') + '/a', str(Path('~/b').expanduser()), str(Path.home() / 'c'), expanduser('/d')]"
-    found = described(tmp_path, "*[Node(package='here', executable='run', name=f'n{at}', arguments=[one]) for at, one in enumerate(homes)]", before)
+    found = described(
+        tmp_path, "*[Node(package='here', executable='run', name=f'n{at}', arguments=[one]) for at, one in enumerate(homes)]", before
+    )
     assert [node.args.strip("'") for node in found.nodes] == ["$(home ~)/a", "$(home ~)/b", "$(home ~)/c", "/d"]
 
 
