@@ -34,6 +34,7 @@ TRAITS = {
     "round_sends": ("place", "port", "text"),
     "round_always": ("place", "port"),
     "sent_untimed": ("port",),
+    "sent_otherwise": ("port",),
     "unsteady": ("place", "text"),
     "unheard": ("port", "text"),
     "held_up": ("text",),

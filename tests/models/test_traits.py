@@ -13,7 +13,14 @@ from rosarch.models.component import ComponentModel
 from rosarch.models.traits import TRAITS
 
 HERE = Path(__file__).parent / "traits"
-COUNTS = ("answers_most", "round_sends", "round_always", "sent_untimed", "synchronised")  # `tests/rules/sources/flows_*.cpp` has them
+COUNTS = (
+    "answers_most",
+    "round_sends",
+    "round_always",
+    "sent_untimed",
+    "sent_otherwise",
+    "synchronised",
+)  # `tests/rules/sources/flows_*.cpp` has them
 MODES = (
     "begins_in",
     "moves_on",

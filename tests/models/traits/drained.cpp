@@ -1,5 +1,6 @@
-// expect: serves_callbacks 21
-// expect: names_nothing 14 ~scan_topic /scan
+// expect: keeps_value_of topic ~scan_topic
+// expect: serves_callbacks 22
+// expect: names_nothing 15 ~scan_topic /scan
 #include <string>
 #include <ros/ros.h>
 #include <std_msgs/String.h>

@@ -1,8 +1,9 @@
-// expect: reads_clock 22
+// expect: keeps_value_of more ~more
 // expect: reads_clock 23
 // expect: reads_clock 24
-// expect: sends_frame 22 base_link ~base_frame
-// expect: sends_frame 23 odom 
+// expect: reads_clock 25
+// expect: sends_frame 23 base_link ~base_frame
+// expect: sends_frame 24 odom 
 #include <string>
 #include <ros/ros.h>
 #include <tf/transform_broadcaster.h>

@@ -27,13 +27,19 @@
 // expect-not: sends_in_burst(_, [_, _, "/thread"], _)
 // expect: sent_untimed([_, _, "/thread"])
 // expect: Count = count : { sent_untimed(_) }, Count = 1
+// expect: sent_otherwise([_, _, "/thread"])
+// expect: sent_otherwise([_, _, "/main"])
+// expect: sent_otherwise([_, _, "/given"])
+// expect: Count = count : { sent_otherwise(_) }, Count = 3
 #include <ros/ros.h>
 #include <stdexcept>
 #include <std_msgs/Int32.h>
 #include <thread>
 
 ros::Publisher once_pub, twice_pub, either_pub, one_more_pub, or_return_pub, looped_pub, done_pub, entered_twice_pub, entered_in_loop_pub, paused_pub, handled_pub;
-ros::Publisher timed_pub, round_pub, main_pub, thread_pub;
+ros::Publisher timed_pub, round_pub, main_pub, thread_pub, given_pub;
+
+void keep(const ros::Publisher& publisher);
 
 void sendTwo(const std_msgs::Int32& message)
 {
@@ -127,6 +133,8 @@ int main(int argc, char** argv)
   round_pub = nh.advertise<std_msgs::Int32>("/round", 1);
   main_pub = nh.advertise<std_msgs::Int32>("/main", 1);
   thread_pub = nh.advertise<std_msgs::Int32>("/thread", 1);
+  given_pub = nh.advertise<std_msgs::Int32>("/given", 1);
+  keep(given_pub);
   ros::Subscriber sub = nh.subscribe("/in", 1, onIn), paused = nh.subscribe("/in", 1, onPaused), handled = nh.subscribe("/in", 1, onHandled);
   ros::Timer timer = nh.createTimer(ros::Duration(1.0), onTimer);
   std::thread thread(run);
