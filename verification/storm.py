@@ -5,8 +5,10 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import multiprocessing
+import re
 import resource
 from multiprocessing.connection import Connection
+from pathlib import Path
 
 from rosarch.datalog.scratch import scratch_folder
 from rosarch.verification.checkers import CheckerError, Found
@@ -52,7 +54,8 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
 
 def _work(answer: Connection, text: str, asked: str, memory: int) -> None:
     stormpy = importlib.import_module("stormpy")
-    resource.setrlimit(resource.RLIMIT_DATA, (memory << 20, memory << 20))
+    most = _data_held() + (memory << 20)
+    resource.setrlimit(resource.RLIMIT_DATA, (most, most))
     try:
         with scratch_folder() as folder:
             path = folder / "model.prism"
@@ -67,3 +70,13 @@ def _work(answer: Connection, text: str, asked: str, memory: int) -> None:
     except RuntimeError as error:
         if not str(error).startswith("std::"):  # what the standard library throws when there is no room
             answer.send((" ".join(str(error).split()), 0))
+
+
+def _data_held() -> int:
+    """Bytes of data that this process has from the one it was forked from, which may be large; 0 where the system does not say (proc(5))."""
+    try:
+        status = Path("/proc/self/status").read_text("ascii")
+    except OSError:
+        return 0
+    found = re.search(r"^VmData:\s*(\d+) kB$", status, re.MULTILINE)
+    return int(found[1]) << 10 if found else 0

@@ -47,6 +47,7 @@ def test_several_are_explained(rosarch: Callable) -> None:
         "duplicate-node",
         "topic-name-mismatch",
         "topic-renamed",
+        "topic-silenced",
         "topic-too-fast",
         "topic-too-slow",
         "topic-type-mismatch",
