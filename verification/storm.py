@@ -73,7 +73,7 @@ def _work(answer: Connection, text: str, asked: str, memory: int) -> None:
 
 
 def _data_held() -> int:
-    """Bytes of data that this process has from the one it was forked from, which may be large; 0 where the system does not say (proc(5))."""
+    """Bytes of data that this process has, most from the one it was forked from; 0 where the system does not say (proc(5))."""
     try:
         status = Path("/proc/self/status").read_text("ascii")
     except OSError:
