@@ -11,6 +11,7 @@ import ast
 import configparser
 import os
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -105,15 +106,24 @@ def _not_read(script: Path, problems: Iterable[Diagnostic]) -> Iterator[Unsure]:
 
 def _assigned(tree: ast.Module) -> dict[str, ast.expr]:
     """What the names of the module are given last; of those in branches, which ROS may decide, such as are given one value only."""
-    names: dict[str, ast.expr] = {}
-    below: dict[str, list[ast.expr]] = {}
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
-            below.setdefault(node.targets[0].id, []).append(node.value)
-    for node in tree.body:
-        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
-            names[node.targets[0].id] = node.value
-    return {name: values[0] for name, values in below.items() if len(values) == 1} | names
+    below = list(_assignments(_statements(tree.body)))
+    times = Counter(name for name, _ in below)
+    return {name: value for name, value in below if times[name] == 1} | dict(_assignments(tree.body))
+
+
+def _assignments(statements: Iterable[ast.AST]) -> Iterator[tuple[str, ast.expr]]:
+    for statement in statements:
+        match statement:
+            case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                yield name, value
+
+
+def _statements(body: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    """The statements and those in their branches, but not those of functions, whose names are their own."""
+    for statement in body:
+        yield statement
+        if not isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            yield from _statements(node for node in ast.iter_child_nodes(statement) if isinstance(node, (ast.stmt, ast.excepthandler)))
 
 
 def _program(folder: Path, path: str) -> Program:
