@@ -3,8 +3,11 @@
 
 Usage: bugs.py BUGS.yml TREES_DIR --out FINDINGS_DIR [--bug ID ...]
 
-TREES_DIR/<id>/{buggy,fixed} are the trees; FINDINGS_DIR/<id>.{buggy,fixed}.json become lists of {"message", "file", "line", "check"}.
-`${T}` in a bug's arguments and variables is its tree, `${B}` the folder of BUGS.yml, whose `stubs/` stand in for absent packages.
+TREES_DIR/<id>/{buggy,fixed} are the trees; FINDINGS_DIR/<id>.{buggy,fixed}.json become lists of
+{"message", "file", "line", "check", "severity"}. `${T}` in a bug's arguments and variables is its tree, `${B}` the folder of BUGS.yml.
+Packages are looked for in the tree, then in the bug's `companions` (TREES_DIR/<id>/<path>: siblings of the same day, which the tree
+needs), then in `stubs/` beside BUGS.yml, which stand in for absent packages. No path of the machine is written, so that both trees
+can be compared.
 """
 
 from __future__ import annotations
@@ -13,6 +16,7 @@ import argparse
 import json
 import shlex
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -26,14 +30,35 @@ from rosarch.models.system.reading import Reading
 from rosarch.models.system.requests import Surroundings, parse_request
 
 
-def check_tree(bug: dict[str, Any], side: str, tree: Path, bugs: Path) -> tuple[Finding, ...]:
+@dataclass(frozen=True)
+class Place:
+    """Where one side of a bug lies: its tree, what is beside it, and the folder of BUGS.yml."""
+
+    tree: Path
+    beside: Path
+    bugs: Path
+
+    def package_path(self, bug: dict[str, Any]) -> tuple[Path, ...]:
+        """The tree, its companions in their order, and the stubs; of two packages of one name the first counts."""
+        companions = [self.beside / companion["path"] for companion in bug.get("companions", ())]
+        return (self.tree, *companions, self.bugs / "stubs")
+
+    def relative(self, text: str) -> str:
+        """A text with its paths relative to the folder that they lie in."""
+        for folder in (self.tree, self.beside, self.bugs):
+            text = text.replace(f"{folder}/", "")
+        return text
+
+
+def check_tree(bug: dict[str, Any], side: str, place: Place) -> tuple[Finding, ...]:
     """The findings about the system that a bug names, in one of its trees."""
+    tree, bugs = place.tree, place.bugs
 
     def filled(text: str) -> str:
         return text.replace("${T}", str(tree)).replace("${B}", str(bugs))
 
     environment = {name: filled(str(value)) for name, value in bug.get("env", {}).items()}
-    where = Surroundings(tree, (tree, bugs / "stubs"), environment)
+    where = Surroundings(tree, place.package_path(bug), environment)
     texts = []
     for launch in bug["launch"]:
         words = [*launch.get("args", ()), *launch.get(f"args_{side}", ())]
@@ -45,11 +70,11 @@ def check_tree(bug: dict[str, Any], side: str, tree: Path, bugs: Path) -> tuple[
     return analyze_systems(tree, given(map(parse_request, map(shlex.join, texts)), where), Reading(cache=extraction_cache(True))).findings
 
 
-def document(finding: Finding, tree: Path) -> dict[str, Any]:
+def document(finding: Finding, place: Place) -> dict[str, Any]:
     """A finding as `evaluate.py` wants it: where the fault lies, and of the chain of evidence nothing else."""
     return {
-        "message": finding.message,
-        "file": finding.place.path.removeprefix(f"{tree}/"),
+        "message": place.relative(finding.message),
+        "file": place.relative(finding.place.path),
         "line": finding.place.line,
         "check": finding.check.id,
         "severity": finding.severity,
@@ -69,10 +94,11 @@ def main() -> None:
         if options.bug and bug["id"] not in options.bug:
             continue
         for side in ("buggy", "fixed"):
-            tree = (options.trees / bug["id"] / side).resolve()
+            beside = (options.trees / bug["id"]).resolve()
+            place = Place(beside / side, beside, options.bugs.parent.resolve())
             start = time.perf_counter()
-            found = check_tree(bug, side, tree, options.bugs.parent.resolve())
-            rows = [document(finding, tree) for finding in found]
+            found = check_tree(bug, side, place)
+            rows = [document(finding, place) for finding in found]
             (options.out / f"{bug['id']}.{side}.json").write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
             print(f"{bug['id']:13} {side:6} {len(rows):4} findings {time.perf_counter() - start:7.1f} s", flush=True)
 
