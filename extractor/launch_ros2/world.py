@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.eval_functions import TooLarge, size_of
 from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, bounded, choice, tests_of, truth
-from rosarch.extractor.launch.model import LaunchError, Place, Reference
+from rosarch.extractor.launch.model import LaunchError, PackageNamed, Place, Reference
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import is_known, may_be
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
@@ -83,9 +83,12 @@ class World:
         if state.unknowns.is_open(package):
             return state.unknowns.mark(f"$(find-pkg-share {state.unknowns.render(package)})", package)
         folder = state.files.packages.find(package)
+        needed = not self.is_guarded(package) and not self.interpreter.optional(_NO_PACKAGE, installed(package))
         if folder is not None:
+            if needed:
+                self.references.append(PackageNamed(package, folder, state.here))
             return folder
-        if not self.is_guarded(package) and not self.interpreter.optional(_NO_PACKAGE, installed(package)):
+        if needed:
             state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
         return state.unknowns.mark(f"$(find-pkg-share {package})")
 

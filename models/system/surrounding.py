@@ -18,11 +18,11 @@ from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
 from rosarch.models.system.builds import build_rows
+from rosarch.models.system.manifests import Declared, declared, manifest_rows
 from rosarch.models.system.processes import with_nodes
 from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged
 from rosarch.models.system.workspace import (
-    Dependencies,
     container_rows,
     dependencies,
     named_by,
@@ -145,6 +145,7 @@ class Surrounding:
     components: Components
     named: Rows
     said: Mapping[str, frozenset[str]]
+    manifests: tuple[Declared, ...]
     diagnostics: tuple[Diagnostic, ...]
     given: Rows = field(default_factory=dict)
 
@@ -161,7 +162,8 @@ class Surrounding:
         composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
         named = named_by(launch.composition, self.named), source_rows(launch.composition, titles, self.said)
         builds = build_rows(launch.composition, self.components.builds, self.root)
-        own = merged([*composed, *named, builds, self.given])
+        manifests = manifest_rows(launch.composition, self.manifests, self.root, self.components.expected)
+        own = merged([*composed, *named, builds, manifests, self.given])
         return SystemFacts(own, (self.components.shared, *interfaces))
 
     def rows(self, launch: Launch) -> Rows:
@@ -209,14 +211,15 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
     sources = [repr((model.package, model.component, model.sources)) for model in components.models]
     said = memo.recall(["said", top, *sources], (top,), words) if memo else words()
 
-    def depends() -> Dependencies:
-        return memo.recall(["dependencies", top], (top,), lambda: dependencies(root)) if memo else dependencies(root)
+    def read() -> tuple[Declared, ...]:
+        return declared(root)
 
-    there = workspace_rows(depends, compositions, components.programs, components.expected)
+    manifests = memo.recall(["manifests", top], (top,), read) if memo else read()
+    there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected)
     named = merged([there, set_rows(compositions, components.models), container_rows(compositions)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
-    return Surrounding(root, components, named, said, tuple(dict.fromkeys(found)), given)
+    return Surrounding(root, components, named, said, manifests, tuple(dict.fromkeys(found)), given)
 
 
 def _absolute(folders: Sequence[Path]) -> list[str]:

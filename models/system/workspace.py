@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
 from rosarch.extractor.launch.facts import starts
 from rosarch.extractor.launch.model import Composition, PackageNamed, ProgramNamed
 from rosarch.models.component import ComponentModel
+from rosarch.models.system.manifests import Declared
 from rosarch.models.system.rows import Rows
 
 Dependencies = tuple[set[str], set[str]]
 """Packages that manifests depend on, and those that they are of."""
-_DEPENDENCY = re.compile(r"<\w*depend[^<>]*>\s*([^<\s]+)\s*</")
 
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu", ".h", ".hh", ".hpp", ".hxx", ".cuh", ".ipp", ".inl", ".cfg")
 _TEXT_OR_COMMENT = re.compile(r'"((?:[^"\\\n]|\\.)*)"|//[^\n]*|/\*.*?\*/', re.DOTALL)
@@ -29,14 +29,14 @@ def programs_named(compositions: Iterable[Composition]) -> set[tuple[str, str]]:
 
 
 def workspace_rows(
-    depends: Callable[[], Dependencies], compositions: Sequence[Composition], programs: Collection[tuple[str, str]], known: Collection[str]
+    depends: Dependencies, compositions: Sequence[Composition], programs: Collection[tuple[str, str]], known: Collection[str]
 ) -> Rows:
     """Which of the programs and packages that launch files name there are, or are to be expected: those `known`, and those needed here."""
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
     shipped = set(known)
-    depended, own = depends() if absent - shipped else (set(), set())
+    depended, own = depends if absent - shipped else (set[str](), set[str]())
     return {
         "program_built": set(programs),
         "package_expected": {(package,) for package in absent & (shipped | depended | own)},
@@ -44,20 +44,10 @@ def workspace_rows(
     }
 
 
-def dependencies(root: Path) -> Dependencies:
-    """All that the manifests below `root` depend on, and their own packages: of these, only ignored ones are not found."""
-    from rosarch.extractor.package_names import quick_name
-    from rosarch.extractor.workspace.manifests import find_manifests
-
-    depended: set[str] = set()
-    own: set[str] = set()
-    for path in find_manifests(root, [], ignored=True):
-        try:
-            depended.update(_DEPENDENCY.findall(read_file(path).decode(errors="replace")))
-            own.update(filter(None, [quick_name(path)]))
-        except OSError:
-            continue  # where the package is read, that is reported
-    return depended, own
+def dependencies(manifests: Iterable[Declared]) -> Dependencies:
+    """All that manifests depend on, and their own packages: of these, only ignored ones are not found."""
+    found = tuple(manifests)
+    return set().union(*(one.depends for one in found)), {one.name for one in found}
 
 
 def shared_rows(models: Sequence[ComponentModel]) -> Rows:

@@ -8,6 +8,7 @@ from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.library import load
 from rosarch.models.component import ComponentModel, Parameter
 from rosarch.models.places import Place
+from rosarch.models.system.manifests import declared
 from rosarch.models.system.workspace import dependencies, programs_named, set_rows, shared_rows, source_rows, words_said, workspace_rows
 
 LAUNCH = """<launch><group if="false">
@@ -29,7 +30,7 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     (folder / "a.launch").write_text(LAUNCH)
     composition = compose([folder / "a.launch"], files=Files(PackagePath([tmp_path])))
     assert programs_named([composition]) == {("robot", "built"), ("robot", "gone")}
-    rows = workspace_rows(lambda: dependencies(tmp_path), [composition], {("robot", "built"), ("robot", "other")}, load().packages)
+    rows = workspace_rows(dependencies(declared(tmp_path)), [composition], {("robot", "built"), ("robot", "other")}, load().packages)
     assert rows["program_built"] == {("robot", "built"), ("robot", "other")}
     assert rows["package_expected"] == {("driver",), ("move_base",), ("off",)}
     assert rows["package_unknown"] == {("driver",)}
