@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -37,6 +37,18 @@ class Built:
     def brings(self, path: str) -> bool:
         """Whether there is `path` below the prefix."""
         return any(install.brings(path) for install in self.installs)
+
+    def copied_plainly(self, name: str) -> Iterator[tuple[Path, int]]:
+        """Where the file `name` is copied, to where programs are looked for, without permission to execute it; nothing when it gets that elsewhere."""
+        found = [(install, path) for install in self.installs for path in install.files_called(name) if self._is_searched(path)]
+        if all(install.plain for install, _ in found):
+            yield from dict.fromkeys(install.plain for install, _ in found if install.plain)
+
+    def _is_searched(self, path: str) -> bool:
+        """Whether programs are looked for there: `rosrun` looks below the share folder, too."""
+        return path.startswith(
+            (f"lib/{self.name}/",) if self.build_type in INSTALLED_FIRST else (f"lib/{self.name}/", f"share/{self.name}/")
+        )
 
     @property
     def programs(self) -> frozenset[str]:

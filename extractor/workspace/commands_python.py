@@ -47,7 +47,8 @@ def _record(run: Evaluator, call: Call) -> None:
         run.unsure(f"{call.command.written}() with something that is not known", call.command.line)
     if run.excluded:
         return
-    run.draft.installs.extend(copied(words, run.lookup("", "CMAKE_INSTALL_PREFIX"), run.directory.source))
+    place = (Path(call.file), call.command.line)
+    run.draft.installs.extend(copied(words, run.lookup("", "CMAKE_INSTALL_PREFIX"), run.directory.source, place))
     for name in words.lists.get("TARGETS", ()):
         run.draft.installed_targets.append((name, words.runtime or "bin"))
 

@@ -19,6 +19,7 @@ class Install:
     """`source` becomes `path` below the prefix; of a `folder`, all that lies in it.
 
     With patterns in `only`, just the files in it that one of them matches; what matches one of `but` is left out, with all below it.
+    `plain`: at this line of this file the files are copied without permission to execute them.
     """
 
     path: str
@@ -26,6 +27,7 @@ class Install:
     folder: bool = False
     only: tuple[str, ...] = ()
     but: tuple[str, ...] = ()
+    plain: tuple[Path, int] | None = None
 
     def brings(self, path: str) -> bool:
         """Whether there is `path` below the prefix by this. A folder that is not there is made by the build: it may hold anything."""
@@ -39,6 +41,17 @@ class Install:
         if any(_matches(above, self.but) for above in _above(inside)):
             return False
         return not self.only or os.path.isdir(self.source / inside) or _matches(inside, self.only)
+
+    def files_called(self, name: str) -> Iterator[str]:
+        """The paths, below the prefix, of the files called `name` that this brings."""
+        if not self.folder:
+            if posixpath.basename(self.path) == name:
+                yield self.path
+            return
+        for here, _folders, names in os.walk(self.source):
+            path = posixpath.normpath(posixpath.join(self.path, os.path.relpath(here, self.source), name))
+            if name in names and self.brings(path):
+                yield path
 
 
 @dataclass(frozen=True)
@@ -83,6 +96,13 @@ class Installing:
     rename: str | None
     only: tuple[str, ...]
     but: tuple[str, ...]
+    flags: frozenset[str]
+
+    @property
+    def is_executable(self) -> bool:
+        """Whether files, and those in folders, get or keep permission to be executed: those of FILES and DIRECTORY have to ask for it."""
+        asked = {word for name in ("PERMISSIONS", "FILE_PERMISSIONS") for word in self.lists.get(name, ())}
+        return "USE_SOURCE_PERMISSIONS" in self.flags or any(word.endswith("_EXECUTE") or "$" in word for word in asked)
 
     @property
     def is_clear(self) -> bool:
@@ -125,7 +145,8 @@ def installing(words: Sequence[str]) -> Installing:
             current = None
         elif current is not None:
             current.append(word)
-    return Installing(lists, places.get(""), places.get("RUNTIME", places.get("")), rename, tuple(only) if filtered else (), tuple(but))
+    runtime = places.get("RUNTIME", places.get(""))
+    return Installing(lists, places.get(""), runtime, rename, tuple(only) if filtered else (), tuple(but), frozenset(words) & _FLAGS)
 
 
 def below(prefix: str, destination: str) -> str | None:
@@ -136,14 +157,17 @@ def below(prefix: str, destination: str) -> str | None:
     return None if path.startswith(("/", "..")) else path
 
 
-def copied(words: Installing, prefix: str, folder: str) -> Iterator[Install]:
-    """The files and folders that an `install` in `folder` copies."""
+def copied(words: Installing, prefix: str, folder: str, place: tuple[Path, int] | None = None) -> Iterator[Install]:
+    """The files and folders that an `install` in `folder` copies; `place` is that of one of CMake's own, which takes permissions away."""
     destination = None if words.destination is None else below(prefix, words.destination)
     if destination is None:
         return
-    for name in (*words.lists.get("FILES", ()), *words.lists.get("PROGRAMS", ())):
-        yield Install(posixpath.normpath(f"{destination}/{words.rename or posixpath.basename(name)}"), Path(folder) / name)
+    plain = None if words.is_executable else place
+    for kind, how in (("FILES", plain), ("PROGRAMS", None)):
+        for name in words.lists.get(kind, ()):
+            path = posixpath.normpath(f"{destination}/{words.rename or posixpath.basename(name)}")
+            yield Install(path, Path(folder) / name, plain=how)
     for name in words.lists.get("DIRECTORY", ()):
         into = "" if name.endswith("/") or not name else posixpath.basename(posixpath.normpath(name))
         path = posixpath.normpath(f"{destination}/{'' if into in ('.', '..') else into}")
-        yield Install(path, Path(os.path.normpath(f"{folder}/{name}")), True, words.only, words.but)
+        yield Install(path, Path(os.path.normpath(f"{folder}/{name}")), True, words.only, words.but, plain)

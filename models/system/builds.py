@@ -24,6 +24,10 @@ def build_rows(composition: Composition, builds: Sequence[Built], root: Path) ->
     top = os.path.abspath(root)
     for package in builds:
         _plugins(rows, top, package)
+    for named in composition.references:
+        if isinstance(named, ProgramNamed):
+            for package in (one for one in builds if one.name == named.package):
+                _plain(rows, top, named.type, package)
     if composition.ros == 2:
         told = [one for one in builds if one.build_type in INSTALLED_FIRST]
         for named in composition.references:
@@ -72,6 +76,11 @@ def _program(rows: _Rows, root: str, name: str, package: Built) -> None:
     if os.path.basename(name) in package.programs:
         rows["program_installed"].add((package.name, name))
     _tool(rows, root, package)
+
+
+def _plain(rows: _Rows, root: str, name: str, package: Built) -> None:
+    for path, line in package.copied_plainly(name) if not package.unsure else ():
+        rows["program_copied_plainly"].add((_place(rows, root, path, line), package.name, name))
 
 
 def _entry_points(rows: _Rows, root: str, package: Built) -> None:

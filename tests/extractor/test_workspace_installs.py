@@ -104,6 +104,32 @@ def test_programs_of_cmake(tmp_path: Path) -> None:
     assert found.unsure == ()
 
 
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("install(FILES tool.py DESTINATION lib/demo)", True),
+        ("install(DIRECTORY scripts/ DESTINATION lib/demo)", True),
+        ("install(DIRECTORY scripts DESTINATION lib/demo PATTERN *.txt EXCLUDE)", True),
+        ("install(DIRECTORY scripts/ DESTINATION lib/demo USE_SOURCE_PERMISSIONS)", False),
+        ("install(FILES tool.py DESTINATION lib/demo PERMISSIONS OWNER_READ OWNER_EXECUTE)", False),
+        ("install(DIRECTORY scripts/ DESTINATION lib/demo DIRECTORY_PERMISSIONS OWNER_EXECUTE)", True),
+        ("install(PROGRAMS tool.py DESTINATION lib/demo)\ninstall(FILES tool.py DESTINATION share/demo)", False),
+        ("install(FILES tool.py DESTINATION share/demo)", False),  # a program of ROS 2 is not looked for there
+        ("install(FILES other.py DESTINATION lib/demo)", False),
+    ],
+)
+def test_programs_that_are_copied_as_files(tmp_path: Path, text: str, plain: bool) -> None:
+    found = cmake(tmp_path, text, {"scripts/tool.py": "#!/usr/bin/env python3", "scripts/a.txt": ""})
+    assert any(found.copied_plainly("tool.py")) == plain
+
+
+def test_programs_of_ros_1_below_the_share_folder(tmp_path: Path) -> None:
+    text = "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n{}(FILES tool.py DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})"
+    write(tmp_path / "demo", {"package.xml": manifest("demo"), "CMakeLists.txt": text.format("install")})
+    (found,) = builds(discover(tmp_path))
+    assert [line for _, line in found.copied_plainly("tool.py")] == [5]
+
+
 SETUP = """from setuptools import setup
 from glob import glob
 import os

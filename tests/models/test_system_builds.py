@@ -26,6 +26,7 @@ def generate_launch_description():
         Node(package='demo', executable='tool.py', parameters=[os.path.join(share, 'config', 'a.yaml')]),
         Node(package='demo', executable='gone', arguments=['-d', os.path.join(share, 'b.rviz')], parameters=[{'map': share + '/c.yaml'}]),
         Node(package='kitchen', executable='cook'),
+        Node(package='demo', executable='plain.py'),
         ComposableNodeContainer(package='rclcpp_components', executable='component_container', name='box', namespace='', composable_node_descriptions=[
             ComposableNode(package='demo', plugin='demo::Part')]),
         Node(package='open', executable='x', arguments=[os.path.join(get_package_share_directory('open'), 'd.yaml')]),
@@ -51,6 +52,7 @@ def rows(root: Path, launch: str) -> dict[str, set[tuple[object, ...]]]:
         "install(PROGRAMS tool.py DESTINATION lib/demo)\ninstall(DIRECTORY config DESTINATION share/demo)\nadd_library(part SHARED part.cpp gone.cpp)\n"
         'rclcpp_components_register_nodes(part "demo::Part")\npluginlib_export_plugin_description_file(base plugins.xml)\n'
         "pluginlib_export_plugin_description_file(base gone.xml)\nament_package()\n"
+        "install(FILES plain.py DESTINATION lib/demo)\n"
     )
     (demo / "CMakeLists.txt").write_text(cmake)
     (demo / "part.cpp").write_text("RCLCPP_COMPONENTS_REGISTER_NODE(demo::Other)\n")
@@ -81,7 +83,8 @@ def test_rows(tmp_path: Path) -> None:
         ("open/d.yaml", "open", "d.yaml"),
     }
     assert found["path_installed"] == {("demo", "config/a.yaml")}
-    assert found["program_installed"] == {("demo", "tool.py"), ("kitchen", "cook")}
+    assert found["program_copied_plainly"] == {("demo/CMakeLists.txt:8:1", "demo", "plain.py")}
+    assert found["program_installed"] == {("demo", "tool.py"), ("demo", "plain.py"), ("kitchen", "cook")}
     assert {row[2:] for row in found["entry_point"]} == {(name, module, "main") for name, module in POINTS}
     assert found["entry_function_absent"] == {("kitchen", "kitchen.cook", "main")}
     assert found["entry_module_absent"] == {("kitchen", "kitchen.bake")}
