@@ -28,30 +28,34 @@ class Library:
     problems: tuple[Diagnostic, ...]
 
     @cached_property
-    def _by_name(self) -> dict[tuple[str | None, str], LibraryComponent]:
-        whatever: dict[tuple[str | None, str], LibraryComponent] = {(None, c.component): c for c in reversed(self.components)}
-        return whatever | {(c.package, c.component): c for c in self.components}
+    def _by_name(self) -> dict[tuple[int | None, str | None, str], LibraryComponent]:
+        found: dict[tuple[int | None, str | None, str], LibraryComponent] = {}
+        for package_counts in (False, True):
+            for component in reversed(self.components):
+                for version in (None, *(component.ros or (1, 2))):
+                    found[version, component.package if package_counts else None, component.component] = component
+        return found
 
     @property
     def packages(self) -> frozenset[str]:
         """The packages that have components here."""
         return frozenset(component.package for component in self.components)
 
-    def find(self, package: str | None, component: str) -> LibraryComponent | None:
-        """The component called `component` in `package`; without a package, the first of that name.
+    def find(self, package: str | None, component: str, ros: int | None = None) -> LibraryComponent | None:
+        """The component called `component` in `package`, as it is in a version of ROS; without a package or version, the first of that name.
 
         Nodelets and plug-ins go by their lookup name (`image_proc/debayer`), plug-ins of gazebo by the name of their library; neither
         needs a package.
         """
-        return self._by_name.get((package, component))
+        return self._by_name.get((ros, package, component))
 
-    def with_loaded(self, component: LibraryComponent) -> tuple[LibraryComponent, ...]:
-        """`component`, and the plug-ins that it loads, directly or through others, as far as they are known."""
+    def with_loaded(self, component: LibraryComponent, ros: int | None = None) -> tuple[LibraryComponent, ...]:
+        """`component`, and the plug-ins that it loads in a version of ROS, directly or through others, as far as they are known."""
         found = {component.title: component}
         waiting = [component]
         while waiting:
             for name in waiting.pop().loads:
-                plugin = self.find(None, name)
+                plugin = self.find(None, name, ros)
                 if plugin is not None and plugin.title not in found:
                     found[plugin.title] = plugin
                     waiting.append(plugin)

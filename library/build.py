@@ -19,13 +19,16 @@ UNKNOWN = "?"
 def library_documents(models: Iterable[ComponentModel], origin: str, revision: str) -> dict[str, dict[str, Any]]:
     """A document per package that has components."""
     packages: dict[str, list[dict[str, Any]]] = {}
+    versions: dict[str, set[int]] = {}
     for model in sorted(models, key=lambda model: (model.package, _name(model))):
         document = component_document(model)
         says_something = model.kind != "plugin" or "ports" in document or "params" in document
         if model.kind in COMPONENT_KINDS and says_something:
             packages.setdefault(model.package, []).append(document)
+            versions.setdefault(model.package, set()).add(2 if "ROS 2" in (model.middleware or "") else 1)
+    head = {"origin": origin, "revision": revision}
     return {
-        package: {"package": package, "origin": origin, "revision": revision, "made": GENERATED, "components": found}
+        package: {"package": package, **head, "ros": sorted(versions[package]), "made": GENERATED, "components": found}
         for package, found in packages.items()
     }
 

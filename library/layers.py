@@ -13,20 +13,23 @@ from typing import Any
 from rosarch.library.model import BY_HAND, GENERATED, LibraryComponent, LibraryParameter, LibraryPort
 from rosarch.library.reading import Document, LibraryFile
 
+Source = tuple[LibraryFile, Document]
 COMPLETED = f"{GENERATED}, completed {BY_HAND}"
 
 
 def merged(files: Sequence[LibraryFile]) -> Iterator[LibraryComponent]:
-    """Each component of `files` once, by package and name; earlier files come before later ones."""
-    found: dict[tuple[str, str], list[tuple[LibraryFile, Document]]] = {}
+    """Each component of `files` once for each version of ROS that has one of its own, by package and name; earlier files come before later ones."""
+    found: dict[tuple[str, str], list[Source]] = {}
     for file in files:
         for component in file.components:
             found.setdefault((file.package, component["component"]), []).append((file, component))
     for key in sorted(found):
-        yield _component(found[key])
+        versions = sorted({version for file, _ in found[key] for version in file.ros}) or [0]
+        layers = [[source for source in found[key] if not source[0].ros or version in source[0].ros] for version in versions]
+        yield from map(_component, [layer for number, layer in enumerate(layers) if layer not in layers[:number]])
 
 
-def _component(sources: Sequence[tuple[LibraryFile, Document]]) -> LibraryComponent:
+def _component(sources: Sequence[Source]) -> LibraryComponent:
     bases = [source for source in sources if source[0].made == GENERATED]
     overlays = [source for source in reversed(sources) if source[0].made == BY_HAND]
     file, document = bases[0] if bases else overlays.pop(0)

@@ -39,7 +39,7 @@ class Built:
         return any(install.brings(path) for install in self.installs)
 
     def copied_plainly(self, name: str) -> Iterator[tuple[Path, int]]:
-        """Where the file `name` is copied, to where programs are looked for, without permission to execute it; nothing when it gets that elsewhere."""
+        """Where the program `name` is copied without permission to execute it; nothing when a second copy has that."""
         found = [(install, path) for install in self.installs for path in install.files_called(name) if self._is_searched(path)]
         if all(install.plain for install, _ in found):
             yield from dict.fromkeys(install.plain for install, _ in found if install.plain)

@@ -270,6 +270,7 @@ class _Needed:
     def __init__(self, launches: Sequence[Launch]) -> None:
         asked = [item for launch in launches for item in started(launch.composition)]
         self.executables = {(package, type_) for package, type_, _ in asked}
+        self.versions = {launch.composition.ros for launch in launches}
         worlds = [plugin for launch in launches for world in launch.composition.worlds for plugin in world.plugins]
         robots = [plugin for launch in launches for setting in launch.composition.params for plugin in setting.plugins]
         self.plugins = {library_name(plugin.filename) for plugin in (*worlds, *robots)}
@@ -280,7 +281,7 @@ class _Needed:
 
     def key(self) -> list[str]:
         """All that tells these components from others."""
-        return [repr(sorted(found)) for found in (self.executables, self.plugins, self.words, self.packages)]
+        return [repr(sorted(found)) for found in (self.executables, self.versions, self.plugins, self.words, self.packages)]
 
     def is_needed(self, component: Component) -> bool:
         """Whether a node is started from this executable, or with an argument that names this class."""
@@ -294,11 +295,16 @@ class _Needed:
         """
         own = {(model.package, type_) for model in models for type_ in (*model.types, model.executable)}
         built = {model.plugin.name for model in models if model.plugin}
-        found = [library.find(package, type_) for package, type_ in sorted(self.executables)]
-        found += [library.find(None, word) for word in sorted(self.words) if "/" in word]
-        found += [library.find(None, file) for file in sorted(self.plugins - built)]
-        started = [component for component in found if component is not None and (component.package, component.component) not in own]
-        return [part for component in started for part in library.with_loaded(component)]
+        parts: dict[str, LibraryComponent] = {}
+        for ros in sorted(self.versions, reverse=True):
+            found = [library.find(package, type_, ros) for package, type_ in sorted(self.executables)]
+            found += [library.find(None, word, ros) for word in sorted(self.words) if "/" in word]
+            found += [library.find(None, file, ros) for file in sorted(self.plugins - built)]
+            started = [component for component in found if component is not None and (component.package, component.component) not in own]
+            # where launch files of both versions start a component, that of one version has no model
+            for part in (part for component in started for part in library.with_loaded(component, ros)):
+                parts.setdefault(part.title, part)
+        return list(parts.values())
 
 
 def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:

@@ -42,7 +42,8 @@ def test_shipped_files_are_as_they_should_be(path: Path) -> None:
     data = json.loads(path.read_text())
     Draft202012Validator(library_schema()).validate(data)
     assert path.stem == found.package
-    assert found.made == {"generated": "generated", "by_hand": "by hand"}[path.parent.name]
+    assert found.made == ("by hand" if path.parent.name.endswith("by_hand") else "generated")
+    assert found.ros == ((2,) if path.parent.name.startswith("ros2_") else (1,))
     assert found.origin.startswith("https://")
     if found.made == "generated":
         assert path.read_text() == document_text(data), "not as `rosarch library build` writes it"

@@ -9,7 +9,7 @@ from typing import Any
 from rosarch.library import LibraryComponent, find, load
 
 
-def write(folder: Path, made: str, *components: dict[str, Any], name: str = "demo.json", **fields: str) -> Path:
+def write(folder: Path, made: str, *components: dict[str, Any], name: str = "demo.json", **fields: Any) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     head = {"package": "demo", "origin": f"https://{folder.name}", "revision": "1", "made": made, **fields}
     (folder / name).write_text(json.dumps({**head, "components": components}))
@@ -51,6 +51,19 @@ def test_replace_leaves_nothing_of_the_base(tmp_path: Path) -> None:
     found = find("demo", "n", [folder])
     assert ports(found) == [("b", None)]
     assert found and (found.node_name, found.made, found.path) == (None, "by hand", folder / "more.json")
+
+
+def test_each_version_of_ros_has_its_own(tmp_path: Path) -> None:
+    folder = write(tmp_path / "own", "generated", node(ports=[publisher("a")]), ros=[1])
+    write(folder, "generated", node(ports=[publisher("b")]), name="second.json", ros=[2])
+    write(folder, "by hand", node(ports=[publisher("both")]), name="more.json")
+    library = load([folder])
+    assert [(found.ros, ports(found)) for found in library.components if found.package == "demo"] == [
+        ((1,), [("a", None), ("both", None)]),
+        ((2,), [("b", None), ("both", None)]),
+    ]
+    assert ports(library.find("demo", "n", 2)) == ports(library.find(None, "n", 2)) == [("b", None), ("both", None)]
+    assert ports(library.find("demo", "n")) == ports(library.find("demo", "n", 1)) == [("a", None), ("both", None)]
 
 
 def test_earlier_folders_come_first(tmp_path: Path) -> None:

@@ -1,9 +1,15 @@
 // expect: keeps_value_of more ~more
-// expect: reads_clock 23
-// expect: reads_clock 24
-// expect: reads_clock 25
-// expect: sends_frame 23 base_link ~base_frame
-// expect: sends_frame 24 odom 
+// expect: reads_clock 29
+// expect: reads_clock 30
+// expect: reads_clock 31
+// expect: may_send_frame 29 base_link ~base_frame
+// expect: may_send_frame 29 odom 
+// expect: may_send_frame 30 map 
+// expect: may_send_frame 30 odom 
+// expect: may_send_frame 31 laser 
+// expect: may_send_frame 31 map 
+// expect: sends_frame 29 base_link ~base_frame
+// expect: sends_frame 30 odom 
 #include <string>
 #include <ros/ros.h>
 #include <tf/transform_broadcaster.h>

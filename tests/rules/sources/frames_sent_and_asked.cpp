@@ -24,6 +24,11 @@
 // expect: sends_frame(C, "base", "")
 // expect: sends_frame(C, "again", "")
 // expect: sends_frame(C, "named", "~child")
+// expect: Count = count : { may_send_frame(C, Frame, P) }, Count = 14
+// expect: may_send_frame(C, "named", "~child"), may_send_frame(C, "odom", "")
+// expect: Count = count : { sends_other_frame(C) }, Count = 0
+// expect: Count = count : { looks_up_frame(C, End, Frame, P) }, Count = 7
+// expect: looks_up_frame(C, "target", "map", ""), looks_up_frame(C, "source", "base", "")
 // expect: 1 = count : { kept_from(_, _, _) }
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/ros.h>
