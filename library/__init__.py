@@ -42,7 +42,7 @@ class Library:
         return frozenset(component.package for component in self.components)
 
     def find(self, package: str | None, component: str, ros: int | None = None) -> LibraryComponent | None:
-        """The component called `component` in `package`, as it is in a version of ROS; without a package or version, the first of that name.
+        """The component called `component` in `package`, as a version of ROS has it; without one of these, the first of that name.
 
         Nodelets and plug-ins go by their lookup name (`image_proc/debayer`), plug-ins of gazebo by the name of their library; neither
         needs a package.
