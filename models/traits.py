@@ -69,6 +69,8 @@ TRAITS = {
     "loops_for_callback": ("place", "text"),
     "undeclared_read": ("place", "text", "text"),
     "never_spun": ("place",),
+    "made_without_queue": ("place",),
+    "starts_in_constructor": ("place", "place", "text"),
     "spins_again": ("place", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     "keeps_value_of": ("text", "text"),

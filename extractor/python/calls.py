@@ -26,7 +26,7 @@ def lower_call(body: Body, node: ast.Call) -> str:
     functions, classes = _callees(body, node, values)
     receiver, skipped = _receiver(body, node, values)
     through = receiver if _is_called(values) else _callee_value(body, node, functions, classes)
-    arguments = _arguments(body, node, functions, skipped)
+    arguments, named = _arguments(body, node, functions, skipped)
     call = body.node(node, "call")
     facts = body.facts
     facts.add("call", call, last_name(node.func) or "()")
@@ -45,6 +45,10 @@ def lower_call(body: Body, node: ast.Call) -> str:
         facts.add("call_unresolved", call, "dynamic")
     for index, argument in arguments:
         facts.add("call_argument", call, index, argument)
+    for argument in named:
+        facts.add("call_keyword", call, argument)
+    if any(isinstance(argument, ast.Starred) for argument in node.args) or any(keyword.arg is None for keyword in node.keywords):
+        facts.add("call_unpacks", call)
     body.flow.evaluate(call)
     return call
 
@@ -141,7 +145,8 @@ def _callee_value(body: Body, node: ast.Call, functions: Sequence[Function], cla
     return lower(body, node.func) if not functions and not classes else None
 
 
-def _arguments(body: Body, node: ast.Call, functions: Sequence[Function], skipped: int) -> list[tuple[int, str]]:
+def _arguments(body: Body, node: ast.Call, functions: Sequence[Function], skipped: int) -> tuple[list[tuple[int, str]], list[str]]:
+    """The arguments with their index, and those whose name is known and index is not."""
     from .expressions import lower
 
     known = next((function for function in functions if function.node is not None), None)
@@ -149,7 +154,7 @@ def _arguments(body: Body, node: ast.Call, functions: Sequence[Function], skippe
     if known is not None:
         places = {parameter: index for index, parameter in enumerate(known.parameters)}
         indices = {argument: places[parameter] for parameter, argument in arguments_of(node, known, skip=skipped).items()}
-    found = []
+    found, named = [], []
     for index, argument in enumerate(node.args[skipped:]):
         if isinstance(argument, ast.Starred):
             lower(body, argument.value)
@@ -161,4 +166,5 @@ def _arguments(body: Body, node: ast.Call, functions: Sequence[Function], skippe
             found.append((indices[keyword.value], value))
         elif keyword.arg is not None:
             body.facts.add("keyword_argument", value, keyword.arg)
-    return found
+            named.append(value)
+    return found, named

@@ -163,7 +163,7 @@ class Echo:
         rospy.Subscriber('text', String, self.on_text)
 
     def on_text(self, text):
-        undeclared(text, how=1)
+        undeclared(*text, how=1)
 
 Echo()
 """

@@ -24,3 +24,5 @@ class BufferClient : public BufferInterface { public: template <class... A> Buff
   bool waitForServer(const ros::Duration& = ros::Duration(0)); };
 class BufferServer { public: template <class... A> BufferServer(const BufferInterface&, const A&...); void start(); };
 }
+// their names before Hydro
+namespace tf2 { using tf2_ros::Buffer; using tf2_ros::BufferClient; using tf2_ros::BufferInterface; using tf2_ros::BufferServer; }
