@@ -18,7 +18,7 @@ COMPLETED = f"{GENERATED}, completed {BY_HAND}"
 
 
 def merged(files: Sequence[LibraryFile]) -> Iterator[LibraryComponent]:
-    """Each component of `files`, by package and name, once for each version of ROS that has its own; earlier files come before later ones."""
+    """Each component of `files`, by package and name, once for each version of ROS that has its own; earlier files come first."""
     found: dict[tuple[str, str], list[Source]] = {}
     for file in files:
         for component in file.components:
