@@ -14,7 +14,7 @@ from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from .decisions import is_certain
 from .expressions import Expressions, Raised, Undecided
 from .natives import attribute
-from .natives_files import environment_item
+from .natives_files import environment_has, environment_item
 from .registry import KNOWN_MODULES, NATIVES
 from .values import (
     CLASSES,
@@ -78,6 +78,9 @@ class Calls(Expressions):
 
     def installs(self, package: str) -> bool:
         return self.world.state.files.packages.find(package) is not None
+
+    def has_variable(self, name: str) -> bool:
+        return environment_has(self, name)
 
     def optional(self, kinds: set[str], what: str) -> bool:
         """Whether the launch file goes on when an exception of these kinds tells that `what` is not there; on goes the case that it is."""

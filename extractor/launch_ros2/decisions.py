@@ -12,7 +12,7 @@ from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, Not, Test, b
 from rosarch.extractor.launch.model import Condition, Place
 from rosarch.extractor.launch.unknowns import is_known
 
-from .values import NOTHING, Either, Frame, Installed, PathText, Unknown, installed
+from .values import NOTHING, Either, Frame, Installed, Native, PathText, Unknown, installed
 
 MAX_PARTS = 100_000
 """Of a value that is looked at as a whole: what lists share counts each time, as in the text that would be made of it."""
@@ -43,11 +43,18 @@ class Decisions:
         """Whether a package is certainly there where launch runs."""
         raise NotImplementedError
 
+    def has_variable(self, name: str) -> bool:
+        """Whether an environment variable is set where launch runs."""
+        raise NotImplementedError
+
     def compared(self, operation: ast.cmpop, left: Any, right: Any) -> bool | None:
         """Whether one comparison holds; None when that is not known."""
         if isinstance(right, Installed):
             there = isinstance(left, str) and isinstance(operation, (ast.In, ast.NotIn)) and self.installs(left)
             return isinstance(operation, ast.In) if there else None
+        if isinstance(right, Native) and isinstance(operation, (ast.In, ast.NotIn)):
+            named = right.name == "os.environ" and isinstance(left, str) and is_known(left)
+            return self.has_variable(left) is isinstance(operation, ast.In) if named else None
         if isinstance(left, (Unknown, Either)) or isinstance(right, (Unknown, Either)):
             return None
         if isinstance(operation, (ast.In, ast.NotIn)) and is_object(left) and isinstance(right, (list, tuple)) and is_certain(right):

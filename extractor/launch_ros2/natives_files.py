@@ -246,6 +246,11 @@ def environment_item(run: Calls, name: Any) -> Any:
     return world.state.unknowns.mark(f"$(env {name})")
 
 
+def environment_has(run: Calls, name: str) -> bool:
+    """`name in os.environ`."""
+    return name in run.world.environment or name in _ALWAYS_SET
+
+
 @native("os.getenv", "os.environ.get", "os.environ.setdefault", "os.environ.pop")
 def _environment(run: Calls, name: Any, default: Any = None) -> Any:
     if not isinstance(name, str) or not is_known(name):

@@ -106,6 +106,19 @@ return ld"""
     assert params(known) == {"/both/p": "y", "/both/model": "m_a"}
 
 
+def test_whether_a_variable_is_set(tmp_path: Path) -> None:
+    before = """ld = LaunchDescription()
+if 'MODEL' in os.environ:
+    ld.add_action(node('model_' + os.environ['MODEL']))
+if 'HOME' not in os.environ:
+    ld.add_action(node('homeless'))
+ld.add_action(node('always'))
+return ld"""
+    unset = described(tmp_path, "", before)
+    assert (names(unset), problems(unset, tmp_path)) == (["/always"], [])
+    assert names(described(tmp_path, "", before, environment={"MODEL": "a"})) == ["/model_a", "/always"]
+
+
 def test_an_undecided_return(tmp_path: Path) -> None:
     before = "if os.path.exists('/elsewhere'):\n    return LaunchDescription([node('early')])\nother = node('late')"
     found = described(tmp_path, "other", before)
