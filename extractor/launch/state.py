@@ -65,6 +65,7 @@ class State:
         self.machines: dict[str, tuple[object, ...]] = {"": ("this computer",)}
         self.default_machine: str | None = None
         self.named: dict[str, list[NodeStart]] = {}
+        self.started_anew: set[tuple[str, Place]] = set()
         self.here = Place("", 1)
         self.scope = Scope("/", "")
         self.own_conditions: tuple[Condition, ...] = ()
@@ -203,10 +204,17 @@ class State:
                 self.warn("param-conflict", setting.name, f"parameter `{setting.name}` lies below parameter `{parent}`, which has a value")
         settle(self.params, setting)
 
-    def add_node(self, node: NodeStart, fatal: bool = True) -> None:
-        """Start a node; two of one name are refused, or (not `fatal`) only reported, unless they are alternatives, or may be."""
+    def add_node(self, node: NodeStart, fatal: bool = True, *, anew: bool = False) -> None:
+        """Start a node; two of one name are refused, or (not `fatal`) only reported, unless they are alternatives, or may be.
+
+        `anew`: when another process has ended; the node of the same line is started again then.
+        """
         others = [] if not node.name or self.unknowns.is_open(node.full_name) else self.named.setdefault(node.full_name, [])
         other = next((other for other in others if together(node.conditions, other.conditions)), None)
+        if anew:
+            self.started_anew.add((node.full_name, node.lines[-1]))
+        if other is not None and other.lines[-1] == node.lines[-1] and (node.full_name, node.lines[-1]) in self.started_anew:
+            return
         self.nodes.append(node if other is None else replace(node, first=other.lines))
         if other is not None:
             message = f"a second node `{node.full_name}`, the first is at {other.lines[-1]}"

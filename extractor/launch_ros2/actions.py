@@ -158,13 +158,13 @@ def _events(world: World, made: Made, context: Context) -> None:
         return
     for name in _HANDLED:
         if name in handler.arguments:
-            _visit_outcome(world, handler.arguments[name], context)
+            _visit_outcome(world, handler.arguments[name], context, anew=name == "on_exit")
 
 
-def _visit_outcome(world: World, outcome: Any, context: Context) -> None:
+def _visit_outcome(world: World, outcome: Any, context: Context, *, anew: bool) -> None:
     if isinstance(outcome, (Function, Bound)):
         outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
-    with context.later():
+    with context.later(anew=anew):
         visit(world, outcome, context)
 
 

@@ -170,6 +170,9 @@ class Calls(Expressions):
                 return Native(
                     "__init__", lambda _run, *arguments, **named: self._initialise(owner, arguments, named, self.place(node, frame))
                 )
+            if name in ("execute", "visit") and owner.instance.made is not None:
+                # what starts is what the class of launch would start by itself
+                return Native(name, lambda _run, *_arguments, **_named: owner.instance.made)
             return Unknown(_text_of(node), self.place(node, frame))
         return Bound(found, owner.instance) if isinstance(found, Function) else found
 

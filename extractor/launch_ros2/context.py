@@ -51,6 +51,8 @@ class Context:
     held: tuple[Condition, ...] = ()
     lines: tuple[Place, ...] = ()
     loop: dict[str, Any] = field(default_factory=dict)
+    anew: bool = False
+    """Whether the end of a process starts what is visited: the actions that have started before are started once more."""
 
     def variable(self, name: str) -> str | None:
         """The value of an environment variable."""
@@ -78,13 +80,14 @@ class Context:
         return None if self.lines[: len(origin.lines)] == origin.lines else origin
 
     @contextmanager
-    def later(self) -> Iterator[None]:
-        """What happens meanwhile happens when all else has, and in an order that is not known."""
-        kept, self.origins = self.origins, {}
+    def later(self, *, anew: bool = False) -> Iterator[None]:
+        """What happens meanwhile happens when all else has, and in an order that is not known; `anew`: when a process has ended."""
+        kept, self.origins = (self.origins, self.anew), {}
+        self.anew = self.anew or anew
         try:
             yield
         finally:
-            self.origins = kept
+            self.origins, self.anew = kept
 
     @contextmanager
     def scoped(self) -> Iterator[None]:

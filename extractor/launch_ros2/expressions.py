@@ -16,7 +16,7 @@ from rosarch.extractor.launch.model import Condition, Place
 from rosarch.extractor.launch.unknowns import cleaned, is_known
 
 from .decisions import Decisions, is_certain, is_object, source_of
-from .values import NOTHING, Either, Frame, Function, Installed, Instance, Made, PathText, Unknown, Written
+from .values import NOTHING, Either, Frame, Function, Installed, Instance, Made, PathText, TextFile, Unknown, Written
 
 MAX_STEPS = 5_000_000
 _SIZE_COST = 64
@@ -148,7 +148,9 @@ class Expressions(Decisions):
         """The items of a value; a single unknown one where these cannot be told."""
         if isinstance(value, (list, tuple, set, dict, range, str)) and (not isinstance(value, str) or is_known(value)):
             return list(value)
-        if isinstance(value, (Unknown, Either, Made, Instance, Installed, str)):
+        if isinstance(value, TextFile) and value.text is not None and is_known(value.text):
+            return value.text.splitlines(keepends=True)
+        if isinstance(value, (Unknown, Either, TextFile, Made, Instance, Installed, str)):
             return [Unknown(f"each of {source_of(node)}", self.place(node, frame))]
         raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))
 

@@ -158,7 +158,7 @@ def _start(
         container=container,
     )
     started = _with_parameters(world, started, params, context)
-    world.state.add_node(started, fatal=False)
+    world.state.add_node(started, fatal=False, anew=context.anew)
     return started
 
 

@@ -119,6 +119,45 @@ return ld"""
     assert names(described(tmp_path, "", before, environment={"MODEL": "a"})) == ["/model_a", "/always"]
 
 
+def test_an_action_that_prepares_something_and_starts_as_its_base_class_does(tmp_path: Path) -> None:
+    before = """class Prepared(Node):
+    def __init__(self, name):
+        super().__init__(package='p', executable=name, name=name)
+    def execute(self, context):
+        with open(self.cmd_file, 'r') as file:
+            for line in file:
+                if len(line) == 0 or line[0] == '#':
+                    continue
+        return super().execute(context)"""
+    found = described(tmp_path, "Prepared('first'), node('second')", before)
+    assert (names(found), problems(found, tmp_path)) == (["/first", "/second"], [])
+
+
+def test_nodes_that_are_started_again_when_a_process_has_ended(tmp_path: Path) -> None:
+    before = """def nodes(*_event):
+    return [node('first')]
+main = node('main')
+def at_exit(outcome):
+    return RegisterEventHandler(OnProcessExit(target_action=main, on_exit=outcome))"""
+    again = described(tmp_path, "main, *nodes(), at_exit(nodes)", before)
+    assert (names(again), problems(again, tmp_path)) == (["/main", "/first"], [])
+    assert names(described(tmp_path, "main, at_exit(nodes), *nodes()", before)) == ["/main", "/first"]
+    other = "Node(package='here', executable='run', name='first')"
+    assert names(described(tmp_path, f"main, *nodes(), at_exit([{other}])", before)) == ["/main", "/first", "/first"]
+
+
+def test_the_lines_of_a_file(tmp_path: Path) -> None:
+    written = tmp_path / "src" / "here" / "names.txt"
+    written.parent.mkdir(parents=True)
+    written.write_text("# names\nleft\nright\n")
+    before = f"""ld = LaunchDescription()
+for line in open({str(written)!r}):
+    if line[0] != '#':
+        ld.add_action(node(line.strip()))
+return ld"""
+    assert names(described(tmp_path, "", before)) == ["/left", "/right"]
+
+
 def test_an_undecided_return(tmp_path: Path) -> None:
     before = "if os.path.exists('/elsewhere'):\n    return LaunchDescription([node('early')])\nother = node('late')"
     found = described(tmp_path, "other", before)
