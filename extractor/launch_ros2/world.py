@@ -93,9 +93,11 @@ class World:
         return state.unknowns.mark(f"$(find-pkg-share {package})")
 
     def is_guarded(self, package: str) -> bool:
-        """Whether what is carried out happens under a condition that asks whether the package is there."""
+        """Whether what is carried out happens under a condition that asks whether the package, or the metapackage of its name, is there."""
         conditions = (*self.interpreter.path, *self.state.scope.conditions)
-        return any(test.subject == installed(package) for one in conditions for test in tests_of(one.value))
+        words = package.split("_")
+        asked = {installed("_".join(words[:count])) for count in range(1, len(words) + 1)}
+        return any(test.subject in asked for one in conditions for test in tests_of(one.value))
 
     def new_file(self) -> str:
         """The name of a temporary file."""

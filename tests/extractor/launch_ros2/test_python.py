@@ -322,6 +322,7 @@ def test_lists_that_hold_each_other_and_themselves(
         "if has_resource('packages', 'gone'):\n        add(get_package_share_directory('gone'))",
         "try:\n        add(get_package_share_directory('gone'))\n    except PackageNotFoundError:\n        pass",
         "if there('gone'):\n        add(get_package_share_directory('gone'))",
+        "if 'gone' in get_packages_with_prefixes():\n        found.append(Node(package='gone_move_group', executable='x'))",
         "share = there('gone') and get_package_share_directory('gone')\n    if there('gone'):\n        found.append(Node(package='gone', executable='x'))",
     ],
 )
