@@ -29,6 +29,7 @@ from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.memo import Memo
 from rosarch.extractor.messages import Interfaces, MessageClass
+from rosarch.extractor.messages.closed import closed_packages
 from rosarch.extractor.pool import Failure
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.sources import Sources, diagnostics
@@ -175,7 +176,7 @@ def extract(
         finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, searched=workspace.searched)
         readers = UnitReader(workspace.root, finder, scratch, cache), PythonReader(workspace.root, scratch, cache)
         sources = Sources(*readers, jobs, timeout, progress)
-        make = partial(_component_facts, workspace.root, sources.paths, _defined(interfaces), built)
+        make = partial(_component_facts, workspace.root, sources.paths, _defined(interfaces, workspace), built)
         reading = index.read(units, sources.read) if index else sources.read(units)
         made = {one: make(one, reading.of(units_of[one])) for one in found}
         if known and index:
@@ -247,21 +248,25 @@ def _default(text: str | None) -> str:
 
 @dataclass(frozen=True)
 class _Defined:
-    """The message classes and configurations of the workspace and of common packages, and a hash of both."""
+    """The message classes and configurations of the workspace and of common packages, rows about packages without others, and a hash of all."""
 
     classes: set[tuple[str, str, str]]
     configs: set[tuple[str, str, str, str]]
+    closed: dict[str, set[tuple[str, ...]]]
     digest: str
 
 
-def _defined(interfaces: Interfaces) -> _Defined:
+def _defined(interfaces: Interfaces, workspace: Workspace) -> _Defined:
     classes = {
         (name, row.role or row.kind, _message_type(row))
         for row in interfaces.classes()
         for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
     }
     configs = {(f"{config.name}Config", p.name, p.type, _default(p.default)) for config in interfaces.configs() for p in config.parameters}
-    return _Defined(classes, configs, hash_of(map(repr, (*sorted(classes), *sorted(configs)))))
+    closed = closed_packages(workspace.packages)
+    return _Defined(
+        classes, configs, closed, hash_of(map(repr, (*sorted(classes), *sorted(configs), *(sorted(rows) for rows in closed.values()))))
+    )
 
 
 def _component_facts(
@@ -306,6 +311,6 @@ def _component_facts(
         component.kind,
         sources,
         tuple(dict.fromkeys(path for file in read for path in paths(file))),
-        {**own, "message_class": defined.classes, "config_parameter": defined.configs},
+        {**own, "message_class": defined.classes, "config_parameter": defined.configs, **defined.closed},
         hash_of([*keys, "", *facts, "", *sources, "", defined.digest]) if certain else None,
     )

@@ -69,6 +69,7 @@ TRAITS = {
     "loops_for_callback": ("place", "text"),
     "undeclared_read": ("place", "text", "text"),
     "never_spun": ("place",),
+    "interface_absent": ("place", "text", "text"),
     "made_without_queue": ("place",),
     "starts_in_constructor": ("place", "place", "text"),
     "spins_again": ("place", "text"),

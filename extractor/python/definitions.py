@@ -101,6 +101,12 @@ def lower_import(body: Body, node: ast.Import | ast.ImportFrom) -> None:
     else:
         path = absolute_name(node.module or "", node.level, body.module.package)
         run_modules(body, node, [path, *(f"{path}.{alias.name}" for alias in node.names)])
+        package, _, part = path.partition(".")
+        if part in ("msg", "srv", "action") and body.facts.program.modules.get(path) is None:
+            for alias in node.names:
+                expr = body.node(alias, "import")
+                body.facts.add("interface_import", expr, package, part, alias.name)
+                body.flow.evaluate(expr)
 
 
 def run_modules(body: Body, node: ast.AST, paths: Sequence[str]) -> None:
