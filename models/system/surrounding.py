@@ -25,6 +25,7 @@ from rosarch.models.system.rows import Rows, merged
 from rosarch.models.system.workspace import (
     container_rows,
     dependencies,
+    first_rows,
     named_by,
     programs_named,
     set_rows,
@@ -216,7 +217,7 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
 
     manifests = memo.recall(["manifests", top], (top,), read) if memo else read()
     there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected)
-    named = merged([there, set_rows(compositions, components.models), container_rows(compositions)])
+    named = merged([there, first_rows(compositions, root), set_rows(compositions, components.models), container_rows(compositions)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
     return Surrounding(root, components, named, said, manifests, tuple(dict.fromkeys(found)), given)

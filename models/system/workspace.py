@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import re
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
-from rosarch.extractor.launch.facts import starts
+from rosarch.extractor.launch.facts import path_below, starts
 from rosarch.extractor.launch.model import Composition, PackageNamed, ProgramNamed
 from rosarch.models.component import ComponentModel
 from rosarch.models.system.manifests import Declared
@@ -42,6 +43,19 @@ def workspace_rows(
         "package_expected": {(package,) for package in absent & (shipped | depended | own)},
         "package_unknown": {(package,) for package in depended - shipped - own},
     }
+
+
+def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:
+    """Which launch file of the workspace is the first, by its name, of those that name a package that is not found."""
+    top = os.path.abspath(root)
+    files = defaultdict(set)
+    for composition in compositions:
+        named = {(one.package, one.place.path) for one in composition.references if isinstance(one, PackageNamed) and one.folder is None}
+        named |= {(problem.subject, problem.place.path) for problem in composition.problems if problem.kind == "package"}
+        for package, path in named:
+            files[package].add(path_below(top, path))
+    inside = {package: sorted(path for path in paths if not os.path.isabs(path)) for package, paths in files.items()}
+    return {"package_first_named": {(package, paths[0]) for package, paths in inside.items() if paths}}
 
 
 def dependencies(manifests: Iterable[Declared]) -> Dependencies:
@@ -107,7 +121,10 @@ def named_by(composition: Composition, rows: Rows) -> Rows:
     """Of what the workspace has of what some launch files name, what those of one composition name."""
     packages = {reference.package for reference in composition.references if isinstance(reference, PackageNamed)}
     packages |= {problem.subject for problem in composition.problems}
-    return {**rows, "package_expected": {row for row in rows.get("package_expected", ()) if row[0] in packages}}
+    return {
+        **rows,
+        **{name: {row for row in rows.get(name, ()) if row[0] in packages} for name in ("package_expected", "package_first_named")},
+    }
 
 
 def source_rows(composition: Composition, components: Iterable[str], said: Mapping[str, frozenset[str]]) -> Rows:

@@ -9,7 +9,17 @@ from rosarch.library import load
 from rosarch.models.component import ComponentModel, Parameter
 from rosarch.models.places import Place
 from rosarch.models.system.manifests import declared
-from rosarch.models.system.workspace import dependencies, programs_named, set_rows, shared_rows, source_rows, words_said, workspace_rows
+from rosarch.models.system.workspace import (
+    dependencies,
+    first_rows,
+    named_by,
+    programs_named,
+    set_rows,
+    shared_rows,
+    source_rows,
+    words_said,
+    workspace_rows,
+)
 
 LAUNCH = """<launch><group if="false">
 <node pkg="robot" type="built" name="a"/><node pkg="robot" type="gone" name="b"/>
@@ -34,6 +44,17 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     assert rows["program_built"] == {("robot", "built"), ("robot", "other")}
     assert rows["package_expected"] == {("driver",), ("move_base",), ("off",)}
     assert rows["package_unknown"] == {("driver",)}
+
+
+def test_the_first_file_that_names_a_package_that_is_not_there(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot" / "package.xml").write_text("<package><name>robot</name></package>")
+    for name, package in (("b", "gone"), ("a", "gone"), ("c", "other"), ("d", "robot")):
+        (tmp_path / "robot" / f"{name}.launch").write_text(f'<launch><node pkg="{package}" type="x" name="x"/></launch>')
+    compositions = [compose([tmp_path / "robot" / f"{name}.launch"], files=Files(PackagePath([tmp_path]))) for name in "bacd"]
+    first = first_rows(compositions, tmp_path)
+    assert first == {"package_first_named": {("gone", "robot/a.launch"), ("other", "robot/c.launch")}}
+    assert named_by(compositions[0], first)["package_first_named"] == {("gone", "robot/a.launch")}
 
 
 def test_words_of_sources(tmp_path: Path) -> None:

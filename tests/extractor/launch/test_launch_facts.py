@@ -17,7 +17,7 @@ from rosarch.extractor.launch.values import Binary
 from rosarch.extractor.manifest import rules_folder
 from rosarch.library import load
 from rosarch.models.system import manifests
-from rosarch.models.system.workspace import container_rows, dependencies, workspace_rows
+from rosarch.models.system.workspace import container_rows, dependencies, first_rows, workspace_rows
 
 Rows = dict[str, set[tuple[Any, ...]]]
 MAIN = "here/main.launch:"
@@ -279,6 +279,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     in_python = compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path])))
     filled |= launch_rows(in_python, tmp_path)
     filled |= container_rows([in_python])
+    filled |= first_rows([composition], tmp_path)
     filled |= workspace_rows(dependencies(manifests.declared(tmp_path)), [composition], {("here", "built")}, load().packages)
     declared = load_declarations(rules_folder() / "schema" / "launch.dl")
     ports = load_declarations(rules_folder() / "schema" / "interfaces.dl")  # of viewers
