@@ -248,7 +248,7 @@ def _default(text: str | None) -> str:
 
 @dataclass(frozen=True)
 class _Defined:
-    """The message classes and configurations of the workspace and of common packages, rows about packages without others, and a hash of all."""
+    """The message classes and configurations of the workspace and of common packages, rows about those without others, a hash of all."""
 
     classes: set[tuple[str, str, str]]
     configs: set[tuple[str, str, str, str]]

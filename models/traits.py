@@ -70,6 +70,8 @@ TRAITS = {
     "undeclared_read": ("place", "text", "text"),
     "never_spun": ("place",),
     "interface_absent": ("place", "text", "text"),
+    "mixed_arguments": ("place", "text"),
+    "member_absent": ("place", "text", "text"),
     "made_without_queue": ("place",),
     "starts_in_constructor": ("place", "place", "text"),
     "spins_again": ("place", "text"),

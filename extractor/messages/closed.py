@@ -22,7 +22,7 @@ _COMMENT = re.compile(r"#[^\n]*")
 
 
 def closed_packages(packages: Iterable[Package]) -> dict[str, set[tuple[str, ...]]]:
-    """Rows about the packages whose definitions are those that were read: whether all their headers are made of these, and what they define."""
+    """Rows about the packages whose definitions are those that were read: whether all their headers are made of these, what they define."""
     packages = list(packages)
     names = Counter(package.name for package in packages)
     closed: set[tuple[str, ...]] = set()

@@ -23,6 +23,18 @@ ANY = "object"
 
 
 @dataclass
+class Members:
+    """What modules bind to names, the names that code mentions otherwise, and what may fail; made when it is first asked for."""
+
+    bound: dict[str, set[str]] = field(default_factory=dict)
+    named: set[str] = field(default_factory=set)
+    guarded: set[ast.AST] = field(default_factory=set)
+
+    def __bool__(self) -> bool:
+        return bool(self.bound)
+
+
+@dataclass
 class Facts:
     """Rows, and the identifiers given out so far."""
 
@@ -31,6 +43,7 @@ class Facts:
     rows: dict[str, set[tuple[str | int, ...]]] = field(default_factory=lambda: defaultdict(set))
     numbers: dict[ast.expr, int | float | None] = field(default_factory=dict)
     """What operations that were lowered come to, None for what is no arithmetic on literals."""
+    members: Members = field(default_factory=Members)
     _ids: dict[str, int] = field(default_factory=dict)
     _declared: set[object] = field(default_factory=set)
 

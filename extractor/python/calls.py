@@ -9,6 +9,7 @@ from rosarch.extractor.python_syntax import import_call
 
 from . import definitions, strings
 from .body import Body
+from .members import note_member
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
 from .program import external_name, names_class
 from .shapes import arguments_of, by_name, last_name, super_of
@@ -22,6 +23,8 @@ def lower_call(body: Body, node: ast.Call) -> str:
     imported = import_call(node, body.module.package)
     if imported is not None:
         definitions.run_modules(body, node, [imported[0]])
+    if isinstance(node.func, ast.Attribute):
+        note_member(body, node.func)
     values = by_name(body.inference.callee_values(node, body.scope))
     functions, classes = _callees(body, node, values)
     receiver, skipped = _receiver(body, node, values)

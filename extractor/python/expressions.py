@@ -11,6 +11,7 @@ from typing import Any
 from . import calls, strings
 from .body import Body
 from .definitions import lower_lambda
+from .members import note_member
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, ModuleValue, Variable
 from .program import external_name, names_class
 from .shapes import by_name, field_of
@@ -158,6 +159,7 @@ def _named(body: Body, node: ast.expr, values: Sequence[object]) -> str:
 
 def _attribute(body: Body, node: ast.expr) -> str:
     assert isinstance(node, ast.Attribute)
+    note_member(body, node)
     values = by_name(body.inference.values(node.value, body.scope))
     objects = [value for value in values if isinstance(value, InstanceValue)]
     if objects or not values:

@@ -1,0 +1,3 @@
+# May have any member.
+# expect: service_client fill
+globals()["fi" + "ll"] = None
