@@ -94,14 +94,17 @@ def load_systems(inputs: SystemInputs, configuration: Configuration | None = Non
 
 
 def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked:
-    """What is wrong with these systems, see `load_systems`; as it was found before when nothing has changed since."""
+    """What is wrong with these systems, see `load_systems`; as it was found before when nothing has changed since.
+
+    In a workspace without launch files it is each program by itself.
+    """
     where = _surroundings(inputs, configuration)
     memo = _memo(inputs, where)
 
     def check() -> Checked:
         from rosarch.models.system.checked import checked
 
-        return checked(_analyze(inputs, configuration, where, memo, required=True))
+        return checked(_analyze(inputs, configuration, where, memo, required=True, alone=True))
 
     if memo is None:
         with _confined(inputs, where):
@@ -158,15 +161,23 @@ def _readable(inputs: SystemInputs, where: Surroundings) -> list[Path]:
 
 
 def _analyze(
-    inputs: SystemInputs, configuration: Configuration | None, where: Surroundings, memo: Memo | None, *, required: bool
+    inputs: SystemInputs,
+    configuration: Configuration | None,
+    where: Surroundings,
+    memo: Memo | None,
+    *,
+    required: bool,
+    alone: bool = False,
 ) -> SystemAnalysis:
     from rosarch.models.system.analysis import analyze_systems
-    from rosarch.models.system.launches import has_launch_files
+    from rosarch.models.system.launches import by_themselves, has_launch_files
 
     with progress() as report:
         launches = _launches(inputs, configuration, where)
         if required and not launches and not has_launch_files(inputs.folder):
-            raise InputError(f"{inputs.folder}: no launch file below this folder")
+            launches = by_themselves(where, inputs.defines) if alone else []
+            if not launches:
+                raise InputError(f"{inputs.folder}: no launch file below this folder")
         analysis = analyze_systems(inputs.folder, launches, _reading(inputs, configuration, report), memo)
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)

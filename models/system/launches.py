@@ -8,10 +8,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from rosarch.extractor import tracing
-from rosarch.extractor.launch import compose, launch_files, top_level
+from rosarch.extractor.launch import PackagePath, compose, launch_files, top_level
+from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting, Place, Problem, ProgramNamed
+from rosarch.extractor.workspace import PYTHON_NODE, Package, components, discover
+from rosarch.extractor.workspace.model import ROS2
 from rosarch.models.system.requests import LaunchWordError, Request, Surroundings
 from rosarch.models.system.surrounding import Launch
 
+NO_LAUNCH_FILE = "missing"
+"""The kind of problem that a workspace without launch files is."""
 MAX_MATRIX = 256  # systems of one launch with several values for its arguments
 
 
@@ -37,6 +42,38 @@ def unincluded(where: Surroundings, jobs: int | None = None) -> list[Launch]:
     files = where.files()
     found = top_level(launch_files(os.path.abspath(where.root)), files, where.variables(), jobs)
     return [Launch(_shown(path, where.root), (_shown(path, where.root),), composed, files.packages) for path, composed in found.items()]
+
+
+def by_themselves(where: Surroundings, defines: Mapping[str, str] | None = None) -> list[Launch]:
+    """For a workspace without launch files: each program that its packages build, as a node by itself.
+
+    What runs beside it, and which parameters it is given, is not known. Of packages without programs there is what their files say.
+    """
+    packages = PackagePath([os.path.abspath(where.root)])
+    workspace = discover(where.root, defines=defines)
+    own = {package.name: package for package in workspace.packages if package.name in workspace.selected}
+    programs = [
+        (own[component.package], program)
+        for component in components(workspace)
+        if component.package in own and component.kind in ("node", PYTHON_NODE)
+        for program in component.executables or (component.name,)
+    ]
+    if own and not programs:
+        return [Launch("packages", (), _by_itself(next(iter(own.values())), None, where.root), packages)]
+    named = [(f"{package.name}/{program}", _by_itself(package, program, where.root)) for package, program in programs]
+    return [Launch(name, (name,), composition, packages) for name, composition in named]
+
+
+def _by_itself(package: Package, program: str | None, root: Path) -> Composition:
+    """What an absent launch file starts: one node, or nothing; others may, too, and all parameters may be set."""
+    place = Place(os.path.abspath(package.manifest), 1)
+    ros = 2 if package.middleware == ROS2 else 1
+    started = () if program is None else (NodeStart(package.name, program, program, "/", (place,), ros=ros),)
+    named = () if program is None else (ProgramNamed(package.name, program, False, place),)
+    text = "no launch file below this folder: each program is checked by itself"
+    nothing = Problem(NO_LAUNCH_FILE, "", text, Place(os.path.abspath(root), 1), fatal=False)
+    anything = ParamSetting("/", None, (place,))
+    return Composition(started, (), (), (), (nothing,), (), unread=(anything,), references=named, ros=ros)
 
 
 def has_launch_files(root: Path) -> bool:

@@ -110,6 +110,10 @@ def test_files_that_include_each_other(rosarch: Callable, launch: Path) -> None:
 def test_nothing_to_check(rosarch: Callable, launch: Path, words: list[str]) -> None:
     (launch / "good.launch").unlink()
     outcome = rosarch("check", "ws", *words)
+    assert (outcome.code, outcome.out.splitlines()[-1]) == (0, "checked 1 system with 0 nodes")
+    assert "no launch file below this folder" in outcome.err
+    (launch.parent / "package.xml").unlink()
+    outcome = rosarch("check", "ws", *words)
     assert (outcome.code, outcome.out, outcome.err) == (2, "", "rosarch: error: ws: no launch file below this folder\n")
 
 
