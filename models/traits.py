@@ -75,6 +75,7 @@ TRAITS = {
     "answers_nothing": ("port", "place"),
     "callback_called": ("place",),
     "refuses_slash": ("place",),
+    "joins_endless": ("place", "place", "text"),
     "sent_unstamped": ("place", "port"),
     "made_without_queue": ("place",),
     "starts_in_constructor": ("place", "place", "text"),
