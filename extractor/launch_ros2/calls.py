@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.formulas import Test
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 
+from .argument_types import refused
 from .decisions import is_certain
 from .expressions import Expressions, Raised, Undecided
 from .natives import attribute
@@ -300,6 +301,8 @@ class Calls(Expressions):
         for name in named.keys() - KEYWORDS.get(kind, named.keys()):
             self.world.state.report(LaunchError("keyword", name, f"{kind} has no argument `{name}`"), place=place)
         given = {**dict(zip(names, arguments, strict=False)), **named}
+        for name, reason in refused(kind, given):
+            self.world.state.report(LaunchError("type", name, f"{kind}: {reason}"), place=place)
         return Made(kind, given, place, tuple(arguments[len(names) :]))
 
     def instance(self, of: Class, arguments: list[Any], named: dict[str, Any], place: Place) -> Instance:

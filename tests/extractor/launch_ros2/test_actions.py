@@ -263,3 +263,27 @@ def test_keywords_that_no_version_has(tmp_path: Path) -> None:
     assert [one.split(": ", 1)[1] for one in problems(found, tmp_path)] == [
         "DeclareLaunchArgument has no argument `defaultValue`", "Node has no argument `param`",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("parameters={'rate': 1.0}", "Node: parameters must be a list"),
+        ("parameters='a.yaml'", "Node: parameters must be a list"),
+        ("parameters=LaunchConfiguration('parameters')", None),
+        ("parameters=[{'rate': 1.0}], remappings=[('a', 'b')]", None),
+        ("remappings=('a', 'b')", "Node: each of the remappings must be a tuple of two names"),
+        ("remappings=[['a', 'b']]", "Node: each of the remappings must be a tuple of two names"),
+        ("remappings=[('a', 'b', 'c')]", "Node: each of the remappings must be a tuple of two names"),
+        ("remappings={'a': 'b'}", "Node: each of the remappings must be a tuple of two names"),
+        ("remappings={('a', 'b')}", None),
+    ],
+)
+def test_arguments_of_types_that_are_refused(tmp_path: Path, arguments: str, message: str | None) -> None:
+    found = described(tmp_path, f"DeclareLaunchArgument('parameters', default_value='x'), node('n', {arguments})")
+    assert [one.split(": ", 1)[1] for one in problems(found, tmp_path)] == ([] if message is None else [message])
+
+
+def test_a_launch_file_that_returns_nothing(tmp_path: Path) -> None:
+    found = composed(tmp_path, {"main.launch.py": "def generate_launch_description():\n    return_later = []\n"})
+    assert [problem.message for problem in found.problems] == ["generate_launch_description of main.launch.py returns nothing"]

@@ -1,0 +1,33 @@
+"""Arguments whose type the classes of launch_ros refuse (launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py, in all versions)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from rosarch.extractor.launch.unknowns import is_known
+
+_NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
+_RENAMING = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
+
+
+def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The arguments of an object of the class `kind` that have a type that it refuses, and what it asks for."""
+    parameters = given.get("parameters")
+    if kind in _NODES and (isinstance(parameters, (dict, tuple)) or _is_text(parameters)):
+        yield "parameters", "parameters must be a list"
+    if kind in _RENAMING and any(not _is_rule(rule) for rule in _rules(given.get("remappings"))):
+        yield "remappings", "each of the remappings must be a tuple of two names"
+
+
+def _rules(remappings: Any) -> list[Any]:
+    return list(remappings) if isinstance(remappings, (list, tuple, dict)) else []
+
+
+def _is_rule(rule: Any) -> bool:
+    """Whether this may be a pair of names: all that is not known may."""
+    return not (isinstance(rule, list) or _is_text(rule) or (isinstance(rule, tuple) and len(rule) != 2))
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str) and is_known(value)
