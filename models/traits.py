@@ -76,6 +76,7 @@ TRAITS = {
     "callback_called": ("place",),
     "refuses_slash": ("place",),
     "joins_endless": ("place", "place", "text"),
+    "read_for_another": ("place", "text", "text", "text"),
     "sent_unstamped": ("place", "port"),
     "made_without_queue": ("place",),
     "starts_in_constructor": ("place", "place", "text"),
