@@ -1,4 +1,7 @@
-"""Arguments whose type the classes of launch_ros refuse (launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py, in all versions)."""
+"""Arguments whose type the classes of launch_ros refuse, in all versions.
+
+Sources: launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py.
+"""
 
 from __future__ import annotations
 

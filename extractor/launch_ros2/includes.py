@@ -128,7 +128,8 @@ def _python(world: World, file: str) -> Any:
         found = run.apply(function, [], {}) if isinstance(function, Function) else function
         if found is None:
             place = Place(file, function.node.lineno) if isinstance(function, Function) else Place(file, 1)
-            world.state.report(LaunchError("python", file, f"generate_launch_description of {Path(file).name} returns nothing"), place=place)
+            problem = LaunchError("python", file, f"generate_launch_description of {Path(file).name} returns nothing")
+            world.state.report(problem, place=place)
         return found[0] if isinstance(found, tuple) and found else found
     except SyntaxError as error:
         place = Place(file, error.lineno or 1, error.offset or 1)
