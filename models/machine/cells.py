@@ -21,7 +21,7 @@ from rosarch.models.machine.conditions import (
     parse_condition,
     strip,
 )
-from rosarch.models.machine.counting import Arithmetic, Counting, arithmetic, calculated, counting, step, stepped, whole
+from rosarch.models.machine.counting import WIDE, Arithmetic, Counting, arithmetic, calculated, counting, step, stepped, whole, width
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 
 Document = Mapping[str, Any]
@@ -331,7 +331,8 @@ class Domains:
                 steps.append(taken)
             else:
                 return None
-        return counting(first, given, steps, draft.asked, rests=not draft.compared) if steps else None
+        size = WIDE if sized else width(_plain_type(self._variables[place[0]]))
+        return counting(first, given, steps, draft.asked, rests=not draft.compared, width=size) if steps else None
 
     def _first_number(self, place: Place) -> int | None:
         name, suffix = place

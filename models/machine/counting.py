@@ -127,7 +127,7 @@ class Counting:
     """The whole numbers that a counted variable is told apart as: from `least` to `most`.
 
     `above` and `below` tell that it may be more, or less, than that. With a `modulus` it stands for the rest that it leaves, as nothing
-    else is asked of it.
+    else is asked of it. One that `wraps` begins anew at its other end when it has gone too far beyond, where is not told.
     """
 
     least: int
@@ -135,6 +135,7 @@ class Counting:
     above: bool = False
     below: bool = False
     modulus: int | None = None
+    wraps: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -173,7 +174,7 @@ class Counting:
         far = self.most + 1 if self.above else self.least - 1
         reached = None if self.above is self.below else step.at(far)
         onward = reached is not None and (reached >= far if self.above else reached <= far)
-        return [OTHER] if onward and re.fullmatch(r"n[+-]\d+|n", _bare(step.text)) else [*self.names, OTHER]
+        return [OTHER] if onward and not self.wraps and re.fullmatch(r"n[+-]\d+|n", _bare(step.text)) else [*self.names, OTHER]
 
     @property
     def beyond(self) -> tuple[str, ...]:
@@ -185,8 +186,41 @@ def _bare(text: str) -> str:
     return text[1:-1] if text.startswith("(") and text.endswith(")") and text.count("(") == 1 else text
 
 
+@dataclass(frozen=True)
+class Width:
+    """How many bits an integer has: numbers below zero, or of more bits, begin anew at the other end."""
+
+    bits: int
+    signed: bool
+
+    @property
+    def narrow(self) -> bool:
+        """Whether a counter soon has gone round."""
+        return self.bits <= 16
+
+
+WIDE = Width(64, True)
+_BITS = (
+    (r"\bu?int(8|16|32|64)_t\b", 0),
+    (r"\bchar\b|\bbyte\b", 8), (r"\bshort\b", 16), (r"\bsize_t\b|\blong\b", 64), (r"\bint\b|\bunsigned\b", 32),
+)  # fmt: skip
+
+
+def width(type_: str) -> Width:
+    """The width of a type of C++; Python's numbers, of which no type is told, have all the bits that they need."""
+    signed = not re.search(r"\bunsigned\b|\buint|\bsize_t\b|\bbyte\b", type_)
+    found = ((match, bits) for pattern, bits in _BITS if (match := re.search(pattern, type_)))
+    return next((Width(bits or int(match[1]), signed) for match, bits in found), WIDE)
+
+
 def counting(
-    first: int, given: Iterable[int], steps: Sequence[Arithmetic], asked: Sequence[tuple[Arithmetic, int]], *, rests: bool = True
+    first: int,
+    given: Iterable[int],
+    steps: Sequence[Arithmetic],
+    asked: Sequence[tuple[Arithmetic, int]],
+    *,
+    rests: bool = True,
+    width: Width = WIDE,
 ) -> Counting | None:
     """How a variable is counted that begins with `first`, may be `given` numbers and take `steps`.
 
@@ -197,7 +231,8 @@ def counting(
     moduli = [left.modulus for left, _ in asked]
     if rests and None not in moduli and min(starts) >= 0 and all(re.fullmatch(r"n(\+\d+)?", _bare(step.text)) for step in steps):
         modulus = lcm(*(modulus for modulus in moduli if modulus))
-        return Counting(0, modulus - 1, modulus=modulus) if modulus <= MOST_VALUES else None
+        if not width.narrow or (not width.signed and 2**width.bits % modulus == 0):
+            return Counting(0, modulus - 1, modulus=modulus) if modulus <= MOST_VALUES else None
     far = [abs(limit) + sum(left.numbers) for left, limit in asked]
     far += [max(step.numbers, default=0) for step in steps if "%" in step.text]
     least, most = min([*starts, *(-number for number in far if min(starts) < 0)], default=0), max([*starts, *far])
@@ -216,4 +251,5 @@ def counting(
             if least <= after <= most and after not in reached:
                 reached.add(after)
                 waiting.append(after)
-    return Counting(least if below else min(reached), most if above else max(reached), above, below)
+    above = above or (below and not width.signed)  # below zero are the greatest numbers
+    return Counting(least if below else min(reached), most if above else max(reached), above, below, wraps=width.narrow)

@@ -104,3 +104,25 @@ def test_ways_that_parameters_open() -> None:
 def test_constants_have_names() -> None:
     document = _counting("0", "++n_ >= MOST", ("++n_", None), ("0", "++n_ >= MOST"), traits={"names_number": [["MOST", "6"]]})
     assert list(rhythms(document)) == [Rhythm("p1", "p2", "", 6, 1)]
+
+
+@pytest.mark.parametrize(
+    ("type_", "guard", "told"),
+    [
+        ("uint8_t", "++n_ % 4 == 0", True),  # 256 is a multiple of four
+        ("uint8_t", "++n_ % 3 == 0", False),  # 255 is sent, and so is 0 behind it
+        ("uint8_t", "++n_ < 3", False),  # 0 comes again after 255
+        ("std::int8_t", "++n_ == 3", False),
+        ("unsigned short", "++n_ == 3", False),
+        ("int", "++n_ == 3", True),
+        ("uint64_t", "++n_ % 3 == 0", True),
+        ("", "++n_ == 3", True),
+    ],
+)
+def test_a_counter_of_few_bits_begins_anew(type_: str, guard: str, told: bool) -> None:
+    assert bool(list(rhythms(_counting("0", guard, ("++n_", None), type_=type_)))) is told
+
+
+def test_an_unsigned_counter_is_never_below_zero() -> None:
+    assert list(rhythms(_counting("1", "--n_ < 1", ("--n_", None), type_="int"))) == [Rhythm("p1", "p2", "", 1, 1)]
+    assert list(rhythms(_counting("1", "--n_ < 1", ("--n_", None), type_="unsigned int"))) == []
