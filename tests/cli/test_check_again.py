@@ -22,7 +22,8 @@ add_executable(driver src/driver.cpp)
 add_executable(watcher src/watcher.cpp)
 """
 MANIFEST = """<package format="2"><name>{name}</name><version>1.0.0</version><description>d</description>
-<maintainer email="m@example.com">m</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>
+<maintainer email="m@example.com">m</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend>
+<depend>roscpp</depend><depend>std_msgs</depend></package>
 """
 DRIVER = """#include <ros/ros.h>
 #include <robot/names.h>

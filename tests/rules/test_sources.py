@@ -25,7 +25,7 @@ NAMES = sorted(
     f"{folder}/{path.relative_to(HERE / folder)}"
     for folder in FOLDERS
     for path in (HERE / folder).rglob("*")
-    if path.suffix in (".cpp", ".py")
+    if path.suffix in (".cpp", ".py") and path.name not in ("setup.py", "__init__.py")
 )
 
 
