@@ -20,13 +20,23 @@ NO_PACKAGES = HEAVY_FOLDERS | TEMPLATES | {"test", "tests"}
 
 def quick_name(path: str) -> str | None:
     """The package name without parsing: enough to know which manifests are needed."""
-    match = _NAME.search(quick_text(path) or "")
+    return name_in(quick_text(path) or "")
+
+
+def name_in(text: str) -> str | None:
+    """The package name in the text of a manifest."""
+    match = _NAME.search(text)
     return html.unescape(match.group(1)) if match else None
 
 
 def quick_text(path: str) -> str | None:
-    """The text of a manifest without its comments; None when it cannot be read."""
+    """The text of a manifest without its comments, its lines as they were; None when it cannot be read."""
     try:
-        return _COMMENT.sub("", read_file(path).decode(errors="replace"))
+        return without_comments(read_file(path).decode(errors="replace"))
     except OSError:
         return None
+
+
+def without_comments(text: str) -> str:
+    """XML without its comments, its lines as they were."""
+    return _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol, TypeVar
 
 from .entry_points import Lack, lacks
 from .installs import Install, Unsure
@@ -75,7 +76,15 @@ def builds(workspace: Workspace) -> tuple[Built, ...]:
     )
 
 
-def package_of(path: str, packages: Iterable[Built]) -> Built | None:
+class _InFolder(Protocol):
+    @property
+    def folder(self) -> Path | str: ...
+
+
+_Package = TypeVar("_Package", bound=_InFolder)
+
+
+def package_of(path: str, packages: Iterable[_Package]) -> _Package | None:
     """The package that a file lies in, the innermost."""
     above = [one for one in packages if path.startswith(f"{one.folder}/")]
     return max(above, key=lambda one: len(str(one.folder)), default=None)

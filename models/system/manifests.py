@@ -14,10 +14,9 @@ from typing import Any
 from rosarch.extractor.files import read_file
 from rosarch.extractor.launch.facts import path_below
 from rosarch.extractor.launch.model import Composition, PackageNamed
-from rosarch.extractor.package_names import NO_PACKAGES
+from rosarch.extractor.package_names import NO_PACKAGES, name_in, quick_text, without_comments
+from rosarch.extractor.workspace.built import package_of
 
-_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
-_NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 _DEPENDENCY = re.compile(r"<(\w*depend)[^<>]*>\s*([^<\s]+)\s*</")
 
 # at the first column: an import below a `try` or a condition may be one that the package can do without
@@ -69,20 +68,16 @@ def declared(root: Path) -> tuple[Declared, ...]:
 
 
 def _read(path: str, folders: set[str]) -> Declared | None:
-    try:
-        text = read_file(path).decode(errors="replace")
-    except OSError:
+    text = quick_text(path)
+    name = name_in(text or "")
+    if text is None or name is None:
         return None  # where the package is read, that is reported
-    text = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text)
-    name = _NAME.search(text)
-    if name is None:
-        return None
     found = [(match[1], match[2], 1 + text.count("\n", 0, match.start(2))) for match in _DEPENDENCY.finditer(text)]
-    last = found[-1][2] if found else 1 + text.count("\n", 0, name.start(1))
+    last = found[-1][2] if found else 1 + text.count("\n", 0, text.index("<name>"))
     depends = frozenset(dependency for _, dependency, _ in found)
     after = {dependency: line for tag, dependency, line in reversed(found) if not tag.startswith(_TESTS)}
     folder = os.path.dirname(path)
-    return Declared(name[1], folder, last, depends, tuple(after.items()), tuple(_needs(folder, folders, depends | {name[1]})))
+    return Declared(name, folder, last, depends, tuple(after.items()), tuple(_needs(folder, folders, depends | {name})))
 
 
 def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator[Need]:
@@ -136,7 +131,7 @@ def _of_cpp(text: str) -> Iterator[_Use]:
 
 
 def _of_description(text: str) -> Iterator[_Use]:
-    text = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text)
+    text = without_comments(text)
     for match in _FILE.finditer(text):
         yield match[1] or match[2], "file", 1 + text.count("\n", 0, match.start())
 
@@ -170,7 +165,7 @@ def manifest_rows(
 
     wanted = {one for one in manifests if one.needs}
     for path in {*(named.place.path for named in composition.references), *(node.lines[-1].path for node in composition.nodes)}:
-        holder = _package_of(path, manifests)
+        holder = package_of(path, manifests)
         if holder is not None:
             rows["launch_file_of"].add((path_below(top, path), holder.name))
             wanted.add(holder)
@@ -186,11 +181,6 @@ def manifest_rows(
     for number, one in enumerate(_unordered(by_name)):
         rows["package_unordered"].update((one.name, name, place(one, line), number) for name, line in one.after if name in by_name)
     return rows
-
-
-def _package_of(path: str, manifests: Iterable[Declared]) -> Declared | None:
-    above = [one for one in manifests if path.startswith(f"{one.folder}/")]
-    return max(above, key=lambda one: len(one.folder), default=None)
 
 
 def _with_dependencies(wanted: Iterable[Declared], by_name: Mapping[str, Declared]) -> set[Declared]:
