@@ -30,6 +30,7 @@ from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.memo import Memo
 from rosarch.extractor.messages import Interfaces, MessageClass
 from rosarch.extractor.messages.closed import closed_packages
+from rosarch.extractor.messages.known_fields import KnownFields
 from rosarch.extractor.pool import Failure
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.sources import Sources, diagnostics
@@ -50,7 +51,7 @@ from rosarch.extractor.workspace import (
 from rosarch.extractor.workspace.built import Built, builds
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
 from rosarch.extractor.workspace.graph import is_brought
-from rosarch.extractor.workspace.model import ROS1
+from rosarch.extractor.workspace.model import ROS1, ROS2
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,7 @@ class ComponentFacts:
     units: tuple[Path, ...]
     own: Rows
     key: str | None = None
+    fields: KnownFields = field(default_factory=lambda: KnownFields({}))
 
     @property
     def size(self) -> int:
@@ -83,6 +85,8 @@ class ComponentFacts:
         rows["message_class"] = {row for row in rows["message_class"] if row[0] in classes}
         types = {row[2] for row in rows["message_class"]}
         rows["config_parameter"] = {row for row in rows["config_parameter"] if row[0] in types}
+        if rows["source_language"]:  # what other languages are compiled
+            rows.update(self.fields.used(rows["message_class"]))
         return rows
 
 
@@ -253,6 +257,8 @@ class _Defined:
     classes: set[tuple[str, str, str]]
     configs: set[tuple[str, str, str, str]]
     closed: dict[str, set[tuple[str, ...]]]
+    fields: Mapping[str, KnownFields]
+    middleware: Mapping[str, str]
     digest: str
 
 
@@ -264,9 +270,11 @@ def _defined(interfaces: Interfaces, workspace: Workspace) -> _Defined:
     }
     configs = {(f"{config.name}Config", p.name, p.type, _default(p.default)) for config in interfaces.configs() for p in config.parameters}
     closed = closed_packages(workspace.packages)
-    return _Defined(
-        classes, configs, closed, hash_of(map(repr, (*sorted(classes), *sorted(configs), *(sorted(rows) for rows in closed.values()))))
-    )
+    packages = workspace.packages
+    fields = {kind: KnownFields.of(store, packages, kind) for kind, store in ((ROS1, interfaces.ros1), (ROS2, interfaces.ros2))}
+    rows = [sorted(rows) for rows in closed.values()] + [sorted(known.rows.items()) for known in fields.values()]
+    digest = hash_of(map(repr, (*sorted(classes), *sorted(configs), *rows)))
+    return _Defined(classes, configs, closed, fields, {package.name: package.middleware for package in packages}, digest)
 
 
 def _component_facts(
@@ -313,4 +321,5 @@ def _component_facts(
         tuple(dict.fromkeys(path for file in read for path in paths(file))),
         {**own, "message_class": defined.classes, "config_parameter": defined.configs, **defined.closed},
         hash_of([*keys, "", *facts, "", *sources, "", defined.digest]) if certain else None,
+        defined.fields[defined.middleware.get(component.package, ROS1)],
     )

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from rosarch.extractor.flow import Flow
 
+from .fitting import positional_arguments
 from .inference import Inference
 from .messages import message_of
 from .model import Class, Function, InstanceValue, Module, Scope, Values, Variable
@@ -77,6 +78,8 @@ class Facts:
         if function.own:
             for index, parameter in enumerate(function.parameters):
                 self.add("function_parameter", name, index, self.variable(parameter))
+            if function.node is not None:
+                self.add("function_takes", name, *positional_arguments(function))
         elif function.undeclared and function.name.partition("::")[0].partition(".")[0] not in sys.stdlib_module_names:
             self.add("function_undeclared", name)
         return name

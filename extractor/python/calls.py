@@ -9,6 +9,7 @@ from rosarch.extractor.python_syntax import import_call
 
 from . import definitions, strings
 from .body import Body
+from .fitting import misfits
 from .members import note_member
 from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
 from .program import external_name, names_class
@@ -52,6 +53,9 @@ def lower_call(body: Body, node: ast.Call) -> str:
         facts.add("call_keyword", call, argument)
     if any(isinstance(argument, ast.Starred) for argument in node.args) or any(keyword.arg is None for keyword in node.keywords):
         facts.add("call_unpacks", call)
+    if len(functions) == 1 and not functions[0].of_class:
+        for how, name in misfits(node, functions[0], skipped):
+            facts.add("call_misfits", call, how, name)
     body.flow.evaluate(call)
     return call
 

@@ -28,6 +28,7 @@ ELSEWHERE = {
     "macro_undefined": "tests/extractor/cxx/test_undefined_macros.py",
     "source_lost": "tests/extractor/cxx/test_undefined_macros.py",
     "module_member_absent": "tests/rules/packages/python_members/scripts/stock.py",
+    "call_misfits": "tests/rules/packages/python_calls/scripts/filler.py",
 }
 
 
