@@ -59,6 +59,8 @@ TRAITS = {
     "of_inner_node": ("port",),
     "beside": ("port", "port", "text"),
     "takes_given_name": ("place", "text"),
+    "node_namespace": ("place", "text"),
+    "parameter_bounded": ("place", "text", "text", "text"),
     "moves_managed": ("place",),
     "stamped_now": ("port",),
     "reads_clock": ("place",),

@@ -24,11 +24,15 @@ def with_nodes(composition: Composition, models: Mapping[tuple[str, str], Sequen
     """
     nodes: list[NodeStart] = []
     changed: list[tuple[NodeStart, list[_Made]]] = []
+    moved: dict[str, str] = {}
     for start in composition.nodes:
         made = [_made(start, model) for model in models.get((start.package, start.type), ())]
         nodes += [one.node for one in made] or [start]
         if start.given and made:
             changed.append((start, made))
+        elif len(made) == 1 and made[0].node.namespace != start.namespace:
+            moved[f"{start.full_name}/"] = f"{made[0].node.full_name}/"
+    composition = replace(composition, params=tuple(_moved(setting, moved) for setting in composition.params))
     return _with_settings(replace(composition, nodes=tuple(nodes)), changed)
 
 
@@ -56,11 +60,28 @@ def _made(start: NodeStart, model: ComponentModel) -> _Made:
     """The node of a process that a model is of."""
     if model.executable:
         start = replace(start, type=model.component)
+    start = _in_namespace(start, model)
     if start.name is not None or start.called is None:
         return _Made(start, named=True)
     if model.node_name is None:
         return _Made(start, named=False)
     return _Made(replace(start, called=_renamed(start, model.node_name)), named=True)
+
+
+def _in_namespace(start: NodeStart, model: ComponentModel) -> NodeStart:
+    """The node in the namespace that its code says, where no launch file starts it in another."""
+    said = {str(trait.values[1]) for trait in model.traits if trait.name == "node_namespace"}
+    if start.ros == 1 or start.namespace != "/" or len(said) != 1:
+        return start
+    return replace(start, namespace=f"{canonical('/' + said.pop())}/")
+
+
+def _moved(setting: ParamSetting, moved: Mapping[str, str]) -> ParamSetting:
+    """What is set for a node that a launch file gives a name only, in the namespace that the node is in."""
+    for old, new in moved.items():
+        if setting.name.startswith(old):
+            return replace(setting, name=new + setting.name.removeprefix(old))
+    return setting
 
 
 def _renamed(start: NodeStart, name: str) -> str:

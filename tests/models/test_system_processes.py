@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from ros2_launch_builder import HEAD, composed
 
 from rosarch.extractor.launch import Composition
 from rosarch.models.component import ComponentModel
+from rosarch.models.places import Place
 from rosarch.models.system.processes import with_nodes
+from rosarch.models.traits import Trait
 
 FILE = """\
 /**: {ros__parameters: {common: 1}}
@@ -20,13 +23,13 @@ run: {ros__parameters: {side: program}}
 TWO = ("left", "right")
 
 
-def nodes_of(folder: Path, arguments: str, *called: str | None) -> Composition:
+def nodes_of(folder: Path, arguments: str, *called: str | None, model: ComponentModel | None = None) -> Composition:
     """What a launch file starts with these arguments of `Node`, where the code of the program calls its nodes so."""
     text = f"def generate_launch_description():\n    return LaunchDescription([Node(package='here', executable='run', {arguments})])\n"
     found = composed(folder, {"main.launch.py": f"{HEAD}FILE = os.path.dirname(__file__) + '/p.yaml'\n\n{text}", "p.yaml": FILE})
     several = "run" if len(called) > 1 else None
     models = [ComponentModel("ws", name or "run", "here", "node", name, (), (), (), executable=several) for name in called]
-    return with_nodes(found, {("here", "run"): models})
+    return with_nodes(found, {("here", "run"): [model] if model else models})
 
 
 def set_by(found: Composition) -> dict[str, object]:
@@ -71,3 +74,17 @@ def test_sections_that_may_be_for_a_node_of_unknown_name(tmp_path: Path) -> None
     assert [node.full_name for node in found.nodes] == ["/run"]
     assert {setting.name for setting in found.unread} == {"/run"}
     assert set_by(found)["/run/common"] == 1
+
+
+def test_a_namespace_of_the_code_counts_where_no_launch_file_gives_one(tmp_path: Path) -> None:
+    place = Place("run.py", 3, 9)
+    model = ComponentModel("ws", "run", "here", "node", "left", (), (), (), traits=(Trait("node_namespace", (place, "arm")),))
+    own = nodes_of(tmp_path, "parameters=[FILE]", model=model)
+    assert [node.full_name for node in own.nodes] == ["/arm/left"]
+    assert set_by(own) == {"/arm/left/common": 1, "/arm/left/side": "far"}
+    named = nodes_of(tmp_path, "name='run', parameters=[{'rate': 2}]", model=model)
+    assert ([node.full_name for node in named.nodes], set_by(named)) == (["/arm/run"], {"/arm/run/rate": 2})
+    given = nodes_of(tmp_path, "namespace='leg', parameters=[FILE]", model=model)
+    assert [node.full_name for node in given.nodes] == ["/leg/left"]
+    two = replace(model, traits=(*model.traits, Trait("node_namespace", (place, "leg"))))
+    assert [node.full_name for node in nodes_of(tmp_path, "parameters=[FILE]", model=two).nodes] == ["/left"]
