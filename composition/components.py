@@ -107,6 +107,11 @@ class Component:
         names = {name for name, *_ in self._traits("changed_at_once")}
         return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
 
+    @cached_property
+    def silent(self) -> frozenset[str]:
+        """The ports that nothing is ever sent through."""
+        return frozenset(port for (port,) in self._traits("sends_nothing"))
+
     def is_ambiguous(self, steps: Iterable[Step]) -> bool:
         """Whether the order of some of these steps, all of one reaction, is not known, or that of their tests."""
         steps = list(steps)

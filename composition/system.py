@@ -108,19 +108,18 @@ def _certain(rates: Sequence[tuple[Place, float]]) -> list[tuple[Place, float]]:
 
 
 def _topic(name: str, connector: Connector, nodes: Mapping[str, Component]) -> Topic:
-    senders, outside = [], []
+    senders, outside, silent = [], [], False
     for node, port in connector.sources:
         end = (node, port.split(":")[0])
         if node in nodes and end[1] in nodes[node].outlets:
             senders.append(end)
+        elif node in nodes and end[1] in nodes[node].silent:
+            silent = True
         else:
             outside.append(node)
     receivers = ((node, port.split(":")[0]) for node, port in connector.sinks if node in nodes)
     ends = tuple(dict.fromkeys(receivers))
-    if senders and connector.open:
+    if (senders or silent) and connector.open:
         outside.append(UNSEEN)
-    return Topic(name, connector.kind, tuple(dict.fromkeys(senders)), ends, tuple(dict.fromkeys(outside)) or _nobody(senders))
-
-
-def _nobody(senders: list[End]) -> tuple[str, ...]:
-    return () if senders else (ENVIRONMENT,)
+    nobody = () if senders or silent else (ENVIRONMENT,)
+    return Topic(name, connector.kind, tuple(dict.fromkeys(senders)), ends, tuple(dict.fromkeys(outside)) or nobody)

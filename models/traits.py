@@ -38,6 +38,8 @@ TRAITS = {
     "round_always": ("place", "port"),
     "sent_untimed": ("port",),
     "sent_otherwise": ("port",),
+    "sends_nothing": ("port",),
+    "given_away": ("port",),
     "unsteady": ("place", "text"),
     "unheard": ("port", "text"),
     "held_up": ("text",),

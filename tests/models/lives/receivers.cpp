@@ -1,5 +1,4 @@
 // expect: held_up a callback sleeps
-// expect: unheard short a callback sleeps
 // expect: unheard short what holds it goes out of scope
 // expect: unheard slow a callback sleeps
 #include <ros/ros.h>

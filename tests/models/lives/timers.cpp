@@ -1,8 +1,7 @@
-// expect: unsteady 15 it is made stopped
-// expect: unsteady 15 something is done with it later
-// expect: unsteady 16 nothing holds it
-// expect: unsteady 21 it is not made in any case when the node begins
-// expect: unsteady 21 something is done with it later
+// expect: unsteady 14 it is made stopped
+// expect: unsteady 14 something is done with it later
+// expect: unsteady 20 it is not made in any case when the node begins
+// expect: unsteady 20 something is done with it later
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 
