@@ -9,7 +9,7 @@
 // expect: plain_class("Pose")
 // expect: plain_class("Size")
 // expect: plain_class("Short::Inner")
-// expect: 1 = count : { gives_constant(_, _, _, _) }, 15 = count : { value_step(_, _, _) }
+// expect: 1 = count : { gives_constant(_, _, _, _) }, 13 = count : { value_step(_, _, _) }
 #include <boost/make_shared.hpp>
 #include <iostream>
 #include <map>

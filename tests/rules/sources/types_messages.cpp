@@ -6,7 +6,7 @@
 // expect: N = count : { variable_type(V, Type), type_holds_instance(Type, "Relay<std_msgs::String_>") }, N = 2
 // expect-only: subscriber
 // expect-only: publisher
-// expect: 3 = count : { value_goes(_, _, _) }
+// expect: 1 = count : { value_goes(_, _, _) }
 #include <boost/make_shared.hpp>
 #include <memory>
 #include <ros/ros.h>
