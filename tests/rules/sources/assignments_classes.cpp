@@ -1,7 +1,8 @@
 // Which objects live as long as the component, which of them are plain data, and what changes what they hold.
 //
 // expect: N = count : { component_variable(_) }, N = 31
-// expect: N = count : { assignment(_, _, _) }, N = 29
+// expect: N = count : { assignment(_, _, _) }, N = 30
+// expect: N = count : { changes_by_other_name(_, _) }, N = 1
 // expect: N = count : { final_value(_, _) }, N = 31
 // expect: N = count : { parameter_assigned(_, _) }, N = 5
 // expect: N = count : { part_of_variable(_, _) }, N = 59

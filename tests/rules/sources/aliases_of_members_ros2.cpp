@@ -1,0 +1,98 @@
+// Members that are changed by another name: a pointer or reference that is chosen, an iterator, a binding, a wrapper, what a function gives, a guard.
+// expect: assignment(E, V, "argument"), location(E, _, 57, _), variable_name(V, "left_")
+// expect: assignment(E, V, "argument"), location(E, _, 57, _), variable_name(V, "right_")
+// expect: 9 = count : { changes_by_other_name(E, V), variable_name(V, "left_") }
+// expect-not: changes_by_other_name(_, V), variable_name(V, "other_")
+// expect-not: changes_by_other_name(_, V), variable_name(V, "copied_")
+// expect: assignment(E, V, "argument"), location(E, _, 62, _), variable_name(V, "found_")
+// expect: assignment(E, V, "argument"), location(E, _, 64, _), variable_name(V, "pair_")
+// expect: assignment(E, V, "argument"), location(E, _, 69, _), variable_name(V, "list_")
+// expect: member_refers(W, V), variable_name(W, "wrapped_"), variable_name(V, "left_")
+// expect: runs_at_end(C, _), location(C, _, 70, _)
+// expect: several_orders(E, E), location(E, _, 78, _)
+// expect-not: several_orders(E, E), location(E, _, 80, _)
+// expect: port_flow([_, "subscriber", "set"], [_, "publisher", "out"], "control", "kept")
+#include <cstring>
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/bool.hpp>
+
+using std_msgs::msg::Bool;
+
+struct Guard {
+  explicit Guard(bool & flag) : flag_(flag) {}
+  ~Guard() { flag_ = true; }
+  bool & flag_;
+};
+
+class Node : public rclcpp::Node {
+public:
+  Node() : rclcpp::Node("node") {
+    out_ = create_publisher<Bool>("out", 1);
+    set_ = create_subscription<Bool>("set", 1, [this](Bool::ConstSharedPtr m) { onSet(*m); });
+    in_ = create_subscription<Bool>("in", 1, [this](Bool::ConstSharedPtr m) { onIn(*m); });
+  }
+
+private:
+  bool & pick(bool first) { return first ? left_ : right_; }
+  void put(bool * flag) { *flag = true; }
+  void check(bool bad) {
+    if (bad) throw std::runtime_error("bad");
+  }
+  void onIn(const Bool & m) {
+    if (left_ || right_ || other_ || found_[1] || pair_.first || list_[1] || copied_) out_->publish(m);
+  }
+  void onSet(const Bool & m) {
+    bool copy = copied_;
+    copy = true;
+    const bool & seen = other_;
+    (void)seen;
+    (void)copy;
+    bool * chosen = m.data ? &left_ : &right_;
+    *chosen = true;
+    (m.data ? left_ : right_) = true;
+    pick(m.data) = true;
+    put(&left_);
+    auto it = found_.find(1);
+    if (it != found_.end()) it->second = true;
+    auto & [on, count] = pair_;
+    on = true;
+    wrapped_.get() = true;
+    Guard guard(left_);
+    bool & named = left_;
+    auto later = [&named] { named = true; };
+    std::memset(list_, 1, sizeof(list_));
+    std::shared_ptr<void> end(nullptr, [this](void *) { ended_ = true; });
+    later();
+    std::tie(left_, number_) = std::make_pair(true, count);
+    bool * none = nullptr;
+    if (m.data) none = &left_;
+    if (none) *none = true;
+    try {
+      check(m.data);
+      checked_ = true;
+    } catch (const std::exception &) {
+      checked_ = false;
+    }
+    if (checked_ && ended_) out_->publish(m);
+  }
+
+  bool left_ = false, right_ = false, other_ = false, copied_ = false, ended_ = false, checked_ = false;
+  int number_ = 0;
+  bool list_[3] = {false, false, false};
+  std::map<int, bool> found_;
+  std::pair<bool, int> pair_{false, 0};
+  std::reference_wrapper<bool> wrapped_{left_};
+  rclcpp::Publisher<Bool>::SharedPtr out_;
+  rclcpp::SubscriptionBase::SharedPtr set_, in_;
+};
+
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Node>());
+}
