@@ -156,8 +156,10 @@ def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManag
 def _readable(inputs: SystemInputs, where: Surroundings) -> list[Path]:
     """What may be read: the workspace, the package path, and what else the options name."""
     named = [*(inputs.library or ()), *(inputs.rules.own if inputs.rules else ())]
-    launches = [path for request in _requests(inputs, None) for file in request.files for path in (Path(file), inputs.folder / file)]
-    return [*where.package_path, *named, *launches]
+    requests = _requests(inputs, None)
+    launches = [path for request in requests for file in request.files for path in (Path(file), inputs.folder / file)]
+    arguments = [Path(value) for request in requests for _, values in request.arguments for value in values if os.path.isfile(value)]
+    return [*where.package_path, *named, *launches, *arguments]
 
 
 def _analyze(

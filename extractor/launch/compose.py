@@ -63,6 +63,7 @@ def compose(
     state = State(files, variables)
     root = global_namespace(namespace if namespace is not None else variables.get("ROS_NAMESPACE") or "/")
     values = {name: cleaned(value) for name, value in (arguments or {}).items()}
+    files.allow_named(values)
     for path in launch_files:
         _Composer(state).top(str(path), Scope(namespace=root, filename=str(path), args=dict(values)))
     composition = finished(state, itertools.chain.from_iterable(map(files.references, state.read)))

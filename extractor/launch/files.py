@@ -11,7 +11,7 @@ import itertools
 import os
 import re
 import stat
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
@@ -44,6 +44,14 @@ class Files:
         self._documents: dict[tuple[str, object], Any] = {}
         self._references: dict[str, tuple[Reference, ...]] = {}
         self._values: dict[tuple[str, type[Loader]], tuple[Any, KeyLines]] = {}
+
+    def allow_named(self, arguments: Mapping[str, str]) -> None:
+        """Let the files be read that the user names by the values of launch arguments."""
+        for value in arguments.values():
+            full = os.path.join(self.folder, value)
+            tracing.probe(full)
+            if os.path.isfile(full):
+                self._beside.add(self.real(full))
 
     def allow_beside(self, launch_file: str) -> None:
         """Allow the package that `launch_file` lies in, or its folder when it lies in none."""

@@ -37,6 +37,7 @@ def compose_ros2(
     """What `ros2 launch` would make of launch files, one after the other; see `rosarch.extractor.launch.compose`."""
     state = State(files, environment or {})
     world = World(state)
+    files.allow_named(arguments or {})
     for path in map(str, launch_files):
         context = Context(path, outside=world.environment, namespace=joined("", namespace or ""))
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
