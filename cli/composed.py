@@ -39,7 +39,7 @@ def load_composed(question: SystemQuestion) -> System:
     if len(analysis.systems) != 1:
         known = ", ".join(system.name for system in analysis.systems) or "none"
         raise InputError(f"{folder}: {len(analysis.systems)} systems; choose one with --launch: {known}")
-    documents = {f"{model.package}/{model.component}": {**to_json(model), "traits": traits_json(model)} for model in analysis.models}
+    documents = {model.title: {**to_json(model), "traits": traits_json(model)} for model in analysis.models}
     return composed(analysis.systems[0], documents)
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,13 +15,32 @@ from rosarch.extractor.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.extractor.stored import Facts, read_stored
 from rosarch.models.cache import ModelCache
 from rosarch.models.component import ComponentModel, Relations, build_models, distinct
+from rosarch.models.node_configuration import NodeConfiguration
 from rosarch.models.rule_sets import SHIPPED, RuleSet, is_loaded_soon, model_program, rules_digest
 
 if TYPE_CHECKING:
+    from rosarch.datalog import Program
     from rosarch.extractor.pipeline import ComponentFacts
     from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
     from rosarch.extractor.workspace.built import Built
+
+
+Configurations = Callable[["ComponentFacts | Facts"], Iterable[NodeConfiguration | None]]
+"""With which configurations a component is analysed; None stands for the component by itself."""
+Following = Callable[[Sequence[ComponentModel]], Iterable[NodeConfiguration]]
+"""With which configurations a component is analysed, too, because of models of it."""
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Which models of components there shall be: those that are wanted `first`, and what comes `after` models of the component."""
+
+    first: Configurations = lambda _: (None,)
+    after: Following = lambda _: ()
+
+
+ALONE = Wanted()
 
 
 @dataclass(frozen=True)
@@ -46,6 +65,7 @@ def analyze(
     cache: Cache | None = None,
     progress: Progress | None = None,
     only: Callable[[Component], bool] | None = None,
+    wanted: Wanted = ALONE,
 ) -> Analysis:
     """Analyse the components of `packages` (all by default) below `root` by `rules`. See `extract` for the other options."""
     with meanwhile(partial(model_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
@@ -60,11 +80,11 @@ def analyze(
 
         def known(component: ComponentFacts) -> bool:
             models = kept()
-            return models is not None and models.load(_title(component), component.key) is not None
+            return models is not None and _all_known(models, component, wanted)
 
         options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache, "progress": progress, "only": only}
         with extract(root, packages, known=known, **options) as extraction:
-            models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept())
+            models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept(), wanted)
             return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs, extraction.builds)
 
 
@@ -80,6 +100,22 @@ def analyze_facts(
     return Analysis(models, (*stored.diagnostics, *failures))
 
 
+_Job = tuple["ComponentFacts | Facts", NodeConfiguration | None]
+
+
+def _all_known(kept: ModelCache, component: ComponentFacts, wanted: Wanted) -> bool:
+    """Whether all models that are wanted of a component were made before."""
+    waiting, seen = list(wanted.first(component)), set()
+    while waiting:
+        configuration = waiting.pop()
+        models = kept.load(_title(component), _key(component, configuration))
+        if models is None:
+            return False
+        seen.add(configuration)
+        waiting += [each for each in wanted.after(models) if each not in seen]
+    return True
+
+
 def _evaluate(
     system: str,
     components: Sequence[ComponentFacts | Facts],
@@ -89,48 +125,104 @@ def _evaluate(
     jobs: int | None,
     progress: Progress | None,
     kept: ModelCache | None = None,
+    wanted: Wanted = ALONE,
 ) -> tuple[tuple[ComponentModel, ...], list[Diagnostic]]:
+    """The models of components, and what comes after these, in rounds."""
     from rosarch.extractor.diagnostics import Diagnostic
 
     models: list[ComponentModel] = []
     failures: list[Diagnostic] = []
-    waiting = []
+    seen: set[tuple[int, NodeConfiguration | None]] = set()
+    open_: list[_Job] = []
+
+    def add(component: ComponentFacts | Facts, configurations: Iterable[NodeConfiguration | None]) -> None:
+        for configuration in configurations:
+            if (id(component), configuration) in seen:
+                continue
+            seen.add((id(component), configuration))
+            known = kept.load(_title(component), _key(component, configuration)) if kept else None
+            if known is None:
+                open_.append((component, configuration))
+            else:
+                made(component, known)
+
+    def made(component: ComponentFacts | Facts, found: Sequence[ComponentModel]) -> None:
+        models.extend(found)
+        add(component, wanted.after(found))
+
     for component in components:
-        known = kept.load(_title(component), component.key) if kept else None
-        if known is None:
-            waiting.append(component)
-        else:
-            models.extend(known)
-    waiting_for = len(waiting)
-    for component, outcome in _derived(waiting, rules, engine, jobs) if waiting else ():
-        if isinstance(outcome, Failure):
-            detail = f"{_title(component)} not analysed: {outcome.reason} ({outcome.detail})"
-            failures.append(Diagnostic("component", where, 1, 1, detail))
-        else:
-            made = build_models(system, component.name, component.package, component.kind, component.sources, outcome)
-            models.extend(made)
-            if kept:
-                kept.store(_title(component), component.key, made)
-        if progress:
-            waiting_for -= 1
-            progress("components", len(components) - waiting_for, len(components))
-    if kept and waiting:
+        add(component, wanted.first(component))
+    changed = bool(open_)
+    while open_:
+        waiting, open_ = open_, []
+        for (component, configuration), outcome in _derived(waiting, rules, engine, jobs):
+            if isinstance(outcome, Failure):
+                detail = f"{_title(component)} not analysed: {outcome.reason} ({outcome.detail})"
+                failures.append(Diagnostic("component", where, 1, 1, detail))
+            else:
+                found = _models(system, component, configuration, outcome)
+                if kept:
+                    kept.store(_title(component), _key(component, configuration), found)
+                made(component, found)
+            if progress:
+                progress("components", len(seen) - len(open_), len(seen))
+    if kept and changed:
         kept.cache.trim()
     return distinct(models), sorted(failures, key=str)
 
 
-def _derived(
-    components: Sequence[ComponentFacts | Facts], rules: RuleSet, engine: str, jobs: int | None
-) -> Iterator[tuple[ComponentFacts | Facts, Relations | Failure]]:
+def _models(
+    system: str, component: ComponentFacts | Facts, configuration: NodeConfiguration | None, relations: Relations
+) -> tuple[ComponentModel, ...]:
+    kind = "node" if configuration and configuration.entry else component.kind
+    found = build_models(system, component.name, component.package, kind, component.sources, relations)
+    if configuration is None:
+        return found
+    # of a program that makes several nodes, the one of this name
+    own = next((model for model in found if model.executable and model.node_name == configuration.name), found[0])
+    return (replace(own, configuration=configuration.key),)
+
+
+def _derived(jobs_open: Sequence[_Job], rules: RuleSet, engine: str, jobs: int | None) -> Iterator[tuple[_Job, Relations | Failure]]:
     """What the rules derive of each component, in worker processes."""
     program = model_program(rules)
-    largest_first = sorted(components, key=lambda each: -each.size)  # so that many processes end evenly
+    largest_first = sorted(jobs_open, key=lambda job: -job[0].size)  # so that many processes end evenly
 
-    def work(component: ComponentFacts | Facts) -> Relations:
-        return program.evaluate(component.rows(), engine=engine).all_rows()
+    def work(job: _Job) -> Relations:
+        component, configuration = job
+        if configuration is None:
+            return program.evaluate(component.rows(), engine=engine).all_rows()
+        return configured_rows(program, component.rows(), configuration, engine)
 
     for index, outcome in run_tasks(work, largest_first, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation):
         yield largest_first[index], outcome
+
+
+def configured_rows(
+    program: Program, rows: Mapping[str, Iterable[tuple[Any, ...]]], configuration: NodeConfiguration, engine: str
+) -> Relations:
+    """What the rules derive of a component with a configuration.
+
+    Twice: the conditions that the configuration decides rule out code, and nodes that the component makes inside of its own are analysed
+    apart, which is only known when values are.
+    """
+    given: dict[str, Any] = {**rows, **configuration.rows()}
+    if configuration.entry:
+        given["component"] = {(name, package, "plugin") for name, package, _ in rows["component"]}
+    first = program.evaluate(given, engine=engine).all_rows()
+    apart = {(class_,) for _, class_, _ in first["inner_node"]}
+    decided = set(first["decided"])
+    if not (decided or apart):
+        return first
+    again = program.evaluate({**given, "configured_condition": decided, "configured_apart": apart}, engine=engine).all_rows()
+    return {**again, **{name: first[name] for name in ("inner_node", "inner_namespace", "inner_given")}}
+
+
+def _key(component: ComponentFacts | Facts, configuration: NodeConfiguration | None) -> str | None:
+    """The facts of a component, and its configuration."""
+    if configuration is None or component.key is None:
+        return component.key
+    return f"{component.key} {configuration.key}"
 
 
 def _title(component: ComponentFacts | Facts) -> str:

@@ -13,6 +13,7 @@ from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards
+from rosarch.models.node_configuration import InnerNode, PluginTold
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
@@ -59,6 +60,15 @@ class Parameter:
     at: Place
 
 
+CONFIGURED = "@"
+"""Stands in the title of a model before the key of a configuration."""
+
+
+def component_of(title: str) -> str:
+    """The component that the title of a model is of, whatever its configuration."""
+    return title.partition(CONFIGURED)[0]
+
+
 @dataclass(frozen=True)
 class Plugin:
     """How programs load a component that is a class: by `name`, where they want an object of class `base`."""
@@ -75,6 +85,8 @@ class ComponentModel:
     `unseen` tells what it may have beside all that,
     `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
+    `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
+    it makes inside of its own, `told` what plug-ins are told that it loads; `asks_name` where its code asks what the node is called.
     """
 
     system: str
@@ -95,6 +107,15 @@ class ComponentModel:
     executable: str | None = None
     middleware: str | None = None
     unseen: tuple[Unseen, ...] = ()
+    configuration: str = ""
+    inner: tuple[InnerNode, ...] = ()
+    told: tuple[PluginTold, ...] = ()
+    asks_name: bool = False
+
+    @property
+    def title(self) -> str:
+        """Tells the model from others: package, component and, where it is that of certain nodes, the key of their configuration."""
+        return f"{self.package}/{self.component}{CONFIGURED * bool(self.configuration)}{self.configuration}"
 
     @property
     def types(self) -> tuple[str, ...]:
@@ -125,11 +146,11 @@ def build_models(
 def distinct(models: Iterable[ComponentModel]) -> tuple[ComponentModel, ...]:
     """Models by package and name; nodes of programs are called `program.node` where their package has their name twice."""
     found = list(models)
-    called = Counter((model.package, model.component) for model in found)
+    called = Counter(model.title for model in found)
     for index, model in enumerate(found):
-        if model.executable and called[model.package, model.component] > 1:
+        if model.executable and called[model.title] > 1:
             found[index] = replace(model, component=f"{model.executable}.{model.component}")
-    return tuple(sorted(found, key=lambda model: (model.package, model.component)))
+    return tuple(sorted(found, key=lambda model: (model.package, model.component, model.configuration)))
 
 
 def build_model(system: str, component: str, package: str, kind: str, sources: tuple[str, ...], relations: Relations) -> ComponentModel:
@@ -158,7 +179,19 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         tuple(sorted(name for (name,) in relations["component_executable"])),
         middleware=" and ".join(sorted(name for (name,) in relations["component_middleware"])) or None,
         unseen=tuple(sorted(Unseen(what, kind, subject, Place(*at)) for what, kind, subject, *at in relations["unseen"])),
+        inner=_inner_nodes(relations),
+        asks_name=any(relations["own_name_call"]),
+        told=tuple(PluginTold(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_told"])),
     )
+
+
+def _inner_nodes(relations: Relations) -> tuple[InnerNode, ...]:
+    namespaces = tuple(sorted((text, how == "relative") for text, how in relations["inner_namespace"]))
+    given: dict[str, list[tuple[str, int, str]]] = defaultdict(list)
+    for class_, function, index, text in sorted(relations["inner_given"]):
+        given[class_].append((function, index, text))
+    made = sorted({(class_, name) for _, class_, name in relations["inner_node"]})
+    return tuple(InnerNode(class_, name, namespaces, tuple(given[class_])) for class_, name in made)
 
 
 MANAGED, _MAY_BE_MANAGED = "lifecycle_node", ("node", "component")

@@ -163,11 +163,11 @@ def _start(
 
 
 def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], context: Context) -> NodeStart:
-    """The node, whose parameters are set; one without a name keeps what is given to its process, for the name that its code tells."""
+    """The node, whose parameters are set; it keeps what is given to its process, for other nodes that it makes."""
     kept: list[ProcessSetting] = []
     files: dict[str, ParamsGiven] = {}
     for given in params:
-        for found in settings(world, given, started.name and started.full_name, context):
+        for found in settings(world, given, None, context):
             if isinstance(found, Read):
                 files[found.path] = _sections(found)
                 continue
@@ -179,7 +179,8 @@ def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], 
             kept.append(ProcessSetting(found.nodes, setting))
             if found.is_for(started.full_name):
                 world.state.set_param(replace(setting, name=f"{started.full_name}/{setting.name}"))
-    return replace(started, params_files=tuple(files.values()), given=() if started.name else tuple(kept))
+    process = tuple(kept) if started.container is None else ()
+    return replace(started, params_files=tuple(files.values()), given=() if started.name else tuple(kept), process=process)
 
 
 def _sections(read: Read) -> ParamsGiven:

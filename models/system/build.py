@@ -30,10 +30,10 @@ def told_by(rules: SystemRules) -> list[str]:
 
 def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, places: Mapping[str, Place]) -> SystemModel:
     """The model of a system, from the facts about it and what the rules derived; `places` are those of the facts, by key."""
-    ports, ids = _ports(rows, result, places)
+    instances = _instances(rows, result)
+    ports, ids = _ports(rows, result, places, instances)
     opened = {node for node, what, *_ in result.rows("node_open") if what == "ports"}
     hosts = {node for (node,) in result.rows("hosts")}
-    instances = grouped(result.rows("instance"))
     lines = grouped(rows.get("started_at", ()))
     conditions = grouped(rows.get("started_if", ()))
     names = {row[0]: row[1] for row in rows.get("started_name", ())}
@@ -43,7 +43,7 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
     origins = {row[0]: row[4] for row in rows.get("interface", ())}
     nodes = []
     for start, package, type_ in sorted(rows.get("started", ())):
-        components = [component for (component,) in instances.get(start, [])]
+        components = instances.get(start, [])
         nodes.append(
             SystemNode(
                 id=start,
@@ -65,6 +65,15 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
     return SystemModel(name, tuple(launch), tuple(nodes), _connectors(result, ids, rows), inclusions, _unseen(result, names, places))
 
 
+def _instances(rows: Rows, result: Result) -> dict[str, list[str]]:
+    """The components of each node: what it runs, then the plug-ins that this loads."""
+    kinds = {row[0]: row[3] for row in rows.get("interface", ())}
+    found: dict[str, list[str]] = defaultdict(list)
+    for node, component in result.rows("instance"):
+        found[node].append(component)
+    return {node: sorted(components, key=lambda one: (kinds.get(one) == "plugin", one)) for node, components in found.items()}
+
+
 def _unseen(result: Result, names: Mapping[str, str], places: Mapping[str, Place]) -> tuple[OpenPart, ...]:
     opened = {(node, reason, place) for node, _, reason, place in result.rows("node_open") if place in places}
     nodes = {OpenPart(names[node], reason_text(*reason), places[place]) for node, reason, place in opened}
@@ -77,8 +86,10 @@ def _inclusion(row: tuple[Any, ...], places: Mapping[str, Place]) -> Inclusion:
     return Inclusion(places[place], file, file or None)
 
 
-def _ports(rows: Rows, result: Result, places: Mapping[str, Place]) -> tuple[dict[str, list[SystemPort]], dict[Any, tuple[str, str]]]:
-    """The ports by node, and node and port id of each port's record."""
+def _ports(
+    rows: Rows, result: Result, places: Mapping[str, Place], instances: Mapping[str, Sequence[str]]
+) -> tuple[dict[str, list[SystemPort]], dict[Any, tuple[str, str]]]:
+    """The ports by node, and node and port id of each port's record; the ids of a plug-in's ports tell the plug-in, too."""
     models = {row[1]: row for row in rows.get("interface_port", ())}
     types = {row[0]: row[1] for row in sorted(rows.get("interface_port_type", ()), reverse=True)}
     at = {row[0]: row[1] for row in rows.get("interface_port_at", ())}
@@ -90,7 +101,8 @@ def _ports(rows: Rows, result: Result, places: Mapping[str, Place]) -> tuple[dic
     for node, model, parameter, written in result.rows("port_written"):
         record = (node, model, parameter)
         component, _, kind, _ = models[model]
-        id_ = model.removeprefix(f"{component}#") + (f":{parameter}" if parameter else "")
+        own = component in instances.get(node, ())[:1]
+        id_ = (model.removeprefix(f"{component}#") if own else model) + (f":{parameter}" if parameter else "")
         ids[record] = (node, id_)
         port = SystemPort(
             id_,

@@ -155,7 +155,7 @@ class _Shower:
         self._names: Mapping[Port, str] = dict(result.rows("port_name"))
         self._kinds: Mapping[Port, str] = dict(result.rows("node_port"))
         self._written = {(node, model, parameter): name for node, model, parameter, name in result.rows("port_written")}
-        self._models = {f"{model.package}/{model.component}": model for model in models}
+        self._models = {model.title: model for model in models}
         self._certain = set(result.rows("certain_step"))
         told = ("step_waits", "step_filter", "step_variable")
         self._told = {name: grouped((row[:2], *row[2:]) for row in result.rows(name)) for name in told}

@@ -50,7 +50,9 @@ _LIBRARY_PORT = {**_PORT, "from_arg": "argument", "param_pattern": "pattern", "s
 def model_rows(model: ComponentModel) -> Rows:
     """The rows of a component that was analysed."""
     writer = _Writer()
-    component = f"{model.package}/{model.component}"
+    component = model.title
+    if model.configuration:
+        writer.add("interface_configured", component)
     for type_ in model.types:
         writer.add("interface", component, model.package, type_, model.kind, "source")
     if model.middleware:

@@ -11,13 +11,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.cache import hash_of, rows_digest
-from rosarch.extractor.launch.facts import launch_rows, library_name, started
+from rosarch.extractor.launch.facts import launch_rows, library_name, started, starts
 from rosarch.extractor.launch.model import Composition, FileMeant
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
 from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
+from rosarch.models.node_configuration import NodeConfiguration
 from rosarch.models.system.builds import build_rows
+from rosarch.models.system.instances import Configured, Known, Wants, configure
 from rosarch.models.system.manifests import Declared, declared, manifest_rows
 from rosarch.models.system.processes import with_nodes
 from rosarch.models.system.reading import Reading
@@ -36,6 +38,7 @@ from rosarch.models.system.workspace import (
 )
 
 if TYPE_CHECKING:
+    from rosarch.extractor.stored import Facts
     from rosarch.extractor.workspace import Component, Diagnostic
     from rosarch.extractor.workspace.built import Built
     from rosarch.library import Library, LibraryComponent
@@ -85,22 +88,21 @@ class Components:
     shared: Interface
     diagnostics: tuple[Diagnostic, ...]
 
-    def with_nodes(self, launch: Launch) -> Launch:
-        """The launch, with the nodes that programs make, by the names that the code gives those that no launch file names."""
-        made: dict[tuple[str, str], list[ComponentModel]] = {}
-        for model in self.models:
-            if model.executable:
-                made.setdefault((model.package, model.executable), []).append(model)
-            else:
-                made.update({(model.package, type_): [model] for type_ in model.types})
-        return replace(launch, composition=with_nodes(launch.composition, made))
+    def with_nodes(self, launch: Launch) -> tuple[Launch, Configured]:
+        """The launch, with the nodes that programs make, by the names that their code has where no launch file names them; their models."""
+        found = configure(with_nodes(launch.composition, made_by(self.models)), self._known)
+        return replace(launch, composition=found.composition), found
+
+    @cached_property
+    def _known(self) -> Known:
+        return Known.of(self.models)
 
     def with_models(self, models: Iterable[ComponentModel]) -> Components:
         """The same components; those that are among `models` have the models there."""
         from rosarch.models.system.interfaces import model_rows
 
-        told = {(model.package, model.component): model for model in models}
-        own = tuple(told.get((model.package, model.component), model) for model in self.models)
+        told = {model.title: model for model in models}
+        own = tuple(told.get(model.title, model) for model in self.models)
         changed = [number for number, (model, before) in enumerate(zip(own, self.models, strict=True)) if model != before]
         interfaces = list(self.interfaces)
         for number in changed:
@@ -112,23 +114,28 @@ class Components:
         """The interfaces of components by the names that these go by: with their package, and alone."""
         found: dict[str | tuple[str, str], list[int]] = defaultdict(list)
         for number, each in enumerate(self.interfaces):
-            for _, package, name, *_ in each.rows.get("interface", ()):
+            for _, package, name, *_ in () if each.rows.get("interface_configured") else each.rows.get("interface", ()):
                 found[package, name].append(number)
                 found[name].append(number)
+        for number, model in enumerate(self.models):
+            if model.configuration:
+                found[model.title].append(number)
         return dict(found)
 
-    def started(self, launch: Launch) -> list[Interface]:
-        """The interfaces of those that a launch may start, with those that these load."""
+    def started(self, launch: Launch, titles: Iterable[str] = ()) -> list[Interface]:
+        """The interfaces of those that a launch may start, with those that these load, and of configured components by their titles."""
         needed = _Needed([launch])
-        names: set[str | tuple[str, str]] = {*needed.executables, *needed.words, *needed.plugins}
+        names: set[str | tuple[str, str]] = {*needed.executables, *needed.words, *needed.plugins, *titles}
         found = {number: self.interfaces[number] for name in names for number in self._named.get(name, ())}
         waiting = list(found.values())
         while waiting:
             loads, bases = (waiting[-1].all(relation, 1) for relation in ("interface_loads", "interface_loads_any"))
             waiting.pop()
             for number, each in enumerate(self.interfaces) if loads or bases else ():
-                if number not in found and not (
-                    loads.isdisjoint(each.all("interface", 2)) and bases.isdisjoint(each.all("interface_base", 1))
+                if (
+                    number not in found
+                    and not each.rows.get("interface_configured")
+                    and not (loads.isdisjoint(each.all("interface", 2)) and bases.isdisjoint(each.all("interface_base", 1)))
                 ):
                     found[number] = each
                     waiting.append(each)
@@ -157,14 +164,16 @@ class Surrounding:
 
     def facts(self, launch: Launch) -> SystemFacts:
         """The facts about one system."""
-        launch = self.components.with_nodes(launch)
-        interfaces = self.components.started(launch)
+        launch, configured = self.components.with_nodes(launch)
+        nodes = [start for start, _ in starts(launch.composition)]
+        models = {(nodes[index], title) for index, titles in configured.titles.items() for title in titles}
+        interfaces = self.components.started(launch, {title for _, title in models})
         titles = {title for interface in interfaces for title in interface.all("interface", 0)}
         composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
         named = named_by(launch.composition, self.named), source_rows(launch.composition, titles, self.said)
         builds = build_rows(launch.composition, self.components.builds, self.root)
         manifests = manifest_rows(launch.composition, self.manifests, self.root, self.components.expected)
-        own = merged([*composed, *named, builds, manifests, self.given])
+        own = merged([*composed, *named, builds, manifests, self.given, {"started_as": models}])
         return SystemFacts(own, (self.components.shared, *interfaces))
 
     def rows(self, launch: Launch) -> Rows:
@@ -200,9 +209,9 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
     top = os.path.abspath(root)
 
     def find() -> Components:
-        return _components(root, needed, reading)
+        return _components(root, launches, needed, reading)
 
-    key = ["components", top, *needed.key(), *reading.key()]
+    key = ["components", top, *needed.key(), *reading.key(), hash_of(map(_configuring, launches))]
     components = memo.recall(key, (top, *_absolute(reading.library)), find) if memo else find()
     compositions = [launch.composition for launch in launches]
 
@@ -227,29 +236,97 @@ def _absolute(folders: Sequence[Path]) -> list[str]:
     return [os.path.abspath(folder) for folder in folders]
 
 
-def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
+def _configuring(launch: Launch) -> str:
+    """All of a launch that configures components."""
+    composition = launch.composition
+    nodes = [(n.package, n.type, n.full_name, n.called, n.container, n.args, len(n.remaps)) for n in composition.nodes]
+    process = [(one.nodes, one.setting.name, one.setting.value) for node in composition.nodes for one in node.process]
+    params = [(setting.name, setting.value, bool(setting.conditions)) for setting in composition.params]
+    return repr((nodes, process, params, [unread.name for unread in composition.unread]))
+
+
+def made_by(models: Iterable[ComponentModel]) -> dict[tuple[str, str], list[ComponentModel]]:
+    """The models of the nodes of each program or class, by package and by the name that launch files know it by."""
+    made: dict[tuple[str, str], list[ComponentModel]] = {}
+    for model in models:
+        if model.configuration:
+            continue
+        if model.executable:
+            made.setdefault((model.package, model.executable), []).append(model)
+        else:
+            made.update({(model.package, type_): [model] for type_ in model.types})
+    return made
+
+
+class _Planner:
+    """Which configurations the components need that launches start, as far as models are known."""
+
+    def __init__(self, launches: Sequence[Launch]) -> None:
+        self.launches = launches
+        self.known = Known()
+        self.generic: dict[str, ComponentModel] = {}
+
+    def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
+        """With which configurations the component is needed that `models` are of, as far as these tell: whether there are models or not."""
+        self.known.add(models)
+        self.generic |= {model.title: model for model in models if not model.configuration}
+        components = {(model.package, model.component) for model in models}
+        own = [model for model in self.generic.values() if (model.package, model.component) in components]
+        types = {(model.package, type_) for model in own for type_ in ((model.component,) if model.executable else model.types)}
+        wanted = self.wants(made_by(own), types, Known.of([*own, *models])).components
+        return [each for one in components for each in sorted(wanted.get(one, ()), key=lambda found: found.key)]
+
+    def wants(
+        self,
+        made: Mapping[tuple[str, str], list[ComponentModel]],
+        only: set[tuple[str, str]] | None = None,
+        known: Known | None = None,
+    ) -> Wants:
+        """What the launches want beside what is known."""
+        wants = Wants()
+        for launch in self.launches:
+            configure(with_nodes(launch.composition, made), known or self.known, wants, only)
+        return wants
+
+
+_ROUNDS = 6
+
+
+def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading: Reading) -> Components:
     from rosarch.library import load
-    from rosarch.models.analysis import analyze
+    from rosarch.models.analysis import ALONE, Wanted, analyze
     from rosarch.models.system.interfaces import library_rows, model_rows
 
     diagnostics: list[Diagnostic] = []
 
-    def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool]) -> Analysis:
+    def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool], wanted: Wanted = ALONE) -> Analysis:
         options: dict[str, Any] = {"jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines, "cache": reading.cache}
-        found = analyze(root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, **options)
+        found = analyze(
+            root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, wanted=wanted, **options
+        )
         diagnostics.extend(found.diagnostics)
         # of those without sources nothing is known; of a program that makes several nodes there are these
         whole = {(model.package, model.executable) for model in found.models if model.executable}
         kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
         return replace(found, models=kept)
 
-    found = analyzed(_packages_below(root, needed.packages), needed.is_needed)
+    planner = _Planner(launches)
+    found = analyzed(_packages_below(root, needed.packages), needed.is_needed, Wanted(after=planner.after))
     models = found.models
-    if needed.plugins or any(model.loads or model.loads_any for model in models):
-        started = models
+    for _ in range(_ROUNDS):
+        wants = planner.wants(made_by(models))
+        if not wants.plugins:
+            break
+        before = len(models)
+        models += _plugins(wants.plugins, analyzed)
+        planner.known.add(models[before:])
+        if len(models) == before:
+            break
+    alone = [model for model in models if not model.configuration and model.title in planner.wants(made_by(models)).alone]
+    if needed.plugins or any(model.loads or model.loads_any for model in alone):
 
         def is_plugin(component: Component) -> bool:
-            return not needed.is_needed(component) and (is_loaded(component, started) or component.plugin_name in needed.plugins)
+            return not needed.is_needed(component) and (is_loaded(component, alone) or component.plugin_name in needed.plugins)
 
         models += analyzed(None, is_plugin).models
     known = load(tuple(reading.library))
@@ -260,9 +337,23 @@ def _components(root: Path, needed: _Needed, reading: Reading) -> Components:
     )
 
 
+def _plugins(wanted: Mapping[str, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:
+    """The models of plug-ins with the configurations that are wanted, by the names that they are loaded by."""
+    from rosarch.extractor.pipeline import ComponentFacts
+    from rosarch.models.analysis import Wanted
+
+    def first(component: ComponentFacts | Facts) -> Iterable[NodeConfiguration]:
+        names = [row[0] for row in component.own.get("component_plugin", ())] if isinstance(component, ComponentFacts) else []
+        return sorted((each for name in names for each in wanted.get(str(name), ())), key=lambda found: found.key)
+
+    return analyzed(None, lambda component: component.plugin_name in wanted, Wanted(first=first)).models
+
+
 def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:
     """What all systems see of these components."""
-    return Interface.of({"interface": {row for each in interfaces for row in each.rows["interface"]}, **shared_rows(models)})
+    by_themselves = [model for model in models if not model.configuration]
+    rows = {row for each in interfaces if not each.rows.get("interface_configured") for row in each.rows["interface"]}
+    return Interface.of({"interface": rows, **shared_rows(by_themselves)})
 
 
 class _Needed:

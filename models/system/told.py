@@ -55,7 +55,7 @@ def tell(
         result = evaluate(rules, rows, reading.engine, "all" if shorten else (*RATE_RELATIONS, *(_STEPS if reading.rules.flows else ())))
         told = _told(result, reading)
         if shorten:
-            composition = shared.components.with_nodes(launch).composition
+            composition = shared.components.with_nodes(launch)[0].composition
             told = replace(
                 told,
                 reasons=system_reasons(

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 
+from rosarch.models.component import component_of
 from rosarch.models.places import Place
 from rosarch.models.system.links import KINDS, End, Link, by_node, connector_kind, cut, is_implicit, merged, moved, neighbourhood, ports_of
 from rosarch.models.system.model import CONNECTOR_KINDS, SystemModel, SystemNode
@@ -223,9 +224,8 @@ def _ids(items: Iterable[tuple[str, str]], kind: str) -> dict[str, str]:
 
 
 def _view_node(node: SystemNode, id_: str, group: str | None) -> ViewNode:
-    return ViewNode(
-        id_, node.name, node.package, node.type, node.origin, node.component, node.lines, tuple(node.conditions), node.open, group
-    )
+    component = node.component and component_of(node.component)
+    return ViewNode(id_, node.name, node.package, node.type, node.origin, component, node.lines, tuple(node.conditions), node.open, group)
 
 
 def _group(node: SystemNode, by: str | None, depth: int) -> str | None:

@@ -67,11 +67,9 @@ def dependencies(manifests: Iterable[Declared]) -> Dependencies:
 def shared_rows(models: Sequence[ComponentModel]) -> Rows:
     """What all systems see of the components that any of them starts: their ports, and parameters that they read by absolute names."""
     return {
-        "port_anywhere": {
-            (f"{model.package}/{model.component}", port.kind, port.name) for model in models for port in model.ports if not port.implicit
-        },
+        "port_anywhere": {(model.title, port.kind, port.name) for model in models for port in model.ports if not port.implicit},
         "read_absolutely": {
-            (parameter.name, f"{model.package}/{model.component}")
+            (parameter.name, model.title)
             for model in models
             for parameter in model.params
             if parameter.op == "read" and parameter.name.startswith("/")
@@ -111,9 +109,7 @@ def words_said(root: Path, models: Sequence[ComponentModel]) -> dict[str, frozen
         # a script need not have the name of one
         scripts = [source for source in model.sources if not source.endswith(_SOURCES)]
         words = [*(said[folder] for folder in folders), *(frozenset(_words_of(str(root / source))) for source in scripts)]
-        found[f"{model.package}/{model.component}"] = (
-            words[0] if len(words) == 1 else frozenset[str]().union(*words)
-        )  # one object, kept once
+        found[model.title] = words[0] if len(words) == 1 else frozenset[str]().union(*words)  # one object, kept once
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from rosarch.models.component import component_of
 from rosarch.models.system.links import connector_kind, is_implicit, ports_of
 from rosarch.models.system.model import SystemModel, SystemNode, SystemPort
 from rosarch.models.system.told import End, Told
@@ -56,7 +57,7 @@ def _node(node: SystemNode) -> dict[str, Any]:
         "package": node.package,
         "type": node.type,
         "origin": node.origin,
-        "component": node.component,
+        "component": node.component and component_of(node.component),
         "lines": [str(place) for place in node.lines],
         "conditions": list(node.conditions),
         "open": node.open,

@@ -158,7 +158,7 @@ def test_a_component_of_the_library() -> None:
 def test_rows_are_those_of_the_schema() -> None:
     declared = load_declarations(rules_folder() / "system_schema.dl")
     filled: Rows = {}
-    for rows in (model_rows(MODEL), library_rows(FOUND)):
+    for rows in (model_rows(MODEL), model_rows(replace(MODEL, configuration="key")), library_rows(FOUND)):
         for name, found in rows.items():
             filled.setdefault(name, set()).update(found)
     assert set(filled) <= set(declared)

@@ -155,6 +155,8 @@ void written(char** argv)
   std::stringstream words("/first /second");
   std::string word;
   words >> word;
+  // expect: subscriber /first
+  // expect: subscriber /second
   subscribe(word);
   std::stringstream numbers("3");
   int number = 4;
@@ -199,7 +201,7 @@ void cutAndPut(char** argv)
   subscribe(whole.substr(6));
   // expect: subscriber /whole
   subscribe(whole.substr(0, 6));
-  // expect: subscriber ?/known
+  // expect: subscriber /part/known
   subscribe(whole.substr(whole.rfind('/')) + "/known");
   subscribe(whole.substr(0, whole.rfind('/')));
   const std::string given = argv[1];

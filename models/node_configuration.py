@@ -1,0 +1,99 @@
+"""The configuration that a component is analysed with: what one node is called, and what its parameters are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from rosarch.extractor.cache import hash_of
+
+Rows = dict[str, set[tuple[Any, ...]]]
+Argument = tuple[str, int, str]
+"""A function, the index of a parameter, and the text that it gets."""
+
+
+@dataclass(frozen=True)
+class NodeConfiguration:
+    """What is known of a node before it runs; parameters go by the names that its code has for them.
+
+    `values` are a parameter and a text, several for a list; `empty` are lists without elements; `unknown` are set to what is not known.
+    When it is `open`, more may be set. With an `entry`, the node is an object of that class, which another node makes; `arguments` are what
+    its constructor, or the functions of a plug-in, get from there. Only such a node has a `namespace` here, absolute: names of others are
+    put below theirs when systems are composed.
+    """
+
+    name: str | None = None
+    values: tuple[tuple[str, str], ...] = ()
+    empty: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
+    open: bool = False
+    arguments: tuple[Argument, ...] = ()
+    entry: str | None = None
+    namespace: str | None = None
+
+    @cached_property
+    def key(self) -> str:
+        """Tells it from others."""
+        return hash_of(
+            map(repr, (self.name, self.values, self.empty, self.unknown, self.open, self.arguments, self.entry, self.namespace)),
+        )[:12]
+
+    def rows(self) -> Rows:
+        """The rows of `rules/schema/configuration.dl`; those of the class that is entered take the place of the component's."""
+        rows: Rows = {
+            "configuration_known": {()},
+            "configured_name": {(self.name,)} if self.name else set(),
+            "configured_namespace": {(self.namespace,)} if self.namespace else set(),
+            "configured_value": set(self.values),
+            "configured_empty": {(name,) for name in self.empty},
+            "configured_unknown": {(name,) for name in self.unknown},
+            "configured_open": {()} if self.open else set(),
+            "configured_argument": set(self.arguments),
+        }
+        if self.entry:
+            rows |= {"component_class": {(self.entry,)}, "program_entry": set()}
+        return rows
+
+
+@dataclass(frozen=True)
+class InnerNode:
+    """A node that a component makes inside of its own: an object of `class_`.
+
+    `namespaces` are texts and whether they are relative to the namespace of the component's node.
+    """
+
+    class_: str
+    name: str
+    namespaces: tuple[tuple[str, bool], ...]
+    arguments: tuple[Argument, ...]
+
+
+@dataclass(frozen=True)
+class PluginTold:
+    """A component loads the plug-in called `name`, an object of class `base`, and gives it a text."""
+
+    base: str
+    name: str
+    argument: Argument
+
+
+def told_to(name: str, told: Iterable[PluginTold]) -> list[tuple[Argument, ...]]:
+    """What each instance of the plug-in called `name` is told by the component that loads it."""
+    by_place: dict[tuple[str, int], set[str]] = {}
+    for one in told:
+        if one.name == name:
+            by_place.setdefault(one.argument[:2], set()).add(one.argument[2])
+    texts = {text for given in by_place.values() for text in given}
+    several = {text for given in by_place.values() if len(given) > 1 for text in given}
+    instances = []
+    for own in sorted(several) if several else [None]:
+        given = [
+            (function, index, text)
+            for (function, index), found in sorted(by_place.items())
+            for text in sorted({own} if own in found else found)
+            if text is not None
+        ]
+        instances.append(tuple(given))
+    return instances if texts else [()]

@@ -1,0 +1,234 @@
+"""Nodes as their components with their configurations: which models a launch needs, and which node has which.
+
+A node's host is the component that is started. What it makes inside of its own, nodes and plug-ins, depends on the model of the host with
+the node's configuration; of a plug-in again on the model of the plug-in.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rosarch.extractor.launch.arguments import node_arguments
+from rosarch.extractor.launch.facts import kind_and_text
+from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
+from rosarch.extractor.launch.names import canonical, global_namespace
+from rosarch.extractor.launch.values import automatic
+from rosarch.extractor.launch_ros2.params_files import matches
+from rosarch.models.component import ComponentModel
+from rosarch.models.node_configuration import InnerNode, NodeConfiguration, told_to
+
+Component = tuple[str, str]
+"""Package and name."""
+
+_DEPTH = 6
+"""Plug-ins that load plug-ins are followed so far."""
+
+
+@dataclass
+class Known:
+    """Models that there are: of components by themselves, by package and by the names that they are started by, and with configurations."""
+
+    hosts: dict[tuple[str, str], dict[str, ComponentModel]] = field(default_factory=lambda: defaultdict(dict))
+    configured: dict[tuple[Component, str], ComponentModel] = field(default_factory=dict)
+    plugins: dict[tuple[str, str], ComponentModel] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, models: Iterable[ComponentModel]) -> Known:
+        """What is known by these models."""
+        known = cls()
+        known.add(models)
+        return known
+
+    def add(self, models: Iterable[ComponentModel]) -> None:
+        """More models."""
+        for model in models:
+            if model.configuration:
+                self.configured[(model.package, model.component), model.configuration] = model
+                if model.plugin:
+                    self.plugins[model.plugin.name, model.configuration] = model
+            else:
+                for type_ in (model.component,) if model.executable else model.types:
+                    self.hosts[model.package, type_][model.title] = model
+
+
+@dataclass
+class Wants:
+    """Models that nodes need: of components, of plug-ins by the names that they are loaded by, and those that are needed by themselves."""
+
+    components: dict[Component, set[NodeConfiguration]] = field(default_factory=lambda: defaultdict(set))
+    plugins: dict[str, set[NodeConfiguration]] = field(default_factory=lambda: defaultdict(set))
+    alone: set[str] = field(default_factory=set)
+
+
+@dataclass(frozen=True)
+class Configured:
+    """A composition with the nodes that others make inside of their own, and the titles of the models that its nodes have, by their index.
+
+    A node that is not among these has the model of its component by itself.
+    """
+
+    composition: Composition
+    titles: Mapping[int, tuple[str, ...]]
+
+
+def configure(composition: Composition, known: Known, wants: Wants | None = None, only: set[tuple[str, str]] | None = None) -> Configured:
+    """Find the model of each node; what is not there is added to what is wanted. With `only`, other programs are left out."""
+    finder = _Finder(composition, known, wants or Wants())
+    nodes: list[NodeStart] = []
+    made: list[tuple[NodeStart, tuple[str, ...]]] = []
+    titles: dict[int, tuple[str, ...]] = {}
+    params: list[ParamSetting] = []
+    for node in composition.nodes:
+        if only is not None and (node.package, node.type) not in only:
+            continue
+        found = finder.titles(node, made, params)
+        if found:
+            titles[len(nodes)] = found
+        nodes.append(node)
+    for node, found in made:
+        titles[len(nodes)] = found
+        nodes.append(node)
+    return Configured(replace(composition, nodes=tuple(nodes), params=(*composition.params, *params)), titles)
+
+
+class _Finder:
+    """Finds the models of the nodes of one composition."""
+
+    def __init__(self, composition: Composition, known: Known, wants: Wants) -> None:
+        self.composition, self.known, self.wants = composition, known, wants
+        self.settings: dict[str, list[ParamSetting]] = defaultdict(list)
+        for setting in composition.params:
+            self.settings[setting.name].append(setting)
+        self.names = sorted(self.settings)
+
+    def titles(self, node: NodeStart, made: list[tuple[NodeStart, tuple[str, ...]]], params: list[ParamSetting]) -> tuple[str, ...]:
+        """The titles of the models of a node; the nodes that it makes are added to `made`, what is set for these to `params`."""
+        hosts = list(self.known.hosts.get((node.package, node.type), {}).values())
+        if len(hosts) != 1:
+            return ()
+        host = hosts[0]
+        settings = self._settings_of(node)
+        configuration = _configuration(node, settings, self._is_open(node))
+        if not _matters(host, configuration):
+            self.wants.alone.add(host.title)
+            return ()
+        component = (host.package, host.component)
+        model = self.known.configured.get((component, configuration.key))
+        if model is None:
+            self.wants.components[component].add(configuration)
+            return ()
+        self._inner(node, model, component, made, params)
+        return (model.title, *self._plugins(model, configuration))
+
+    def _plugins(self, model: ComponentModel, configuration: NodeConfiguration, depth: int = 0) -> Iterator[str]:
+        """The titles of the models of the plug-ins that a component loads, and of those that they load."""
+        for name in model.loads if depth < _DEPTH else ():
+            for arguments in told_to(name, model.told):
+                own = replace(configuration, arguments=arguments, entry=None)
+                plugin = self.known.plugins.get((name, own.key))
+                if plugin is None:
+                    self.wants.plugins[name].add(own)
+                else:
+                    yield plugin.title
+                    yield from self._plugins(plugin, own, depth + 1)
+
+    def _inner(
+        self,
+        node: NodeStart,
+        model: ComponentModel,
+        component: Component,
+        made: list[tuple[NodeStart, tuple[str, ...]]],
+        params: list[ParamSetting],
+    ) -> None:
+        for inner in model.inner:
+            started = self._inner_start(node, inner)
+            if started is None:
+                continue
+            settings = self._process_settings(node, started.full_name)
+            values = _configuration(started, settings, self._is_open(node))
+            space = canonical(started.namespace) or "/"
+            configuration = replace(values, arguments=inner.arguments, entry=inner.class_, namespace=space)
+            found = self.known.configured.get((component, configuration.key))
+            if found is None:
+                self.wants.components[component].add(configuration)
+                continue
+            made.append((started, (found.title, *self._plugins(found, configuration))))
+            params += [replace(one, name=f"{started.full_name}/{name}") for name, own in settings.items() for one in own]
+
+    def _inner_start(self, node: NodeStart, inner: InnerNode) -> NodeStart | None:
+        """The start of a node that another one makes; None when it is not known in which namespace."""
+        namespaces = {
+            canonical(global_namespace(node.namespace + text if relative else text)) or "/" for text, relative in inner.namespaces
+        }
+        if len(namespaces) != 1:
+            return None
+        return replace(node, name=inner.name, called=inner.name, namespace=global_namespace(namespaces.pop()), container=None, first=())
+
+    def _process_settings(self, node: NodeStart, name: str) -> dict[str, list[ParamSetting]]:
+        """What the process of a node sets for another one of its nodes, by its full name."""
+        process = node
+        if node.container is not None:
+            process = next((each for each in self.composition.nodes if each.full_name == node.container), node)
+        found: dict[str, list[ParamSetting]] = {}
+        for one in process.process:
+            if one.read and matches(one.nodes, name):
+                found[one.setting.name] = [one.setting]
+        return found
+
+    def _settings_of(self, node: NodeStart) -> dict[str, list[ParamSetting]]:
+        """The parameters of a node, as its code calls them."""
+        own, found = f"{canonical(node.full_name)}/", {}
+        for name in self.names:
+            if name.startswith(own):
+                found[name.removeprefix(own) if node.ros == 2 else f"~{name.removeprefix(own)}"] = self.settings[name]
+            elif node.ros == 1:
+                found[name] = self.settings[name]
+                space = canonical(node.namespace) if node.namespace != "/" else ""
+                if name.startswith(f"{space}/"):
+                    found[name.removeprefix(f"{space}/")] = self.settings[name]
+        return found
+
+    def _is_open(self, node: NodeStart) -> bool:
+        """Whether there may be parameters that were not seen."""
+        return any(
+            f"{canonical(node.full_name)}/".startswith(f"{canonical(unread.name).rstrip('/')}/") for unread in self.composition.unread
+        )
+
+
+def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting]], is_open: bool) -> NodeConfiguration:
+    values: set[tuple[str, str]] = set()
+    empty: set[str] = set()
+    unknown: set[str] = set()
+    for name, found in settings.items():
+        texts = _texts(found[0].value) if len(found) == 1 and not found[0].conditions else None
+        if texts is None:
+            unknown.add(name)
+        elif not texts:
+            empty.add(name)
+        else:
+            values.update((name, text) for text in texts)
+    for param, written in node_arguments(node).params:
+        values = {value for value in values if value[0] != f"~{param}"} | {(f"~{param}", kind_and_text(automatic(written))[1])}
+    own_name = node.name or node.called
+    return NodeConfiguration(own_name, tuple(sorted(values)), tuple(sorted(empty)), tuple(sorted(unknown)), is_open)
+
+
+def _texts(value: Any) -> list[str] | None:
+    """The texts that a parameter's value is, several for a list; None when it is not known."""
+    if isinstance(value, (list, tuple)):
+        found = [_texts(item) for item in value]
+        return None if any(texts is None or len(texts) != 1 for texts in found) else [text for texts in found for text in texts or ()]
+    kind, text = kind_and_text(value)
+    return [text] if kind in ("string", "bool", "int", "double") else None
+
+
+def _matters(model: ComponentModel, configuration: NodeConfiguration) -> bool:
+    """Whether the configuration may tell anything of the component that its model by itself does not have."""
+    if model.loads or model.loads_any or model.inner:
+        return True
+    if model.asks_name and configuration.name and configuration.name != model.node_name:
+        return True
+    return bool(model.params)

@@ -1,0 +1,183 @@
+"""Nodes as their components with their configurations: parameters, names, plug-ins and nodes within nodes."""
+
+from __future__ import annotations
+
+import pytest
+
+from rosarch.models.component import component_of
+from rosarch.models.node_configuration import PluginTold, told_to
+from rosarch.models.system.analysis import analyze_systems
+from rosarch.models.system.launches import given
+from rosarch.models.system.model import SystemModel
+from rosarch.models.system.reading import Reading
+from rosarch.models.system.requests import Surroundings, parse_request
+
+MANIFEST = """<package format="3"><name>host</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@b.c">m</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>
+<depend>rclcpp</depend><depend>pluginlib</depend><depend>std_msgs</depend>
+<export><build_type>ament_cmake</build_type></export></package>
+"""
+CMAKE = """cmake_minimum_required(VERSION 3.8)
+project(host)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+find_package(pluginlib REQUIRED)
+add_executable(host src/host.cpp)
+ament_target_dependencies(host rclcpp pluginlib std_msgs)
+add_library(tools SHARED src/tools.cpp)
+ament_target_dependencies(tools rclcpp pluginlib std_msgs)
+pluginlib_export_plugin_description_file(host plugins.xml)
+install(TARGETS host DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+PLUGINS = """<library path="tools">
+<class name="host::Left" type="host::Left" base_class_type="host::Tool"><description>l</description></class>
+<class name="host::Right" type="host::Right" base_class_type="host::Tool"><description>r</description></class>
+</library>
+"""
+HEADER = """#pragma once
+#include <string>
+#include "rclcpp/rclcpp.hpp"
+namespace host {
+class Tool {
+public:
+  virtual ~Tool() {}
+  virtual void configure(rclcpp::Node * node, const std::string & name) = 0;
+};
+}
+"""
+HOST = """#include "pluginlib/class_loader.hpp"
+#include "std_msgs/msg/bool.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "tool.hpp"
+namespace host {
+rclcpp::NodeOptions options(const std::string & parent, const std::string & name) {
+  return rclcpp::NodeOptions().arguments({"--ros-args", "-r", "__ns:=" + parent + "/" + name});
+}
+class Grid : public rclcpp::Node {
+public:
+  Grid(const std::string & parent, const std::string & name) : rclcpp::Node(name, "", options(parent, name)) {
+    grid_ = create_publisher<std_msgs::msg::Bool>(declare_parameter("topic", std::string("cells")), 1);
+  }
+private:
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr grid_;
+};
+class Host : public rclcpp::Node {
+public:
+  Host() : rclcpp::Node("host"), loader_("host", "host::Tool") {
+    if (declare_parameter("chatty", true)) {
+      chat_ = create_publisher<std_msgs::msg::String>(std::string(get_name()) + "/chat", 1);
+    } else {
+      quiet_ = create_publisher<std_msgs::msg::Bool>("quiet", 1);
+    }
+    ids_ = declare_parameter("tools", std::vector<std::string>{});
+    for (const auto & id : ids_) {
+      auto tool = loader_.createSharedInstance(declare_parameter(id + ".plugin", std::string()));
+      tool->configure(this, id);
+      tools_.push_back(tool);
+    }
+    grid_ = std::make_shared<Grid>(get_namespace(), "grid");
+  }
+private:
+  pluginlib::ClassLoader<Tool> loader_;
+  std::vector<std::shared_ptr<Tool>> tools_;
+  std::vector<std::string> ids_;
+  std::shared_ptr<Grid> grid_;
+  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr chat_;
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr quiet_;
+};
+}
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<host::Host>());
+}
+"""
+TOOLS = """#include "pluginlib/class_list_macros.hpp"
+#include "std_msgs/msg/bool.hpp"
+#include "tool.hpp"
+namespace host {
+class Left : public Tool {
+public:
+  void configure(rclcpp::Node * node, const std::string & name) override {
+    pub_ = node->create_publisher<std_msgs::msg::Bool>(name + "/left", 1);
+  }
+private:
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr pub_;
+};
+class Right : public Tool {
+public:
+  void configure(rclcpp::Node * node, const std::string & name) override {
+    pub_ = node->create_publisher<std_msgs::msg::Bool>(node->declare_parameter(name + ".topic", std::string("right")), 1);
+  }
+private:
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr pub_;
+};
+}
+PLUGINLIB_EXPORT_CLASS(host::Left, host::Tool)
+PLUGINLIB_EXPORT_CLASS(host::Right, host::Tool)
+"""
+LAUNCH = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='host', executable='host', name='one', namespace='arm', parameters=[{
+            'chatty': False, 'tools': ['a', 'b'], 'a.plugin': 'host::Left', 'b.plugin': 'host::Right', 'b.topic': 'given'}]),
+        Node(package='host', executable='host', name='two', parameters=[{'tools': ['a'], 'a.plugin': 'host::Right'}]),
+        Node(package='host', executable='host', name='three', parameters=['__PARAMS__']),
+    ])
+"""
+PARAMS = """three: {ros__parameters: {tools: []}}
+grid: {grid: {ros__parameters: {topic: squares}}}
+"""
+
+
+@pytest.fixture(scope="module")
+def system(tmp_path_factory: pytest.TempPathFactory) -> SystemModel:
+    root = tmp_path_factory.mktemp("ws")
+    package = root / "host"
+    (package / "src").mkdir(parents=True)
+    files = {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE, "plugins.xml": PLUGINS, "params.yaml": PARAMS}
+    files |= {"src/tool.hpp": HEADER, "src/host.cpp": HOST, "src/tools.cpp": TOOLS}
+    files["main.launch.py"] = LAUNCH.replace("__PARAMS__", str(package / "params.yaml"))
+    for name, text in files.items():
+        (package / name).write_text(text)
+    where = Surroundings(root, (root,), {})
+    analysis = analyze_systems(root, given([parse_request("host/main.launch.py")], where), Reading(jobs=1))
+    return analysis.systems[0]
+
+
+def ports_of(system: SystemModel, name: str) -> set[str]:
+    (node,) = (node for node in system.nodes if node.name == name)
+    return {port.name for port in node.ports if not port.implicit}
+
+
+def test_what_parameters_decide(system: SystemModel) -> None:
+    assert ports_of(system, "/arm/one") == {"/arm/quiet", "/arm/a/left", "/arm/given"}
+
+
+def test_defaults_and_the_name_that_the_launch_file_gives(system: SystemModel) -> None:
+    assert ports_of(system, "/two") == {"/two/chat", "/right"}
+
+
+def test_a_list_without_plugins(system: SystemModel) -> None:
+    assert ports_of(system, "/three") == {"/three/chat"}
+
+
+def test_nodes_within_nodes(system: SystemModel) -> None:
+    assert sorted(node.name for node in system.nodes) == ["/arm/grid/grid", "/arm/one", "/grid/grid", "/grid/grid", "/three", "/two"]
+    assert ports_of(system, "/arm/grid/grid") == {"/arm/grid/cells"}
+    (with_file,) = (node for node in system.nodes if any(port.name == "/grid/squares" for port in node.ports))
+    assert with_file.name == "/grid/grid"
+
+
+def test_nodes_tell_their_component(system: SystemModel) -> None:
+    assert {component_of(node.component or "") for node in system.nodes} == {"host/host"}
+    assert len({node.component for node in system.nodes}) == 6
+
+
+def test_each_instance_of_a_plugin_is_told_its_own_name() -> None:
+    told = [PluginTold("B", "C", ("B::set", 0, text)) for text in ("x", "y")] + [PluginTold("B", "C", ("B::start", 1, "z"))]
+    assert told_to("C", told) == [(("B::set", 0, "x"), ("B::start", 1, "z")), (("B::set", 0, "y"), ("B::start", 1, "z"))]
+    assert told_to("other", told) == [()]
