@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from rosarch.models.component import component_of
@@ -181,3 +183,70 @@ def test_each_instance_of_a_plugin_is_told_its_own_name() -> None:
     told = [PluginTold("B", "C", ("B::set", 0, text)) for text in ("x", "y")] + [PluginTold("B", "C", ("B::start", 1, "z"))]
     assert told_to("C", told) == [(("B::set", 0, "x"), ("B::start", 1, "z")), (("B::set", 0, "y"), ("B::start", 1, "z"))]
     assert told_to("other", told) == [()]
+
+
+ROS1_MANIFEST = """<package format="2"><name>cam</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@b.c">m</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend>
+<depend>roscpp</depend><depend>std_msgs</depend><depend>dynamic_reconfigure</depend></package>
+"""
+ROS1_CMAKE = """cmake_minimum_required(VERSION 3.0)
+project(cam)
+find_package(catkin REQUIRED COMPONENTS roscpp std_msgs dynamic_reconfigure)
+generate_dynamic_reconfigure_options(cfg/Cam.cfg)
+add_executable(cam src/cam.cpp)
+"""
+CONFIG = """#!/usr/bin/env python
+from dynamic_reconfigure.parameter_generator_catkin import *
+gen = ParameterGenerator()
+gen.add("loud", bool_t, 0, "Say it", False)
+exit(gen.generate("cam", "cam", "Cam"))
+"""
+CAM = """#include <cam/CamConfig.h>
+#include <dynamic_reconfigure/server.h>
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+#include <std_msgs/Empty.h>
+bool loud = false;
+bool raw = true;
+ros::Publisher pub;
+void onConfig(cam::CamConfig& config, uint32_t) { loud = config.loud; }
+void onTick(const std_msgs::Empty&) {
+  if (loud)
+    pub.publish(std_msgs::Bool());
+}
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "cam");
+  ros::NodeHandle nh, own("~");
+  own.param("loud", loud, false);
+  own.param("raw", raw, true);
+  dynamic_reconfigure::Server<cam::CamConfig> server;
+  server.setCallback(onConfig);
+  pub = nh.advertise<std_msgs::Bool>("said", 1);
+  ros::Subscriber tick = nh.subscribe("tick", 1, onTick), extra;
+  if (raw)
+    extra = nh.subscribe("raw", 1, onTick);
+  ros::spin();
+}
+"""
+CAMS = """<launch>
+<node pkg="cam" type="cam" name="one"/>
+<node pkg="cam" type="cam" name="two"><param name="raw" value="false"/></node>
+</launch>
+"""
+
+
+def test_what_may_be_reconfigured_is_not_decided(tmp_path: Path) -> None:
+    for name, text in {
+        "package.xml": ROS1_MANIFEST, "CMakeLists.txt": ROS1_CMAKE, "cfg/Cam.cfg": CONFIG, "src/cam.cpp": CAM, "main.launch": CAMS,
+    }.items():  # fmt: skip
+        (tmp_path / "cam" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "cam" / name).write_text(text)
+    where = Surroundings(tmp_path, (tmp_path,), {})
+    analysis = analyze_systems(tmp_path, given([parse_request("cam/main.launch")], where), Reading(jobs=1))
+    (system,) = analysis.systems
+    assert [name for name in ("/one", "/two") if "/raw" in ports_of(system, name)] == ["/one"]
+    for title in (node.component for node in system.nodes):
+        (model,) = (model for model in analysis.models if model.title == title)
+        sent = {(reaction.input, reaction.output) for reaction in model.behavior.reactive}
+        names = {port.id: port.name for port in model.ports}
+        assert ("tick", "said") in {(names[one], names[other]) for one, other in sent}
