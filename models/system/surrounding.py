@@ -19,8 +19,9 @@ from rosarch.extractor.memo import Memo
 from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import NodeConfiguration
 from rosarch.models.system.builds import build_rows
-from rosarch.models.system.instances import Configured, Known, Wants, configure
+from rosarch.models.system.instances import Configured, Known, configure
 from rosarch.models.system.manifests import Declared, declared, manifest_rows
+from rosarch.models.system.planning import Planner, configuring, made_by
 from rosarch.models.system.processes import with_nodes
 from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged
@@ -211,7 +212,7 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
     def find() -> Components:
         return _components(root, launches, needed, reading)
 
-    key = ["components", top, *needed.key(), *reading.key(), hash_of(map(_configuring, launches))]
+    key = ["components", top, *needed.key(), *reading.key(), hash_of(configuring(launch.composition) for launch in launches)]
     components = memo.recall(key, (top, *_absolute(reading.library)), find) if memo else find()
     compositions = [launch.composition for launch in launches]
 
@@ -236,59 +237,6 @@ def _absolute(folders: Sequence[Path]) -> list[str]:
     return [os.path.abspath(folder) for folder in folders]
 
 
-def _configuring(launch: Launch) -> str:
-    """All of a launch that configures components."""
-    composition = launch.composition
-    nodes = [(n.package, n.type, n.full_name, n.called, n.container, n.args, len(n.remaps)) for n in composition.nodes]
-    process = [(one.nodes, one.setting.name, one.setting.value) for node in composition.nodes for one in node.process]
-    params = [(setting.name, setting.value, bool(setting.conditions)) for setting in composition.params]
-    return repr((nodes, process, params, [unread.name for unread in composition.unread]))
-
-
-def made_by(models: Iterable[ComponentModel]) -> dict[tuple[str, str], list[ComponentModel]]:
-    """The models of the nodes of each program or class, by package and by the name that launch files know it by."""
-    made: dict[tuple[str, str], list[ComponentModel]] = {}
-    for model in models:
-        if model.configuration:
-            continue
-        if model.executable:
-            made.setdefault((model.package, model.executable), []).append(model)
-        else:
-            made.update({(model.package, type_): [model] for type_ in model.types})
-    return made
-
-
-class _Planner:
-    """Which configurations the components need that launches start, as far as models are known."""
-
-    def __init__(self, launches: Sequence[Launch]) -> None:
-        self.launches = launches
-        self.known = Known()
-        self.generic: dict[str, ComponentModel] = {}
-
-    def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
-        """With which configurations the component is needed that `models` are of, as far as these tell: whether there are models or not."""
-        self.known.add(models)
-        self.generic |= {model.title: model for model in models if not model.configuration}
-        components = {(model.package, model.component) for model in models}
-        own = [model for model in self.generic.values() if (model.package, model.component) in components]
-        types = {(model.package, type_) for model in own for type_ in ((model.component,) if model.executable else model.types)}
-        wanted = self.wants(made_by(own), types, Known.of([*own, *models])).components
-        return [each for one in components for each in sorted(wanted.get(one, ()), key=lambda found: found.key)]
-
-    def wants(
-        self,
-        made: Mapping[tuple[str, str], list[ComponentModel]],
-        only: set[tuple[str, str]] | None = None,
-        known: Known | None = None,
-    ) -> Wants:
-        """What the launches want beside what is known."""
-        wants = Wants()
-        for launch in self.launches:
-            configure(with_nodes(launch.composition, made), known or self.known, wants, only)
-        return wants
-
-
 _ROUNDS = 6
 
 
@@ -310,7 +258,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading
         kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
         return replace(found, models=kept)
 
-    planner = _Planner(launches)
+    planner = Planner([launch.composition for launch in launches])
     found = analyzed(_packages_below(root, needed.packages), needed.is_needed, Wanted(after=planner.after))
     models = found.models
     for _ in range(_ROUNDS):
