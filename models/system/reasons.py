@@ -11,6 +11,7 @@ from rosarch.datalog import Result, RowStore
 from rosarch.extractor.launch.facts import kind_and_text, path_below, starts
 from rosarch.extractor.launch.model import ArgumentPassed, Composition, NodeStart, ParamSetting
 from rosarch.extractor.launch.model import Place as LaunchPlace
+from rosarch.models.component import component_of
 from rosarch.models.derivations import Derivations, ProofStep, Wanted, derivations
 from rosarch.models.places import Place
 from rosarch.models.rule_sets import SystemRules
@@ -61,7 +62,8 @@ def _chains(result: Result, implicit: set[str]) -> Iterator[Wanted]:
 
 def _port(port: tuple[str, str, str]) -> str:
     node, model, parameter = port
-    return f"{node} {model}{f':{parameter}' if parameter else ''}"
+    title, _, id_ = model.rpartition("#")
+    return f"{node} {component_of(title)}#{id_}{f':{parameter}' if parameter else ''}"
 
 
 class Started:

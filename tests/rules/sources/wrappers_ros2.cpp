@@ -5,12 +5,12 @@
 // expect: Given = count : { as_given(_, _, _) }, To = count : { given_to_field(_, _, _) }, Typed = count : { _named_by_type(_, _, _) }, Given = 35, To = 3, Typed = 1
 // expect: _called_inside(L, V), variable_name(V, "callback_"), 1 = count : { _called_inside(_, _) }
 // nothing depends on who calls:
-// expect-not: context_call(_, _); context_matters(_); entered_from(_, _, _); entry_enters(_, _, _); entry_reaches(_); enters_for_another(_, _, _)
-// expect-not: own_parameter_use(_, _, _); variable_wanted(_); definition(_, _); defined_text(_, _, _, _, _); instantiated(_, _, _, _); _entry_call(_, _, _)
+// expect-not: context_call(_, _); entered_from(_, _, _); enters_for_another(_, _, _)
+// expect-not: definition(_, _); defined_text(_, _, _, _, _); instantiated(_, _, _, _); _entry_call(_, _, _)
 // expect-not: member_of_instance(_, _, _); _instance_argument(_, _, _); _type_by(_, _, _); port_made_through(_, _); handed_on_otherwise(_, _)
 // ... and no port or function is given to one that uses it:
 // expect-not: given_callback(_, _); sends_through(_, _); _sends_several(_); _sends_other(_, _, _); _given_to(_, _, _); _slot(_); _other_callee(_, _)
-// expect-not: _leads_to(_, _); _forwards(_, _); _handled_twice(_); _runs_for(_, _); _makes_several(_); _calls_quality(_, _); text_variable(_); number_variable(_)
+// expect-not: _forwards(_, _); _handled_twice(_); _runs_for(_, _); _makes_several(_); _calls_quality(_, _); text_variable(_); number_variable(_)
 // expect-not: _only_reads(_); _not_chosen(_, _)
 // expect: 5 = count : { activity(_, _) }, 9 = count : { calls(_, _) }, 12 = count : { chained_type(_, _) }
 // expect-not: callback_in_group(_, _, _)

@@ -1,3 +1,5 @@
+// expect: component placed_in_cpp package=beginnings
+// expect: publisher cmd std_msgs/String
 #include <rclcpp/rclcpp.hpp>
 #include <std_msgs/msg/string.hpp>
 class Placed : public rclcpp::Node
