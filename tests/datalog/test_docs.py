@@ -65,6 +65,11 @@ def test_from_an_empty_file_to_an_explained_row(
     assert ran == 4
 
 
+def _without_keys(text: str) -> str:
+    """A text whose keys of configurations are all alike: with values that are paths, they depend on where the workspace lies."""
+    return re.sub(r"@[0-9a-f]{12}#", "@key#", text)
+
+
 def test_a_check_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "examples").symlink_to(examples)
@@ -73,7 +78,7 @@ def test_a_check_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_pa
     shown = {block.partition("\n")[0]: block.partition("\n")[2] for block in blocks("rules.md", "") if "patrol_robot" in block}
     for command, expected in shown.items():
         done = rosarch(*shlex.split(command)[2:])
-        assert (done.code, done.out) == (int("old-position" in command), expected)
+        assert (done.code, _without_keys(done.out)) == (int("old-position" in command), _without_keys(expected))
     (error,) = (block for block in blocks("rules.md", "") if "error: old-position.dl:" in block)
     (tmp_path / "old-position.dl").write_text(check.replace("{length}", "{lenght}"))
     done = rosarch("check", "examples/patrol_robot", "--rules", "old-position.dl")
