@@ -62,8 +62,8 @@ def _chains(result: Result, implicit: set[str]) -> Iterator[Wanted]:
 
 def _port(port: tuple[str, str, str]) -> str:
     node, model, parameter = port
-    title, _, id_ = model.rpartition("#")
-    return f"{node} {component_of(title)}#{id_}{f':{parameter}' if parameter else ''}"
+    title, mark, id_ = model.rpartition("#")
+    return f"{node} {component_of(title)}{mark}{id_}{f':{parameter}' if parameter else ''}"
 
 
 class Started:
