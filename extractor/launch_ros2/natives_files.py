@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import yaml
 
@@ -210,12 +210,22 @@ def _json(run: Calls, source: Any, **named: Any) -> Any:
 @native("yaml.dump", "yaml.safe_dump", "json.dumps", "json.dump")
 def _dump(run: Calls, data: Any, stream: Any = None, **_named: Any) -> Any:
     plain = certain(run, data)
-    text = NOTHING if plain is NOTHING else yaml.dump(plain, Dumper=_DUMPER, sort_keys=False, allow_unicode=True, width=1 << 20)
+    text = NOTHING if plain is NOTHING else _written(plain)
     if isinstance(stream, TextFile):
         stream.text = None if text is NOTHING else (stream.text or "") + text
         run.close(stream)
         return None
     return text
+
+
+def _written(data: Any) -> str:
+    text = _yaml(data, _DUMPER)
+    # libyaml escapes characters beyond the basic plane, such as those that stand for unknown parts
+    return _yaml(data, yaml.SafeDumper) if "\\U001" in text else text
+
+
+def _yaml(data: Any, dumper: Any) -> str:
+    return cast(str, yaml.dump(data, Dumper=dumper, sort_keys=False, allow_unicode=True, width=1 << 20))
 
 
 def certain(run: Calls, value: Any) -> Any:

@@ -161,6 +161,9 @@ def _of_file(world: World, value: Any, given: Given, name: str | None, context: 
         state.report_unread(error)
         yield Unread(path, given.place)
         return
+    if file.unknown is not None:
+        yield Unread(file.unknown, given.place)
+        return
     shown = None if path in world.written else world.located(path)
     if shown is not None:
         if file.refusal is not None:

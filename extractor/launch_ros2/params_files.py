@@ -57,11 +57,12 @@ class Refusal:
 
 @dataclass(frozen=True)
 class ParamsFile:
-    """A file of parameters: its sections, the lines of its keys, and what a node refuses of it."""
+    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` stands for a text of which nothing is known."""
 
     sections: tuple[Section, ...]
     lines: KeyLines
     refusal: Refusal | None
+    unknown: str | None = None
 
 
 def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
@@ -80,8 +81,9 @@ def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
         except YamlError as error:
             raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
         found = tuple(_sections("", data, ())) if isinstance(data, dict) else ()
-        refusal = None if world.state.unknowns.is_open(text) else refused(text)
-        world.parameter_texts[text] = ParamsFile(found, lines, refusal)
+        is_open = world.state.unknowns.is_open
+        unknown = data if isinstance(data, str) and is_open(data) else None
+        world.parameter_texts[text] = ParamsFile(found, lines, None if is_open(text) else refused(text), unknown)
     return world.parameter_texts[text]
 
 

@@ -240,6 +240,37 @@ def generate_launch_description():
     }  # fmt: skip
 
 
+def test_a_rewritten_file_with_what_is_not_known(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + """from nav2_common.launch import RewrittenYaml
+import elsewhere
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('here'), 'p.yaml')
+    return LaunchDescription([node('n', parameters=[RewrittenYaml(source_file=path, param_rewrites={'a': elsewhere.rate()})])])
+"""
+    )
+    found = composed(tmp_path, {"main.launch.py": main, "p.yaml": "n:\n  ros__parameters: {a: 1, b: 2}\n"})
+    assert params(found) == {"/n/a": "$(elsewhere.rate())", "/n/b": 2}
+
+
+def test_a_rewritten_file_that_must_not_be_read(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + """from nav2_common.launch import RewrittenYaml
+def generate_launch_description():
+    return LaunchDescription([
+        node('n', parameters=[RewrittenYaml(source_file='PATH', param_rewrites={}, convert_types=True)]),
+        node('m', parameters=['PATH'])])
+""".replace("PATH", str(tmp_path / "elsewhere" / "p.yaml"))
+    )
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "elsewhere" / "p.yaml").write_text("n:\n  ros__parameters: {a: 1}\n")
+    found = composed(tmp_path / "workspace", {"main.launch.py": main})
+    assert params(found) == {}
+    assert {setting.name for setting in found.unread} == {"/n", "/m"}
+
+
 def test_a_file_that_is_read_and_one_that_is_not_there(tmp_path: Path) -> None:
     before = """with open(os.path.join(get_package_share_directory('here'), 'v.yaml')) as f:
     values = yaml.safe_load(f)['/**']['ros__parameters']
