@@ -12,7 +12,7 @@
 // expect: publisher /field std_msgs/Int8
 // expect-only: publisher
 // expect-only: subscriber
-// expect: Count = count : { instantiated(Site, Context, Type, Instance) }, Count = 18
+// expect: Count = count : { instantiated(Site, Context, Type, Instance) }, Count = 16
 // expect: 7 = count : { chained_type(_, _) }
 #include <memory>
 #include <ros/ros.h>
