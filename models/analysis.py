@@ -210,11 +210,13 @@ def configured_rows(
     if configuration.entry:
         given["component"] = {(name, package, "plugin") for name, package, _ in rows["component"]}
     first = program.evaluate(given, engine=engine).all_rows()
+    decided = {"configured_condition": set(first["decided"]), "configured_condition_in": set(first["decided_in"])}
     apart = {(class_,) for _, class_, _ in first["inner_node"]}
-    decided = set(first["decided"])
-    if not (decided or apart):
+    if not (any(decided.values()) or apart):
         return first
-    again = program.evaluate({**given, "configured_condition": decided, "configured_apart": apart}, engine=engine).all_rows()
+    if apart and decided["configured_condition_in"]:
+        first = program.evaluate({**given, **decided}, engine=engine).all_rows()
+    again = program.evaluate({**given, **decided, "configured_apart": apart}, engine=engine).all_rows()
     return {**again, **{name: first[name] for name in ("inner_node", "inner_namespace", "inner_given")}}
 
 

@@ -86,7 +86,8 @@ class ComponentModel:
     `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
-    it makes inside of its own, `told` what plug-ins are told that it loads; `asks_name` where its code asks what the node is called.
+    it makes inside of its own, `told` what plug-ins are told that it loads; `asks_name` where its code asks what the node is called,
+    `asks_namespace` where it asks for its namespace.
     """
 
     system: str
@@ -111,6 +112,7 @@ class ComponentModel:
     inner: tuple[InnerNode, ...] = ()
     told: tuple[PluginTold, ...] = ()
     asks_name: bool = False
+    asks_namespace: bool = False
 
     @property
     def title(self) -> str:
@@ -181,6 +183,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         unseen=tuple(sorted(Unseen(what, kind, subject, Place(*at)) for what, kind, subject, *at in relations["unseen"])),
         inner=_inner_nodes(relations),
         asks_name=any(relations["own_name_call"]),
+        asks_namespace=any(relations["own_namespace_call"]),
         told=tuple(PluginTold(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_told"])),
     )
 

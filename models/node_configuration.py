@@ -20,8 +20,8 @@ class NodeConfiguration:
 
     `values` are a parameter and a text, several for a list; `empty` are lists without elements; `unknown` are set to what is not known.
     When it is `open`, more may be set. With an `entry`, the node is an object of that class, which another node makes; `arguments` are what
-    its constructor, or the functions of a plug-in, get from there. Only such a node has a `namespace` here, absolute: names of others are
-    put below theirs when systems are composed.
+    its constructor, or the functions of a plug-in, get from there. The `namespace`, absolute, is there where code may ask for it: nodes in
+    different ones share their models otherwise, as their names are put below it when systems are composed.
     """
 
     name: str | None = None

@@ -58,6 +58,7 @@ class Names(NamedTuple):
 def recover(unit: UnitFacts, names: Sequence[Names]) -> None:
     """Add the calls and names that the walk of the syntax tree did not meet; `names` are those that the text may use."""
     _name_unknowns(unit, names)
+    assigned = _assigned(unit)
     by_file: dict[int, tuple[SourceFile, list[FunctionSpan]]] = {}
     for function in unit.functions:
         by_file.setdefault(id(function.file), (function.file, []))[1].append(function)
@@ -70,10 +71,17 @@ def recover(unit: UnitFacts, names: Sequence[Names]) -> None:
             begin = match.start("name")
             holder = _innermost(functions, begins, begin)
             if holder is not None and not any(start <= begin < stop for start, stop in skipped):
-                _recover_call(_Reader(unit, names, holder, match.string), match)
+                _recover_call(_Reader(unit, names, holder, match.string, assigned), match)
     for expr, file, end in unit.remnants:
         if (id(file), end) in unit.recovered:
             unit.add("call_remnant", expr, unit.recovered[id(file), end])
+
+
+def _assigned(unit: UnitFacts) -> Set[str]:
+    """Where the assignments begin that clang did not drop, in units of which it dropped parts of expressions."""
+    if not unit.remnants:
+        return frozenset()
+    return {str(expr).rpartition(":")[0] for expr, operator in unit.rows["operator"] if operator == "="}
 
 
 @lru_cache(maxsize=256)
@@ -185,17 +193,18 @@ def _functions_named(names: Sequence[Names], text: str) -> list[str]:
 
 @dataclass(frozen=True)
 class _Reader:
-    """Reads expressions of one function from text."""
+    """Reads expressions of one function from text. `assigned` tells where the assignments begin that need not be read."""
 
     unit: UnitFacts
     names: Sequence[Names]
     holder: FunctionSpan
     hidden: bytes
+    assigned: Set[str]
 
     def node(self, begin: int, end: int, form: str) -> str:
         expr = self.unit.node(Span(self.holder.file, begin, end), form)
         self.unit.add("expr_function", expr, self.holder.function)
-        if form in ("call", "op"):
+        if form in ("call", "op", "use"):
             self._place(expr, begin)
         return expr
 
@@ -367,6 +376,9 @@ def _recover_target(reader: _Reader, call: str, begin: int) -> None:
     if match is None or variable is None:
         return
     start = max(0, begin - 200) + match.start(1)
+    line, column = reader.holder.file.line_column(start)
+    if f"{reader.holder.file.label}:{line}:{column}" in reader.assigned:
+        return  # of what clang could not tell: `call_remnant` says that this is the call
     assignment = reader.node(start, begin, "op")
     reader.unit.add("operator", assignment, "=")
     reader.unit.add("operand", assignment, 0, reader.expression(start, start + len(match.group(1))))

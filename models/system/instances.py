@@ -112,6 +112,8 @@ class _Finder:
         host = hosts[0]
         settings = self._settings_of(node)
         configuration = _configuration(node, settings, self._is_open(node))
+        if host.asks_namespace or host.loads or host.loads_any:
+            configuration = replace(configuration, namespace=canonical(node.namespace) or "/")
         if not _matters(host, configuration):
             self.wants.alone.add(host.title)
             return ()
@@ -231,4 +233,4 @@ def _matters(model: ComponentModel, configuration: NodeConfiguration) -> bool:
         return True
     if model.asks_name and configuration.name and configuration.name != model.node_name:
         return True
-    return bool(model.params)
+    return model.asks_namespace or bool(model.params)

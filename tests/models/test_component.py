@@ -22,7 +22,7 @@ NAMES = (
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
     "settled_local", "timer_callback", "sends_once", "always_sends_once",
     "component_plugin", "component_executable", "plugin_load", "plugin_load_any",
-    "plugin_told", "inner_node", "inner_namespace", "inner_given", "own_name_call",
+    "plugin_told", "inner_node", "inner_namespace", "inner_given", "own_name_call", "own_namespace_call", "decided_in",
 )  # fmt: skip
 FIELDS = [
     "system",

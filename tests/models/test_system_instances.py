@@ -250,3 +250,85 @@ def test_what_may_be_reconfigured_is_not_decided(tmp_path: Path) -> None:
         sent = {(reaction.input, reaction.output) for reaction in model.behavior.reactive}
         names = {port.id: port.name for port in model.ports}
         assert ("tick", "said") in {(names[one], names[other]) for one, other in sent}
+
+
+SOURCES_MANIFEST = MANIFEST.replace("<name>host</name>", "<name>grid</name>").replace("<depend>pluginlib</depend>", "")
+SOURCES_CMAKE = """cmake_minimum_required(VERSION 3.8)
+project(grid)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+add_executable(grid src/grid.cpp)
+ament_target_dependencies(grid rclcpp std_msgs)
+install(TARGETS grid DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+GRID = """#include <sstream>
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/bool.hpp"
+#include "std_msgs/msg/string.hpp"
+class Grid : public rclcpp::Node {
+public:
+  Grid() : rclcpp::Node("grid") {
+    mask_ = declare_parameter("mask", std::string("mask"));
+    std::stringstream words(declare_parameter("sources", std::string("")));
+    std::string source;
+    while (words >> source) {
+      std::string topic;
+      topic = declare_parameter(source + ".topic", source);
+      topic = joined(topic);
+      listen(topic);
+    }
+    start(mask_);
+    state_ = create_publisher<std_msgs::msg::String>(below(get_namespace(), "state"), 1);
+  }
+  void start(const std::string & mask) {
+    mask_ = joined(mask);
+    listen(mask_);
+  }
+  void listen(const std::string & topic) {
+    subs_.push_back(create_subscription<std_msgs::msg::Bool>(topic, 1, [](std_msgs::msg::Bool::SharedPtr) {}));
+  }
+  std::string joined(const std::string & topic) {
+    if (topic[0] != '/') {
+      std::string own = get_namespace();
+      return own.substr(0, own.rfind("/")) + "/" + topic;
+    }
+    return topic;
+  }
+  static std::string below(const std::string & space, const std::string & name) {
+    if (!space.empty() && space.back() == '/')
+      return space + name;
+    return space + "/" + name;
+  }
+private:
+  std::string mask_;
+  std::vector<rclcpp::Subscription<std_msgs::msg::Bool>::SharedPtr> subs_;
+  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr state_;
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Grid>());
+}
+"""
+GRIDS = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='grid', executable='grid', namespace='cart/local', parameters=[
+            {'sources': 'scan cloud', 'scan.topic': 'laser/scan', 'mask': '/zones'}]),
+        Node(package='grid', executable='grid'),
+    ])
+"""
+
+
+def test_texts_are_followed_through_what_they_decide(tmp_path: Path) -> None:
+    files = {"package.xml": SOURCES_MANIFEST, "CMakeLists.txt": SOURCES_CMAKE, "src/grid.cpp": GRID, "main.launch.py": GRIDS}
+    for name, text in files.items():
+        (tmp_path / "grid" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "grid" / name).write_text(text)
+    where = Surroundings(tmp_path, (tmp_path,), {})
+    (system,) = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1)).systems
+    assert ports_of(system, "/cart/local/grid") == {"/cart/laser/scan", "/cart/cloud", "/zones", "/cart/local/state"}
+    assert ports_of(system, "/grid") == {"/mask", "/state"}

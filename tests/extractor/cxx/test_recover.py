@@ -155,3 +155,15 @@ def test_a_dropped_call_of_a_method_that_may_be_inherited(facts_of) -> None:
     calls = {name: call for call, name in facts["call"]}
     assert set(calls) == {"make", "later"}
     assert facts.arguments(calls["make"])[:1] and facts.one("this_use", facts.one("call_receiver", calls["make"])) == "N"
+
+
+def test_an_assignment_that_is_kept_is_not_read_again(facts_of) -> None:
+    facts = facts_of("struct N { int one(int); }; void f(N n, int k) { k = n.one(k, 2, 3); }")
+    ((remnant, call),) = facts["call_remnant"]
+    ((assignment, operator),) = facts["operator"]
+    assert operator == "="
+    assigned = dict(facts.all("operand", assignment))[1]
+    assert facts.all("operand", assigned)[0] == (0, remnant)
+    # what the call is given is read where the call is, so that definitions before it reach it
+    (use, *_) = facts.arguments(call)
+    assert [expr for _, _, expr in facts["block_expr"] if expr == use] == [use]
