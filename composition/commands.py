@@ -17,6 +17,7 @@ from rosarch.models.machine.steps import Step
 
 BOUND = 2
 _ACTIVITIES = {"timer": "a timer that runs once"}
+_OWN = ("timer", "thread", "main", "lifecycle")  # what a node does by itself, though it is not known when
 
 
 @dataclass
@@ -135,7 +136,8 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     if topic and queue is None and not (topic.outside and builder.inputs.may_come(topic.name)):
         return
     loop = trigger in component.rates
-    obligation = _oblige(builder, f"{node} {trigger}" if queue is None else queue) if loop or queue is not None else None
+    due = loop or queue is not None or trigger in _OWN
+    obligation = _oblige(builder, f"{node} {trigger}" if queue is None else queue) if due else None
     others = [builder.kept_of[node, other] for other in sorted(component.together.get(trigger, ())) if (node, other) in builder.kept_of]
     keys = {key for other, key in builder.cone.variables if other == node}
     shared = dict(_known(builder, topic, builder.cone.steps[end]))
@@ -204,6 +206,9 @@ def _nothing_done(builder: _Builder, end: End, obligation: int | None) -> Iterat
         yield from _by_length(builder, Command(node, cause, (), takes=queue, obligation=obligation, assumes=(lost,)))
     if obligation is not None and trigger in component.unsteady:
         rests = f"{component.label(trigger)} of {node} does not run then ({component.unsteady[trigger]})"
+        yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
+    if obligation is not None and trigger in _OWN:
+        rests = f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} does not run then"
         yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
     if trigger in component.answered:
         yield Command(

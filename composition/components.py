@@ -9,9 +9,10 @@ from typing import Any
 
 from rosarch.models.machine.cells import Document, Domains, value_in
 from rosarch.models.machine.counting import whole
-from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
+from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger
 from rosarch.models.machine.steps import Step
+from rosarch.models.machine.switching import gates
 from rosarch.models.rhythm import with_constants, with_numbers
 
 
@@ -78,9 +79,10 @@ class Component:
     def unsteady(self) -> Mapping[str, str]:
         """The triggers of timers and timed loops that need not run as long as the node does, each with a reason."""
         found: dict[str, str] = {}
+        switched = {(gate.at, reason) for gate in gates(self.document) for reason in gate.reasons}
         for place, reason in self._traits("unsteady"):
             for trigger in self.rates:
-                if trigger.partition(" ")[2] in ("", place):
+                if trigger.partition(" ")[2] in ("", place) and (place, reason) not in switched:
                     found.setdefault(trigger, reason)
         return found
 
@@ -145,6 +147,9 @@ class Component:
         return frozenset(row["name"].rsplit("::", 1)[-1] for row in _variables(self.document))
 
 
+LIFECYCLE = "lifecycle"
+"""What triggers transitions of a managed node's life."""
+
 Settings = Mapping[str, tuple[str, str]]
 """What the parameters of a node are: by the name that its component has for each, the kind and the text of its value."""
 
@@ -162,6 +167,11 @@ def component(document: Document, settings: Settings | None = None) -> Component
     for key, cell in domains.cells.items():
         initial = cell.subject.values if cell.variable in read else cell.initial
         variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial)
+    variables |= {
+        gate.cell.subject.key: StateVariable(gate.cell.subject.key, gate.text, gate.cell.subject.values, gate.cell.initial)
+        for gate in gates(document)
+    }
+    steps = _lived(document, steps)
     variables |= _settings(document, (subject for own in steps.values() for step in own for subject in step.tested()), known)
     return Component(
         document,
@@ -172,6 +182,30 @@ def component(document: Document, settings: Settings | None = None) -> Component
         {str(port["id"]): port.get("queue") for port in document.get("ports") or ()},
         tuple(domains.left_out()),
     )
+
+
+def _lived(document: Document, steps: Mapping[str, tuple[Step, ...]]) -> dict[str, tuple[Step, ...]]:
+    """The steps, where those in transitions of a managed node hang on which is asked for: by a request, unless the node asks itself."""
+    own = steps.get(LIFECYCLE)
+    if own is None:
+        return dict(steps)
+    names: dict[str, set[str]] = {}
+    for place, name in document.get("in_transition") or ():
+        names.setdefault(place, set()).add(name)
+    values = (*sorted(set().union(*names.values())), OTHER)
+    asked = Subject("transition asked for", "the transition asked for", values)
+    lived = []
+    for step in own:
+        told = frozenset().union(*(names.get(place, ()) for place in step.row.at.split()))
+        lived.append(replace(step, guard=(Is(asked, told), *step.guard)) if told else step)
+    requests = [
+        str(port["id"])
+        for port in document.get("ports") or ()
+        if port.get("implicit") and port.get("kind") == "service_server" and str(port.get("name")).endswith("~change_state")
+    ]
+    moved = (document.get("traits") or {}).get("moves_managed")
+    trigger = requests[0] if len(requests) == 1 and not moved and requests[0] not in steps else LIFECYCLE
+    return {**{name: found for name, found in steps.items() if name != LIFECYCLE}, trigger: tuple(lived)}
 
 
 def _variables(document: Document) -> list[Mapping[str, str]]:

@@ -119,7 +119,7 @@ def _topic(name: str, connector: Connector, nodes: Mapping[str, Component]) -> T
             outside.append(node)
     receivers = ((node, port.split(":")[0]) for node, port in connector.sinks if node in nodes)
     ends = tuple(dict.fromkeys(receivers))
-    if (senders or silent) and connector.open:
+    if (senders or silent or connector.kind != "topic") and connector.open:
         outside.append(UNSEEN)
     nobody = () if senders or silent else (ENVIRONMENT,)
     return Topic(name, connector.kind, tuple(dict.fromkeys(senders)), ends, tuple(dict.fromkeys(outside)) or nobody)

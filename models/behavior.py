@@ -13,6 +13,7 @@ from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards, Way
 from rosarch.models.numbers import calculated, frequency
 from rosarch.models.places import Place
+from rosarch.models.switches import Switched, switched_things
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
@@ -106,6 +107,8 @@ class Behavior:
     transitions: tuple[Transition, ...]
     deferred: tuple[Deferred, ...]
     one_shot: tuple[OneShot, ...] = ()
+    switched: tuple[Switched, ...] = ()
+    lifecycle: tuple[tuple[Place, str], ...] = ()  # what is done in a transition of the node's life, and in which
 
 
 NOTHING = Behavior((), (), (), (), (), ())
@@ -116,7 +119,8 @@ def build_behavior(
 ) -> Behavior:
     """Assemble the behaviour; `ports` gives the ids of port records, `callbacks` pairs ports with their functions."""
     names = variable_names(relations)
-    transitions = _transitions(relations, places, names, guards, ports, _triggers(relations, ports, callbacks))
+    triggers = _triggers(relations, ports, callbacks)
+    transitions = _transitions(relations, places, names, guards, ports, triggers)
     given = _given(transitions)
     return Behavior(
         _periodic(relations, places, ports, guards),
@@ -126,6 +130,8 @@ def build_behavior(
         transitions,
         _deferred(relations, ports, names),
         _one_shot(relations, places, ports, guards),
+        switched_things(relations, places, guards, ports, triggers, _timers(relations, places)),
+        tuple(sorted((places[node], name) for node, name in relations.get("in_transition", ()) if node in places)),
     )
 
 

@@ -17,6 +17,7 @@ from rosarch.models.node_configuration import InnerNode, PluginTold
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.places import Place
+from rosarch.models.switches import switched_json
 from rosarch.models.traits import Trait, traits
 from rosarch.models.unseen import Unseen
 
@@ -347,6 +348,12 @@ def traits_json(model: ComponentModel) -> dict[str, list[list[str]]]:
     for trait in model.traits:
         found.setdefault(trait.name, []).append([str(value) for value in trait.values])
     return found
+
+
+def switches_json(model: ComponentModel) -> dict[str, Any]:
+    """What goes on at times only, and what is done in transitions of a managed node's life; `to_json` leaves it out."""
+    life = [[str(place), name] for place, name in model.behavior.lifecycle]
+    return {"switched": [switched_json(each) for each in model.behavior.switched], "in_transition": life}
 
 
 _ASKED = ("service_client", "action_client")  # kinds of ports that are called, and answered

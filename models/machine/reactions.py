@@ -27,8 +27,10 @@ from rosarch.models.machine.logic import (
 )
 from rosarch.models.machine.meaning import Meaning
 from rosarch.models.machine.steps import Output, Row, Step
+from rosarch.models.machine.switching import gated, gates, switch_steps
 
 PERIODIC = "periodic"
+_WAYS = 1000  # more than anything is switched by
 
 
 class TooManyCases(Exception):
@@ -75,13 +77,22 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     for index, row in enumerate(document.get("one_shot") or ()):
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
         found.setdefault("timer", []).append(step)
+    known = gates(document)
+    trees = {}
+    for number, gate in enumerate(known):
+        for way, step in switch_steps(gate, meaning):
+            own = replace(step, row=replace(step.row, index=number * _WAYS + step.row.index))
+            trees[own.row.kind, own.row.index] = way.get("guard_tree")
+            for trigger in _triggers(way, loops):
+                found.setdefault(trigger, []).append(own)
     later = _done_later(document)
-    trees = {
+    trees |= {
         (kind, index): row.get(f"{guard}_tree")
         for kind, guard in (("transitions", "guard"), ("reactive", "when"), ("periodic", "conditional"), ("one_shot", "when"))
         for index, row in enumerate(document.get(kind) or ())
     }
-    return {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees) for trigger, steps in found.items()}
+    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees) for trigger, steps in found.items()}
+    return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
 
 
 def _done_later(document: Document) -> Mapping[str, frozenset[str]]:

@@ -1,0 +1,83 @@
+"""What goes on at times only, and what switches it on and off: timers, loops that callbacks run, publishers of managed nodes."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from rosarch.models import formula
+from rosarch.models.formula import Formula
+from rosarch.models.guards import Guards
+from rosarch.models.places import Place
+
+Row = tuple[Any, ...]
+Relations = Mapping[str, Iterable[Row]]
+
+
+@dataclass(frozen=True)
+class Switch:
+    """What turns something to `to`, `on` or `off`, or only `perhaps`; `trigger` and `timed_by` are as those of transitions."""
+
+    to: str
+    perhaps: bool
+    trigger: tuple[str, ...]
+    timed_by: tuple[Place, ...]
+    guard: Formula
+    at: Place
+
+
+@dataclass(frozen=True)
+class Switched:
+    """A timer, a timed loop or (`ports`) a publisher that is on at times only; it `begins` on, off or `?`.
+
+    `reasons` are those by which the rules call it unsteady for that.
+    """
+
+    at: Place
+    ports: tuple[str, ...]
+    begins: str
+    switches: tuple[Switch, ...]
+    reasons: tuple[str, ...]
+
+
+def switched_things(
+    relations: Relations, places: Mapping[str, Place], guards: Guards, ports: Mapping[Any, str],
+    triggers: Mapping[str, tuple[str, ...]], timers: Mapping[str, Iterable[Place]],
+) -> tuple[Switched, ...]:  # fmt: skip
+    """All of a component."""
+    reasons: dict[str, list[str]] = defaultdict(list)
+    for site, reason in sorted(relations.get("at_times", ())):
+        reasons[site].append(reason)
+    ways: dict[str, list[Switch]] = defaultdict(list)
+    for call, root, site, to, how in sorted(relations.get("switches", ())):
+        guard = formula.TRUE if call == site and how == "perhaps" else guards.guard(root, call)
+        if guard != formula.FALSE and call in places:
+            timed = tuple(sorted(timers.get(root, ())))
+            ways[site].append(Switch(to, how == "perhaps", tuple(sorted(triggers.get(root, ()))), timed, guard, places[call]))
+    sending: dict[str, list[str]] = defaultdict(list)
+    for port, name in sorted(ports.items(), key=lambda item: item[1]):
+        if isinstance(port, tuple):
+            sending[port[0]].append(name)
+    found = [
+        Switched(places[site], () if site in reasons else tuple(sending[site]), begins, tuple(ways[site]), tuple(reasons[site]))
+        for site, begins in sorted(relations.get("switched", ()))
+        if site in places
+    ]
+    return tuple(sorted(found, key=lambda each: (each.at, each.ports)))
+
+
+def switched_json(each: Switched) -> dict[str, Any]:
+    """What compositions are told of it."""
+    return {
+        "at": str(each.at),
+        "ports": list(each.ports),
+        "begins": each.begins,
+        "reasons": list(each.reasons),
+        "switches": [
+            {"to": way.to, "perhaps": way.perhaps, "trigger": list(way.trigger), "timed_by": [str(place) for place in way.timed_by],
+             "guard": formula.text(way.guard), "guard_tree": formula.tree(way.guard), "at": str(way.at)}
+            for way in each.switches
+        ],
+    }  # fmt: skip
