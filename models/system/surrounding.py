@@ -28,6 +28,7 @@ from rosarch.models.system.rows import Rows, merged
 from rosarch.models.system.workspace import (
     container_rows,
     dependencies,
+    fetched,
     first_rows,
     named_by,
     programs_named,
@@ -225,8 +226,12 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
     def read() -> tuple[Declared, ...]:
         return declared(root)
 
+    def lists() -> set[str]:
+        return fetched(root)
+
     manifests = memo.recall(["manifests", top], (top,), read) if memo else read()
-    there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected)
+    brought = memo.recall(["fetched", top], (top,), lists) if memo else lists()
+    there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected, brought)
     named = merged([there, first_rows(compositions, root), set_rows(compositions, components.models), container_rows(compositions)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}

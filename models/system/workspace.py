@@ -6,6 +6,7 @@ import os
 import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from rosarch.extractor.files import read_file
@@ -21,6 +22,9 @@ Dependencies = tuple[set[str], set[str]]
 _SOURCES = (".c", ".cc", ".cpp", ".cxx", ".cu", ".h", ".hh", ".hpp", ".hxx", ".cuh", ".ipp", ".inl", ".cfg")
 _TEXT_OR_COMMENT = re.compile(r'"((?:[^"\\\n]|\\.)*)"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _WORD = re.compile(r"\w+")
+_SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
+_REPOSITORY = re.compile(r"^[ \t]+['\"]?([\w./-]+)['\"]?:[ \t]*$|\blocal-name:[ \t]*['\"]?([\w./-]+)", re.MULTILINE)
+_DEPTH_OF_LISTS = 2
 
 
 def programs_named(compositions: Iterable[Composition]) -> set[tuple[str, str]]:
@@ -30,13 +34,17 @@ def programs_named(compositions: Iterable[Composition]) -> set[tuple[str, str]]:
 
 
 def workspace_rows(
-    depends: Dependencies, compositions: Sequence[Composition], programs: Collection[tuple[str, str]], known: Collection[str]
+    depends: Dependencies,
+    compositions: Sequence[Composition],
+    programs: Collection[tuple[str, str]],
+    known: Collection[str],
+    brought: Collection[str] = (),
 ) -> Rows:
-    """Which of the programs and packages that launch files name there are, or are to be expected: those `known`, and those needed here."""
+    """Which programs and packages that launch files name there are, or are expected: those `known` or `brought`, and those needed here."""
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
-    shipped = set(known)
+    shipped = {*known, *brought}
     depended, own = depends if absent - shipped else (set[str](), set[str]())
     return {
         "program_built": set(programs),
@@ -56,6 +64,25 @@ def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:
             files[package].add(path_below(top, path))
     inside = {package: sorted(path for path in paths if not os.path.isabs(path)) for package, paths in files.items()}
     return {"package_first_named": {(package, paths[0]) for package, paths in inside.items() if paths}}
+
+
+def fetched(root: Path) -> set[str]:
+    """What git or vcstool brings into the workspace, which need not be there yet: what the paths in its lists end with.
+
+    Lists (`.gitmodules`, `.repos`, `.rosinstall`) lie in the workspace or in a repository of it, or one folder further down.
+    """
+    found: set[str] = set()
+    top = os.path.abspath(root)
+    for here, folders, names in os.walk(top):
+        deep = here.count(os.sep) - top.count(os.sep) >= _DEPTH_OF_LISTS
+        folders[:] = [] if deep else sorted(name for name in folders if not name.startswith("."))
+        for name in names:
+            pattern = _SUBMODULE if name == ".gitmodules" else _REPOSITORY if name.endswith((".repos", ".rosinstall")) else None
+            if pattern is not None:
+                with suppress(OSError):
+                    text = read_file(os.path.join(here, name)).decode("utf-8", "replace")
+                    found.update(path.rstrip("/").rpartition("/")[2] for match in pattern.finditer(text) for path in match.groups() if path)
+    return found
 
 
 def dependencies(manifests: Iterable[Declared]) -> Dependencies:

@@ -11,6 +11,7 @@ from rosarch.models.places import Place
 from rosarch.models.system.manifests import declared
 from rosarch.models.system.workspace import (
     dependencies,
+    fetched,
     first_rows,
     named_by,
     programs_named,
@@ -44,6 +45,19 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     assert rows["program_built"] == {("robot", "built"), ("robot", "other")}
     assert rows["package_expected"] == {("driver",), ("move_base",), ("off",)}
     assert rows["package_unknown"] == {("driver",)}
+
+
+def test_what_lists_of_repositories_bring(tmp_path: Path) -> None:
+    (tmp_path / "src" / "deep" / "deeper").mkdir(parents=True)
+    (tmp_path / ".gitmodules").write_text('[submodule "lib/driver"]\n\tpath = lib/driver\n\turl = https://example.org/driver.git\n')
+    listed = "repositories:\n  nav/costs:\n    type: git\n    url: https://example.org/x\n  'camera':\n    type: git\n"
+    (tmp_path / "src" / "all.repos").write_text(listed)
+    (tmp_path / "src" / "deep" / ".rosinstall").write_text("- git:\n    local-name: arm\n    uri: x\n- git: {local-name: hand, uri: x}\n")
+    (tmp_path / "src" / "deep" / "deeper" / "more.repos").write_text("repositories:\n  far:\n    type: git\n")
+    assert fetched(tmp_path) == {"driver", "costs", "camera", "arm", "hand"}
+    (tmp_path / "a.launch").write_text('<launch><node pkg="camera" type="x" name="x"/><node pkg="gone" type="x" name="y"/></launch>')
+    composition = compose([tmp_path / "a.launch"], files=Files(PackagePath([tmp_path])))
+    assert workspace_rows(dependencies(()), [composition], set(), (), fetched(tmp_path))["package_expected"] == {("camera",)}
 
 
 def test_the_first_file_that_names_a_package_that_is_not_there(tmp_path: Path) -> None:
