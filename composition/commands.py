@@ -14,6 +14,7 @@ from rosarch.composition.reactions import Effect, alternatives, effects
 from rosarch.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
 from rosarch.models.machine.steps import Step
+from rosarch.models.machine.switching import OFF, START
 
 BOUND = 2
 _ACTIVITIES = {"timer": "a timer that runs once"}
@@ -48,7 +49,7 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
         builder.variables.append(Variable((node, key), text, variable.values, initial))
     for end in cone.steps:
         _queue(builder, end)
-    commands = [command for end, steps in cone.steps.items() for command in _reaction(builder, end)]
+    commands = [_started(builder, end, command) for end in cone.steps for command in _reaction(builder, end)]
     stages = [entry for entry in inputs.stages() if _reaches(builder, entry.topic)]
     commands += _from_outside(builder, [entry.topic for entry in stages])
     events = tuple(sorted(cone.watched.events))
@@ -136,7 +137,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     if topic and queue is None and not (topic.outside and builder.inputs.may_come(topic.name)):
         return
     loop = trigger in component.rates
-    due = loop or queue is not None or trigger in _OWN
+    due = loop or queue is not None or trigger in (*_OWN, START)
     obligation = _oblige(builder, f"{node} {trigger}" if queue is None else queue) if due else None
     others = [builder.kept_of[node, other] for other in sorted(component.together.get(trigger, ())) if (node, other) in builder.kept_of]
     keys = {key for other, key in builder.cone.variables if other == node}
@@ -159,7 +160,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
             clock=f"{component.label(trigger)} of {node}" if loop and component.rates[trigger] else "",
             inputs=inputs,
             assumes=assumes + _runs_if(builder, end),
-            places=tuple(dict.fromkeys(row.at for row in effect.rows)),
+            places=tuple(dict.fromkeys(row.at for row in effect.rows if row.at)),
         )
         command = _answering(
             builder, end, _sending(builder, command, [t for port in effect.sent for t in builder.system.outlet((node, port))])
@@ -168,7 +169,28 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
         for case in cases:
             when = tuple((_index(builder, node, key), values) for key, values in sorted(case.items()))
             yield from _by_length(builder, replace(command, when=when))
+            if lost := _unconnected(builder, end, effect.sent).intersection(command.puts):
+                alone = f"nobody is connected to {node} when it starts"
+                left = tuple(queue for queue in command.puts if queue not in lost)
+                yield replace(command, when=when, puts=left, full_events=(), assumes=(*command.assumes, alone))
     yield from _nothing_done(builder, end, obligation)
+
+
+def _unconnected(builder: _Builder, end: End, sent: Sequence[str]) -> set[int]:
+    """The queues that need not get what a node sends at its start, as their nodes may not be connected yet."""
+    node, trigger = end
+    ports = [port for port in sent if port not in builder.system.nodes[node].latched] if trigger == START else []
+    ends = [other for port in ports for topic in builder.system.outlet((node, port)) for other in topic.receivers]
+    return {builder.queue_of[other] for other in ends if other in builder.queue_of}
+
+
+def _started(builder: _Builder, end: End, command: Command) -> Command:
+    """The command, which has to wait until the node has started, unless threads of its own may not."""
+    node, trigger = end
+    component = builder.system.nodes[node]
+    if trigger == START or (node, START) not in builder.cone.variables or "thread" in component.steps:
+        return command
+    return replace(command, when=(*command.when, (_index(builder, node, START), frozenset({OFF}))))
 
 
 def _runs_if(builder: _Builder, end: End) -> tuple[str, ...]:
@@ -184,7 +206,7 @@ def _runs_if(builder: _Builder, end: End) -> tuple[str, ...]:
         return (f"messages that {node} waits for together belong together",)
     if trigger in component.unheard:
         return (f"{node} takes what arrives ({component.unheard[trigger]})",)
-    if builder.system.inlet(end) or trigger in component.queues:
+    if builder.system.inlet(end) or trigger in component.queues or trigger == START:
         return ()
     return (f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} runs then",)
 

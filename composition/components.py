@@ -12,7 +12,7 @@ from rosarch.models.machine.counting import whole
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger
 from rosarch.models.machine.steps import Step
-from rosarch.models.machine.switching import gates
+from rosarch.models.machine.switching import START, gated, gates, starting
 from rosarch.models.rhythm import with_constants, with_numbers
 
 
@@ -110,6 +110,11 @@ class Component:
         return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
 
     @cached_property
+    def latched(self) -> frozenset[str]:
+        """The ports whose last message is kept for who connects later."""
+        return frozenset(str(port["id"]) for port in self.document.get("ports") or () if port.get("latched"))
+
+    @cached_property
     def silent(self) -> frozenset[str]:
         """The ports that nothing is ever sent through."""
         return frozenset(port for (port,) in self._traits("sends_nothing"))
@@ -172,6 +177,10 @@ def component(document: Document, settings: Settings | None = None) -> Component
         for gate in gates(document)
     }
     steps = _lived(document, steps)
+    if begun := starting(document):
+        cell, own = begun
+        variables[cell.variable] = StateVariable(cell.variable, cell.subject.text, cell.subject.values, cell.initial)
+        steps[START] = tuple(part for step in own for part in gated([step], START, gates(document), document))
     variables |= _settings(document, (subject for own in steps.values() for step in own for subject in step.tested()), known)
     return Component(
         document,

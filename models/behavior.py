@@ -13,7 +13,7 @@ from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards, Way
 from rosarch.models.numbers import calculated, frequency
 from rosarch.models.places import Place
-from rosarch.models.switches import Switched, switched_things
+from rosarch.models.switches import Switched, sent_while_starting, switched_things
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
@@ -109,6 +109,7 @@ class Behavior:
     one_shot: tuple[OneShot, ...] = ()
     switched: tuple[Switched, ...] = ()
     lifecycle: tuple[tuple[Place, str], ...] = ()  # what is done in a transition of the node's life, and in which
+    starting: tuple[tuple[str, Place, str], ...] = ()  # what is sent before callbacks run, where, and whether certainly or perhaps
 
 
 NOTHING = Behavior((), (), (), (), (), ())
@@ -132,6 +133,7 @@ def build_behavior(
         _one_shot(relations, places, ports, guards),
         switched_things(relations, places, guards, ports, triggers, _timers(relations, places)),
         tuple(sorted((places[node], name) for node, name in relations.get("in_transition", ()) if node in places)),
+        sent_while_starting(relations, places, ports),
     )
 
 

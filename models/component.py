@@ -351,9 +351,10 @@ def traits_json(model: ComponentModel) -> dict[str, list[list[str]]]:
 
 
 def switches_json(model: ComponentModel) -> dict[str, Any]:
-    """What goes on at times only, and what is done in transitions of a managed node's life; `to_json` leaves it out."""
+    """What goes on at times only, what is done in transitions of a managed node, what is sent at the start."""
     life = [[str(place), name] for place, name in model.behavior.lifecycle]
-    return {"switched": [switched_json(each) for each in model.behavior.switched], "in_transition": life}
+    return {"switched": [switched_json(each) for each in model.behavior.switched], "in_transition": life,
+            "starting": [[port, str(place), how] for port, place, how in model.behavior.starting]}  # fmt: skip
 
 
 _ASKED = ("service_client", "action_client")  # kinds of ports that are called, and answered

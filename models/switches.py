@@ -68,6 +68,12 @@ def switched_things(
     return tuple(sorted(found, key=lambda each: (each.at, each.ports)))
 
 
+def sent_while_starting(relations: Relations, places: Mapping[str, Place], ports: Mapping[Any, str]) -> tuple[tuple[str, Place, str], ...]:
+    """What is sent before callbacks run: ports with the places of calls, each `certainly` or `perhaps`."""
+    rows = relations.get("sent_while_starting", ())
+    return tuple(sorted((ports[port], places[call], how) for port, call, how in rows if port in ports and call in places))
+
+
 def switched_json(each: Switched) -> dict[str, Any]:
     """What compositions are told of it."""
     return {

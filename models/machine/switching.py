@@ -12,6 +12,8 @@ from rosarch.models.machine.meaning import Assignment, Meaning
 from rosarch.models.machine.steps import Row, Step
 
 ON, OFF = "on", "off"
+START = "start"
+"""Triggers what a node does before its callbacks run."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,25 @@ def gates(document: Document) -> list[Gate]:
         cell = Cell(subject, subject.key, "", "", initial, at)
         found.append(Gate(cell, at, frozenset(ports), at in _once(document), tuple(row["switches"]), frozenset(row["reasons"])))
     return found
+
+
+def starting(document: Document) -> tuple[Cell, list[Step]] | None:
+    """What is sent before callbacks run, once, and the cell that is on until then."""
+    rows = document.get("starting") or ()
+    if not rows:
+        return None
+    subject = Subject(START, "start", (ON, OFF), cell=True)
+    cell = Cell(subject, START, "", "", (ON,), "")
+    due = Is(subject, frozenset({ON}))
+    steps = [Step(Row(START, 0, ""), (due,), (Assignment(cell, ((TRUE, OFF),)),))]
+    for index, (port, at, how) in enumerate(sorted(rows, key=lambda row: _line(str(row[1]))), 1):
+        steps.append(Step(Row(START, index, str(at)), (due,), (), (str(port),), sometimes=how != "certainly"))
+    return cell, steps
+
+
+def _line(place: str) -> tuple[str, int]:
+    path, _, line = place.rpartition(":")
+    return path, int(line)
 
 
 def _once(document: Document) -> set[str]:

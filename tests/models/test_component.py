@@ -23,7 +23,7 @@ NAMES = (
     "settled_local", "timer_callback", "sends_once", "always_sends_once",
     "component_plugin", "component_executable", "plugin_load", "plugin_load_any",
     "plugin_told", "inner_node", "inner_namespace", "inner_given", "own_name_call", "own_namespace_call", "decided_in",
-    "switched", "switches", "at_times", "in_transition",
+    "switched", "switches", "at_times", "in_transition", "sent_while_starting",
 )  # fmt: skip
 FIELDS = [
     "system",

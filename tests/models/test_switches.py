@@ -42,3 +42,6 @@ def test_what_is_on_at_times_is_as_expected(node: Path, tmp_path: Path) -> None:
         (tmp_path / name).write_text(text, encoding="utf-8")
     (model,) = analyze(tmp_path, jobs=1).models
     assert [_line(each) for each in model.behavior.switched] == re.findall(r"^// expect: (.*)$", source, re.MULTILINE)
+    names = {port.id: port.name for port in model.ports}
+    starts = ", ".join(sorted(f"{names[port]} {place.line} {how}" for port, place, how in model.behavior.starting))
+    assert [starts] * bool(starts) == re.findall(r"^// starts: (.*)$", source, re.MULTILINE)
