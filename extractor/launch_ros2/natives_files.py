@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
@@ -225,7 +225,8 @@ def _written(data: Any) -> str:
 
 
 def _yaml(data: Any, dumper: Any) -> str:
-    return cast(str, yaml.dump(data, Dumper=dumper, sort_keys=False, allow_unicode=True, width=1 << 20))
+    text: str = yaml.dump(data, Dumper=dumper, sort_keys=False, allow_unicode=True, width=1 << 20)
+    return text
 
 
 def certain(run: Calls, value: Any) -> Any:

@@ -24,6 +24,7 @@ NAMES = (
     "component_plugin", "component_executable", "plugin_load", "plugin_load_any",
     "plugin_told", "inner_node", "inner_namespace", "inner_given", "own_name_call", "own_namespace_call", "decided_in",
     "switched", "switches", "at_times", "in_transition", "sent_while_starting",
+    "round_of_loop", "undecided_by_texts",
 )  # fmt: skip
 FIELDS = [
     "system",

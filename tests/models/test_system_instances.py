@@ -317,7 +317,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription([
         Node(package='grid', executable='grid', namespace='cart/local', parameters=[
-            {'sources': 'scan cloud', 'scan.topic': 'laser/scan', 'mask': '/zones'}]),
+            {'sources': 'scan cloud', 'scan.topic': 'laser/scan', 'mask': 'zones'}]),
         Node(package='grid', executable='grid'),
     ])
 """
@@ -330,5 +330,5 @@ def test_texts_are_followed_through_what_they_decide(tmp_path: Path) -> None:
         (tmp_path / "grid" / name).write_text(text)
     where = Surroundings(tmp_path, (tmp_path,), {})
     (system,) = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1)).systems
-    assert ports_of(system, "/cart/local/grid") == {"/cart/laser/scan", "/cart/cloud", "/zones", "/cart/local/state"}
+    assert ports_of(system, "/cart/local/grid") == {"/cart/laser/scan", "/cart/cloud", "/cart/zones", "/cart/local/state"}
     assert ports_of(system, "/grid") == {"/mask", "/state"}
