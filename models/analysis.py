@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
@@ -41,6 +41,8 @@ class Wanted:
 
 
 ALONE = Wanted()
+MAX_ROUNDS = 12
+"""With more elements in the loops of a component, their rounds are not derived one by one: each costs what the component costs, twice."""
 
 
 @dataclass(frozen=True)
@@ -210,14 +212,49 @@ def configured_rows(
     if configuration.entry:
         given["component"] = {(name, package, "plugin") for name, package, _ in rows["component"]}
     first = program.evaluate(given, engine=engine).all_rows()
-    decided = {"configured_condition": set(first["decided"]), "configured_condition_in": set(first["decided_in"])}
-    apart = {(class_,) for _, class_, _ in first["inner_node"]}
+    decided = _decided(first)
+    given["configured_apart"] = apart = {(class_,) for _, class_, _ in first["inner_node"]}
     if not (any(decided.values()) or apart):
         return first
     if apart and decided["configured_condition_in"]:
-        first = program.evaluate({**given, **decided}, engine=engine).all_rows()
-    again = program.evaluate({**given, **decided, "configured_apart": apart}, engine=engine).all_rows()
-    return {**again, **{name: first[name] for name in ("inner_node", "inner_namespace", "inner_given")}}
+        first = program.evaluate({**given, **decided, "configured_apart": ()}, engine=engine).all_rows()
+    again = program.evaluate({**given, **decided}, engine=engine).all_rows()
+    again = {**again, **{name: first[name] for name in ("inner_node", "inner_namespace", "inner_given")}}
+    return _by_rounds(again, lambda facts: program.evaluate({**given, **facts}, engine=engine).all_rows())
+
+
+def _decided(found: Relations) -> dict[str, set[tuple[Any, ...]]]:
+    return {"configured_condition": set(found["decided"]), "configured_condition_in": set(found["decided_in"])}
+
+
+def _by_rounds(found: Relations, derive: Callable[[Mapping[str, Any]], Relations]) -> Relations:
+    """What was found, without the ports, and types of ports, that no round of a loop over known elements makes: its texts were mixed.
+
+    A round is derived alone where conditions come to both values for texts that are known.
+    """
+    elements: dict[str, set[str]] = {}
+    for variable, text in found["round_of_loop"]:
+        elements.setdefault(variable, set()).add(text)
+    loops = {variable: texts for variable, texts in elements.items() if len(texts) > 1 and "?" not in texts}
+    if not found["undecided_by_texts"] or sum(map(len, loops.values())) > MAX_ROUNDS:
+        return found
+    for variable, texts in sorted(loops.items()):
+        ports: set[tuple[Any, ...]] = set()
+        types: set[tuple[Any, ...]] = set()
+        for text in sorted(texts):
+            round_ = {"configured_round": {(variable, text)}}
+            own = derive({**round_, **_decided(derive(round_))})
+            ports |= set(own["port"])
+            types |= set(own["port_type"])
+        found = _without(found, ports, types)
+    return found
+
+
+def _without(found: Relations, ports: Set[tuple[Any, ...]], types: Set[tuple[Any, ...]]) -> Relations:
+    """The rows without those of other ports than `ports`, and of other types than `types`."""
+    gone = {port for (port,) in set(found["port"]) - ports}
+    kept = {name: {row for row in rows if gone.isdisjoint(row)} for name, rows in found.items()} if gone else dict(found)
+    return {**kept, "port_type": set(kept["port_type"]) & types}
 
 
 def _key(component: ComponentFacts | Facts, configuration: NodeConfiguration | None) -> str | None:

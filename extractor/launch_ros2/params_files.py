@@ -57,7 +57,7 @@ class Refusal:
 
 @dataclass(frozen=True)
 class ParamsFile:
-    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` stands for a text of which nothing is known."""
+    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` is a text that is open as a whole."""
 
     sections: tuple[Section, ...]
     lines: KeyLines

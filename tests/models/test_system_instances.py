@@ -276,7 +276,12 @@ public:
       std::string topic;
       topic = declare_parameter(source + ".topic", source);
       topic = joined(topic);
-      listen(topic);
+      const std::string kind = declare_parameter(source + ".kind", std::string("bool"));
+      if (kind == "bool") {
+        listen(topic);
+      } else {
+        texts_.push_back(create_subscription<std_msgs::msg::String>(topic, 1, [](std_msgs::msg::String::SharedPtr) {}));
+      }
     }
     start(mask_);
     state_ = create_publisher<std_msgs::msg::String>(below(get_namespace(), "state"), 1);
@@ -303,6 +308,7 @@ public:
 private:
   std::string mask_;
   std::vector<rclcpp::Subscription<std_msgs::msg::Bool>::SharedPtr> subs_;
+  std::vector<rclcpp::Subscription<std_msgs::msg::String>::SharedPtr> texts_;
   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr state_;
 };
 int main(int argc, char ** argv) {
@@ -317,8 +323,8 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription([
         Node(package='grid', executable='grid', namespace='cart/local', parameters=[
-            {'sources': 'scan cloud', 'scan.topic': 'laser/scan', 'mask': 'zones'}]),
-        Node(package='grid', executable='grid'),
+            {'sources': 'scan cloud', 'scan.topic': 'laser/scan', 'cloud.kind': 'text', 'mask': 'zones'}]),
+        Node(package='grid', executable='grid', parameters=[{'sources': 'map'}]),
     ])
 """
 
@@ -331,4 +337,7 @@ def test_texts_are_followed_through_what_they_decide(tmp_path: Path) -> None:
     where = Surroundings(tmp_path, (tmp_path,), {})
     (system,) = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1)).systems
     assert ports_of(system, "/cart/local/grid") == {"/cart/laser/scan", "/cart/cloud", "/cart/zones", "/cart/local/state"}
-    assert ports_of(system, "/grid") == {"/mask", "/state"}
+    assert ports_of(system, "/grid") == {"/map", "/mask", "/state"}
+    (node,) = (node for node in system.nodes if node.name == "/cart/local/grid")
+    types = {(port.name, port.type) for port in node.ports if port.name in ("/cart/laser/scan", "/cart/cloud")}
+    assert types == {("/cart/laser/scan", "std_msgs/Bool"), ("/cart/cloud", "std_msgs/String")}
