@@ -35,6 +35,9 @@ def facts(nodes: Mapping[str, Any], serving: Mapping[str, tuple[Place, float]] |
                 rows["interface_round_sends"].add((name, place, f"{name}#{port}", "1"))
                 if not loop.get("conditional"):
                     rows["interface_round_always"].add((name, place, f"{name}#{port}"))
+        at_times = [switched["at"] for switched in document.get("switched") or ()]  # a model says of each of these that it is unsteady
+        for at in [*at_times, *(place for place, _ in (document.get("traits") or {}).get("unsteady") or ())]:
+            rows["interface_unsteady"].add((name, f"{name} {at}", "it runs at times"))
         for reaction in document.get("reactive") or ():
             ends = (f"{name}#{reaction['input']}", f"{name}#{reaction['output']}")
             rows["interface_reacts"].add((*ends, "always" if reaction["must"] else "sometimes"))
