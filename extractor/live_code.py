@@ -15,6 +15,9 @@ from typing import NamedTuple
 Row = tuple[str | int, ...]
 Rows = Mapping[str, Iterable[Row]]
 
+_REGISTERS = "BT_RegisterNodesFromPlugin"
+"""The function of a library that registers its nodes of behavior trees, which are components (https://www.behaviortree.dev)."""
+
 _OWNED = ("expr_function", "block", "variable_function")
 """What says to which function an expression, block or variable belongs."""
 _ABOUT = {"return_value": 1, "field_initializer": 2}
@@ -118,6 +121,7 @@ class _Program:
         self.mention_name("main")
         aliased = _multimap(_pairs(self.declared, "type_alias"))
         for name in _column(self.declared, "component_class"):
+            self.mention_name(_REGISTERS)
             self.mention_classes([name])
             self.mention_types(aliased.get(name, ()))
 

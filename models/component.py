@@ -88,7 +88,8 @@ class ComponentModel:
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
     it makes inside of its own, `told` what plug-ins are told that it loads; `asks_name` where its code asks what the node is called,
-    `asks_namespace` where it asks for its namespace.
+    `asks_namespace` where it asks for its namespace. `tree_files` are the behavior trees that it carries out, `tree_hosts` what the nodes are
+    called that it makes for the nodes of these trees, where these do not use the component's own.
     """
 
     system: str
@@ -114,6 +115,8 @@ class ComponentModel:
     told: tuple[PluginTold, ...] = ()
     asks_name: bool = False
     asks_namespace: bool = False
+    tree_files: tuple[str, ...] = ()
+    tree_hosts: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
@@ -185,6 +188,8 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         inner=_inner_nodes(relations),
         asks_name=any(relations["own_name_call"]),
         asks_namespace=any(relations["own_namespace_call"]),
+        tree_files=tuple(sorted(file for (file,) in relations["tree_file"])),
+        tree_hosts=tuple(sorted(name for (name,) in relations["tree_host"])),
         told=tuple(PluginTold(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_told"])),
     )
 
@@ -331,6 +336,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         **({"executables": list(model.executables)} if model.executables else {}),
         **({"loads": list(model.loads)} if model.loads else {}),
         **({"loads_any": list(model.loads_any)} if model.loads_any else {}),
+        **({"behavior_trees": list(model.tree_files)} if model.tree_files else {}),
     }
 
 

@@ -21,7 +21,8 @@ class NodeConfiguration:
     `values` are a parameter and a text, several for a list; `empty` are lists without elements; `unknown` are set to what is not known.
     When it is `open`, more may be set. With an `entry`, the node is an object of that class, which another node makes; `arguments` are what
     its constructor, or the functions of a plug-in, get from there. The `namespace`, absolute, is there where code may ask for it: nodes in
-    different ones share their models otherwise, as their names are put below it when systems are composed.
+    different ones share their models otherwise, as their names are put below it when systems are composed. A node of a behavior tree has
+    `inputs`: what the tree says of its input ports.
     """
 
     name: str | None = None
@@ -32,12 +33,13 @@ class NodeConfiguration:
     arguments: tuple[Argument, ...] = ()
     entry: str | None = None
     namespace: str | None = None
+    inputs: tuple[tuple[str, str], ...] | None = None
 
     @cached_property
     def key(self) -> str:
         """Tells it from others."""
         return hash_of(
-            map(repr, (self.name, self.values, self.empty, self.unknown, self.open, self.arguments, self.entry, self.namespace)),
+            map(repr, (self.name, self.values, self.empty, self.unknown, self.open, self.arguments, self.entry, self.namespace, self.inputs)),
         )[:12]
 
     def rows(self) -> Rows:
@@ -51,6 +53,8 @@ class NodeConfiguration:
             "configured_unknown": {(name,) for name in self.unknown},
             "configured_open": {()} if self.open else set(),
             "configured_argument": set(self.arguments),
+            "configured_as_tree_node": {()} if self.inputs is not None else set(),
+            "configured_input": set(self.inputs or ()),
         }
         if self.entry:
             rows |= {"component_class": {(self.entry,)}, "program_entry": set()}

@@ -102,6 +102,7 @@ TRAITS = {
     "keeps_value_of": ("text", "text"),
     "names_number": ("text", "text"),
     "repeated": ("place",),
+    "registers_tree_node": ("text",),
     **FLOW_TRAITS,
 }
 

@@ -22,6 +22,8 @@ _REASONS = {
     "library": "the model of {} in the library is not complete",
     "plugin": "it loads plug-ins that were not seen: {}",
     "name": "the name of a parameter is not known: {}",
+    "tree": "not all of the behavior tree was read: {}",
+    "tree node": "its behavior tree has nodes that were not seen: {}",
     # of systems
     "include": "the included file {} was not read",
     "launch": "{}",

@@ -1,7 +1,7 @@
 """Plug-in descriptions: nodelet and pluginlib XML files, and the macros in C++ sources that register classes.
 
 Sources: https://wiki.ros.org/pluginlib, https://wiki.ros.org/nodelet, http://gazebosim.org/tutorials?tut=plugins_hello_world,
-https://gazebosim.org/api/plugin (IGNITION_ before GZ_ in Gazebo up to Fortress).
+https://gazebosim.org/api/plugin (IGNITION_ before GZ_ in Gazebo up to Fortress), https://www.behaviortree.dev/docs/intro.
 Description files have one `<library>`, several of them below `<class_libraries>`, or (against the rules, but read by pluginlib's
 predecessor) several roots.
 """
@@ -90,16 +90,27 @@ _MACRO = re.compile(
 )
 
 
+TREE_NODE = "BT::TreeNode"
+"""The base of the nodes of behavior trees (https://www.behaviortree.dev), which libraries register by the names that trees have for them."""
+_TREE_LIBRARY = ("BT_REGISTER_NODES", "BT_RegisterNodesFromPlugin")
+_TREE_NODE = re.compile(r"\bregister(?:NodeType|Builder)\s*<\s*([\w:]+)\s*>\s*\(\s*\"([^\"\n]+)\"")
+
+
 def registrations(path: Path) -> list[Registration]:
     """The plug-in classes a source file registers, comments ignored."""
     try:
         text = read_file(path).decode(errors="replace")
     except OSError:
         return []  # reported where it is parsed
-    if not any(word in text for word in ("_CLASS", "RCLCPP_COMPONENTS", "_PLUGIN")):
+    of_tree = any(word in text for word in _TREE_LIBRARY)
+    if not of_tree and not any(word in text for word in ("_CLASS", "RCLCPP_COMPONENTS", "_PLUGIN")):
         return []
     text = _CODE_COMMENT.sub(_blank, text)
-    return [found for match in _MACRO.finditer(text) if (found := _registration(match, text, path))]
+    found = [found for match in _MACRO.finditer(text) if (found := _registration(match, text, path))]
+    for match in _TREE_NODE.finditer(text) if of_tree else ():
+        line = text.count("\n", 0, match.start()) + 1
+        found.append(Registration(_plain(match.group(1)), TREE_NODE, path, line, match.group(2)))
+    return found
 
 
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]", re.MULTILINE)

@@ -17,8 +17,10 @@ from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
 from rosarch.extractor.launch.names import canonical, global_namespace
 from rosarch.extractor.launch.values import automatic
 from rosarch.extractor.launch_ros2.params_files import matches
+from rosarch.extractor.workspace.plugins import TREE_NODE
 from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import InnerNode, NodeConfiguration, told_to
+from rosarch.models.system.trees import Trees
 
 Component = tuple[str, str]
 """Package and name."""
@@ -29,16 +31,20 @@ _DEPTH = 6
 
 @dataclass
 class Known:
-    """Models that there are: of components by themselves, by package and by the names that they are started by, and with configurations."""
+    """Models that there are: of components by themselves, by package and by the names that they are started by, and with configurations.
 
+    `trees` reads the behavior trees of the workspace.
+    """
+
+    trees: Trees
     hosts: dict[tuple[str, str], dict[str, ComponentModel]] = field(default_factory=lambda: defaultdict(dict))
     configured: dict[tuple[Component, str], ComponentModel] = field(default_factory=dict)
     plugins: dict[tuple[str, str], ComponentModel] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, models: Iterable[ComponentModel]) -> Known:
+    def of(cls, trees: Trees, models: Iterable[ComponentModel]) -> Known:
         """What is known by these models."""
-        known = cls()
+        known = cls(trees)
         known.add(models)
         return known
 
@@ -64,34 +70,50 @@ class Wants:
 
 
 @dataclass(frozen=True)
+class Parts:
+    """What a node consists of: the titles of its models, and what belongs to it and has none.
+
+    `tree_nodes` are the names of nodes of behavior trees without models, `trees` the files that could not all be read.
+    """
+
+    titles: tuple[str, ...] = ()
+    tree_nodes: frozenset[str] = frozenset()
+    trees: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
 class Configured:
-    """A composition with the nodes that others make inside of their own, and the titles of the models that its nodes have, by their index.
+    """A composition with the nodes that others make inside of their own, and what its nodes consist of, by their index.
 
     A node that is not among these has the model of its component by itself.
     """
 
     composition: Composition
-    titles: Mapping[int, tuple[str, ...]]
+    parts: Mapping[int, Parts]
 
 
 def configure(composition: Composition, known: Known, wants: Wants | None = None, only: set[tuple[str, str]] | None = None) -> Configured:
-    """Find the model of each node; what is not there is added to what is wanted. With `only`, other programs are left out."""
+    """Find the models of each node; what is not there is added to what is wanted. With `only`, other programs are left out."""
     finder = _Finder(composition, known, wants or Wants())
     nodes: list[NodeStart] = []
-    made: list[tuple[NodeStart, tuple[str, ...]]] = []
-    titles: dict[int, tuple[str, ...]] = {}
+    made: _Made = []
+    parts: dict[int, Parts] = {}
     params: list[ParamSetting] = []
     for node in composition.nodes:
         if only is not None and (node.package, node.type) not in only:
             continue
-        found = finder.titles(node, made, params)
-        if found:
-            titles[len(nodes)] = found
+        found = finder.parts(node, made, params)
+        if found.titles:
+            parts[len(nodes)] = found
         nodes.append(node)
     for node, found in made:
-        titles[len(nodes)] = found
+        parts[len(nodes)] = found
         nodes.append(node)
-    return Configured(replace(composition, nodes=tuple(nodes), params=(*composition.params, *params)), titles)
+    return Configured(replace(composition, nodes=tuple(nodes), params=(*composition.params, *params)), parts)
+
+
+_Made = list[tuple[NodeStart, Parts]]
+"""Nodes that others make."""
 
 
 class _Finder:
@@ -104,11 +126,11 @@ class _Finder:
             self.settings[setting.name].append(setting)
         self.names = sorted(self.settings)
 
-    def titles(self, node: NodeStart, made: list[tuple[NodeStart, tuple[str, ...]]], params: list[ParamSetting]) -> tuple[str, ...]:
-        """The titles of the models of a node; the nodes that it makes are added to `made`, what is set for these to `params`."""
+    def parts(self, node: NodeStart, made: _Made, params: list[ParamSetting]) -> Parts:
+        """What a node consists of; the nodes that it makes are added to `made`, what is set for these to `params`."""
         hosts = list(self.known.hosts.get((node.package, node.type), {}).values())
         if len(hosts) != 1:
-            return ()
+            return Parts()
         host = hosts[0]
         settings = self._settings_of(node)
         configuration = _configuration(node, settings, self._is_open(node))
@@ -116,17 +138,42 @@ class _Finder:
             configuration = replace(configuration, namespace=canonical(node.namespace) or "/")
         if not _matters(host, configuration):
             self.wants.alone.add(host.title)
-            return ()
+            return Parts()
         component = (host.package, host.component)
         model = self.known.configured.get((component, configuration.key))
         if model is None:
             self.wants.components[component].add(configuration)
-            return ()
+            return Parts()
         self._inner(node, model, component, made, params)
-        return (model.title, *self._plugins(model, configuration))
+        models = [model, *self._plugins(model, configuration)]
+        found = Parts(tuple(each.title for each in models))
+        for each in models:
+            for name in each.tree_hosts or [None] if each.tree_files else []:
+                own = configuration if name is None else replace(configuration, name=name)
+                trees = self._trees(each, own)
+                if name is None:
+                    found = Parts((*found.titles, *trees.titles), found.tree_nodes | trees.tree_nodes, found.trees | trees.trees)
+                else:
+                    made.append((_renamed(node, name, node.namespace), trees))
+        return found
 
-    def _plugins(self, model: ComponentModel, configuration: NodeConfiguration, depth: int = 0) -> Iterator[str]:
-        """The titles of the models of the plug-ins that a component loads, and of those that they load."""
+    def _trees(self, model: ComponentModel, configuration: NodeConfiguration) -> Parts:
+        """What the behavior trees consist of that a component carries out, where their nodes use a node with this configuration."""
+        nodes, unread = self.known.trees.nodes(model.tree_files)
+        titles: list[str] = []
+        absent: set[str] = set()
+        for each in nodes:
+            own = replace(configuration, arguments=(), entry=None, inputs=each.inputs)
+            found = self.known.plugins.get((each.id, own.key))
+            if found is None:
+                self.wants.plugins[each.id].add(own)
+                absent.add(each.id)
+            elif found.plugin and found.plugin.base == TREE_NODE:
+                titles.append(found.title)
+        return Parts(tuple(titles), frozenset(absent), unread)
+
+    def _plugins(self, model: ComponentModel, configuration: NodeConfiguration, depth: int = 0) -> Iterator[ComponentModel]:
+        """The models of the plug-ins that a component loads, and of those that they load."""
         for name in model.loads if depth < _DEPTH else ():
             for arguments in told_to(name, model.told):
                 own = replace(configuration, arguments=arguments, entry=None)
@@ -134,7 +181,7 @@ class _Finder:
                 if plugin is None:
                     self.wants.plugins[name].add(own)
                 else:
-                    yield plugin.title
+                    yield plugin
                     yield from self._plugins(plugin, own, depth + 1)
 
     def _inner(
@@ -142,7 +189,7 @@ class _Finder:
         node: NodeStart,
         model: ComponentModel,
         component: Component,
-        made: list[tuple[NodeStart, tuple[str, ...]]],
+        made: _Made,
         params: list[ParamSetting],
     ) -> None:
         for inner in model.inner:
@@ -157,7 +204,7 @@ class _Finder:
             if found is None:
                 self.wants.components[component].add(configuration)
                 continue
-            made.append((started, (found.title, *self._plugins(found, configuration))))
+            made.append((started, Parts((found.title, *(plugin.title for plugin in self._plugins(found, configuration))))))
             params += [replace(one, name=f"{started.full_name}/{name}") for name, own in settings.items() for one in own]
 
     def _inner_start(self, node: NodeStart, inner: InnerNode) -> NodeStart | None:
@@ -167,7 +214,7 @@ class _Finder:
         }
         if len(namespaces) != 1:
             return None
-        return replace(node, name=inner.name, called=inner.name, namespace=global_namespace(namespaces.pop()), container=None, first=())
+        return _renamed(node, inner.name, global_namespace(namespaces.pop()))
 
     def _process_settings(self, node: NodeStart, name: str) -> dict[str, list[ParamSetting]]:
         """What the process of a node sets for another one of its nodes, by its full name."""
@@ -200,6 +247,11 @@ class _Finder:
         )
 
 
+def _renamed(node: NodeStart, name: str, namespace: str) -> NodeStart:
+    """The start of a node that another one makes."""
+    return replace(node, name=name, called=name, namespace=namespace, container=None, first=())
+
+
 def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting]], is_open: bool) -> NodeConfiguration:
     values: set[tuple[str, str]] = set()
     empty: set[str] = set()
@@ -229,7 +281,7 @@ def _texts(value: Any) -> list[str] | None:
 
 def _matters(model: ComponentModel, configuration: NodeConfiguration) -> bool:
     """Whether the configuration may tell anything of the component that its model by itself does not have."""
-    if model.loads or model.loads_any or model.inner:
+    if model.loads or model.loads_any or model.inner or model.tree_files:
         return True
     if model.asks_name and configuration.name and configuration.name != model.node_name:
         return True

@@ -9,6 +9,7 @@ from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import NodeConfiguration
 from rosarch.models.system.instances import Known, Wants, configure
 from rosarch.models.system.processes import with_nodes
+from rosarch.models.system.trees import Trees
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch.model import Composition, NodeStart
@@ -42,9 +43,9 @@ def made_by(models: Iterable[ComponentModel]) -> dict[tuple[str, str], list[Comp
 class Planner:
     """Which configurations the components need that launches start, as far as models are known."""
 
-    def __init__(self, compositions: Sequence[Composition]) -> None:
+    def __init__(self, compositions: Sequence[Composition], trees: Trees) -> None:
         self.compositions = compositions
-        self.known = Known()
+        self.known = Known(trees)
         self.generic: dict[str, ComponentModel] = {}
 
     def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
@@ -54,7 +55,7 @@ class Planner:
         components = {(model.package, model.component) for model in models}
         own = [model for model in self.generic.values() if (model.package, model.component) in components]
         types = {(model.package, type_) for model in own for type_ in ((model.component,) if model.executable else model.types)}
-        wanted = self.wants(made_by(own), types, Known.of([*own, *models])).components
+        wanted = self.wants(made_by(own), types, Known.of(self.known.trees, [*own, *models])).components
         return [each for one in components for each in sorted(wanted.get(one, ()), key=lambda found: found.key)]
 
     def wants(

@@ -25,6 +25,7 @@ from rosarch.models.system.planning import Planner, configuring, made_by
 from rosarch.models.system.processes import with_nodes
 from rosarch.models.system.reading import Reading
 from rosarch.models.system.rows import Rows, merged
+from rosarch.models.system.trees import Trees
 from rosarch.models.system.workspace import (
     container_rows,
     dependencies,
@@ -82,6 +83,7 @@ class Components:
     and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows.
     """
 
+    root: Path
     models: tuple[ComponentModel, ...]
     programs: frozenset[tuple[str, str]]
     builds: tuple[Built, ...]
@@ -97,7 +99,7 @@ class Components:
 
     @cached_property
     def _known(self) -> Known:
-        return Known.of(self.models)
+        return Known.of(Trees(self.root), self.models)
 
     def with_models(self, models: Iterable[ComponentModel]) -> Components:
         """The same components; those that are among `models` have the models there."""
@@ -168,14 +170,19 @@ class Surrounding:
         """The facts about one system."""
         launch, configured = self.components.with_nodes(launch)
         nodes = [start for start, _ in starts(launch.composition)]
-        models = {(nodes[index], title) for index, titles in configured.titles.items() for title in titles}
+        parts = [(nodes[index], part) for index, part in configured.parts.items()]
+        models = {(node, title) for node, part in parts for title in part.titles}
+        trees = {
+            "tree_node_unseen": {(node, name) for node, part in parts for name in part.tree_nodes},
+            "tree_unread": {(node, file) for node, part in parts for file in part.trees},
+        }
         interfaces = self.components.started(launch, {title for _, title in models})
         titles = {title for interface in interfaces for title in interface.all("interface", 0)}
         composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
         named = named_by(launch.composition, self.named), source_rows(launch.composition, titles, self.said)
         builds = build_rows(launch.composition, self.components.builds, self.root)
         manifests = manifest_rows(launch.composition, self.manifests, self.root, self.components.expected)
-        own = merged([*composed, *named, builds, manifests, self.given, {"started_as": models}])
+        own = merged([*composed, *named, builds, manifests, self.given, {"started_as": models}, trees])
         return SystemFacts(own, (self.components.shared, *interfaces))
 
     def rows(self, launch: Launch) -> Rows:
@@ -263,18 +270,20 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading
         kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
         return replace(found, models=kept)
 
-    planner = Planner([launch.composition for launch in launches])
+    planner = Planner([launch.composition for launch in launches], Trees(root))
     found = analyzed(_packages_below(root, needed.packages), needed.is_needed, Wanted(after=planner.after))
     models = found.models
+    tried: dict[str, set[NodeConfiguration]] = defaultdict(set)
     for _ in range(_ROUNDS):
-        wants = planner.wants(made_by(models))
-        if not wants.plugins:
+        wanted = planner.wants(made_by(models)).plugins
+        wanted = {name: left for name, all_ in wanted.items() if (left := all_ - tried[name])}
+        if not wanted:
             break
-        before = len(models)
-        models += _plugins(wants.plugins, analyzed)
-        planner.known.add(models[before:])
-        if len(models) == before:
-            break
+        for name, configurations in wanted.items():
+            tried[name] |= configurations
+        more = _plugins(wanted, analyzed)
+        models += more
+        planner.known.add(more)
     alone = [model for model in models if not model.configuration and model.title in planner.wants(made_by(models)).alone]
     if needed.plugins or any(model.loads or model.loads_any for model in alone):
 
@@ -286,6 +295,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading
     diagnostics += known.problems
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
     return Components(
+        root,
         models, found.programs, found.builds, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics)
     )
 
