@@ -103,6 +103,9 @@ TRAITS = {
     "names_number": ("text", "text"),
     "repeated": ("place",),
     "registers_tree_node": ("text",),
+    "port_for_plugin": ("port", "text", "text"),
+    "plugin_derives": ("text",),
+    "plugin_hears": ("text",),
     **FLOW_TRAITS,
 }
 
