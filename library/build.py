@@ -11,7 +11,7 @@ from rosarch.datalog.whole import write_whole
 from rosarch.extractor.files import path_below
 from rosarch.library.model import GENERATED
 from rosarch.library.reading import COMPONENT_KINDS
-from rosarch.models.component import ComponentModel, Parameter, Port, default_value
+from rosarch.models.component import MANAGED, ComponentModel, Parameter, Port, default_value
 
 UNKNOWN = "?"
 
@@ -23,12 +23,17 @@ def library_documents(models: Iterable[ComponentModel], origin: str, revision: s
     for model in sorted(models, key=lambda model: (model.package, _name(model))):
         document = component_document(model)
         says_something = model.kind != "plugin" or "ports" in document or "params" in document
-        if model.kind in COMPONENT_KINDS and says_something:
-            packages.setdefault(model.package, []).append(document)
-            versions.setdefault(model.package, set()).add(2 if "ROS 2" in (model.middleware or "") else 1)
+        if _kind(model) in COMPONENT_KINDS and says_something:
+            found = packages.setdefault(model.package, [])
+            found.append(document)
+            # a class that is loaded into containers, and the programs that run it alone
+            found += [{**document, "component": name, "kind": "node"} for name in model.executables if model.kind != "node"]
+            known = versions.setdefault(model.package, set())
+            if model.middleware:
+                known.add(2 if "ROS 2" in model.middleware else 1)
     head = {"origin": origin, "revision": revision}
     return {
-        package: {"package": package, **head, "ros": sorted(versions[package]), "made": GENERATED, "components": found}
+        package: {"package": package, **head, "ros": sorted(versions[package]) or [1], "made": GENERATED, "components": found}
         for package, found in packages.items()
     }
 
@@ -43,7 +48,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
     lost_params = len(params) < len(accesses)
     return _known(
         component=_name(model),
-        kind=model.kind,
+        kind=_kind(model),
         base=model.plugin.base if model.plugin else None,
         node_name=model.node_name,
         open=(lost_params or "ports") if lost_ports else ("params" if lost_params else None),
@@ -51,6 +56,13 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
         ports=_distinct(_port(port) for port in ports) or None,
         params=_parameters(params) or None,
     )
+
+
+def _kind(model: ComponentModel) -> str:
+    """What kind of component it is; whether others manage its life is not told."""
+    if model.kind != MANAGED:
+        return model.kind
+    return "component" if model.plugin else "node"
 
 
 def _name(model: ComponentModel) -> str:

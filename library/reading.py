@@ -14,7 +14,7 @@ from rosarch.extractor.files import read_file
 from rosarch.extractor.hints import hint
 from rosarch.library.model import BY_HAND, GENERATED
 
-COMPONENT_KINDS = ("node", "nodelet", "plugin", "gazebo_plugin")
+COMPONENT_KINDS = ("node", "nodelet", "component", "plugin", "gazebo_plugin")
 PORT_KINDS = (
     "publisher", "subscriber", "service_server", "service_client", "action_server", "action_client", "tf_broadcaster", "tf_listener",
     "dynamic_reconfigure_server",

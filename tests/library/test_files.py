@@ -72,7 +72,7 @@ WRONG = [
     ({**FILE, "components": [3]}, "components[0]: must be an object"),
     ({**FILE, "components": [{"component": "n"}]}, "components[0]: `kind` is missing"),
     ({**FILE, "components": [NODE, NODE]}, "components[1]: n is there twice"),
-    (of(kind="nod"), 'components[0]: `kind` "nod" is none of node, nodelet, plugin, gazebo_plugin, did you mean `node`?'),
+    (of(kind="nod"), 'components[0]: `kind` "nod" is none of node, nodelet, component, plugin, gazebo_plugin, did you mean `node`?'),
     (of(open="yes"), 'components[0]: `open` must be true, false, "ports" or "params"'),
     (of(options=[1]), "components[0]: `options` must be a list of texts"),
     (of(elements={"topic": 1}), "components[0]: `elements` must map names of elements to their default text, or to null"),
