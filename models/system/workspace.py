@@ -49,7 +49,7 @@ def workspace_rows(
     return {
         "program_built": set(programs),
         "package_expected": {(package,) for package in absent & (shipped | depended | own)},
-        "package_unknown": {(package,) for package in depended - shipped - own},
+        "package_unknown": {(package,) for package in (depended | set(brought)) - set(known) - own},
     }
 
 

@@ -57,7 +57,9 @@ def test_what_lists_of_repositories_bring(tmp_path: Path) -> None:
     assert fetched(tmp_path) == {"driver", "costs", "camera", "arm", "hand"}
     (tmp_path / "a.launch").write_text('<launch><node pkg="camera" type="x" name="x"/><node pkg="gone" type="x" name="y"/></launch>')
     composition = compose([tmp_path / "a.launch"], files=Files(PackagePath([tmp_path])))
-    assert workspace_rows(dependencies(()), [composition], set(), (), fetched(tmp_path))["package_expected"] == {("camera",)}
+    rows = workspace_rows(dependencies(()), [composition], set(), ("arm",), fetched(tmp_path))
+    assert rows["package_expected"] == {("camera",)}
+    assert rows["package_unknown"] == {("driver",), ("costs",), ("camera",), ("hand",)}  # each may have packages of other names, too
 
 
 def test_the_first_file_that_names_a_package_that_is_not_there(tmp_path: Path) -> None:
