@@ -120,6 +120,8 @@ class _Writer:
         self.add("started", start, node.package, node.type)
         self.add("started_name", start, name, namespace)
         self.add("started_version", start, node.ros)
+        if node.name is None:
+            self.add("started_unnamed", start)
         if node.container is not None:
             self.add("loaded_into", start, node.container)
         for depth, place in enumerate(node.lines):

@@ -1,14 +1,16 @@
 """Files of parameters of ROS 2: which nodes they are for, what they set, and what nodes refuse of them.
 
-Source: rcl_yaml_param_parser (parse.c): keys are names of nodes, which may be nested as namespaces and have `*` for one part of a name and
-`**` for any number; below `ros__parameters` maps are nested with dots. A node that is given a file that it refuses ends at its start.
+Source: rcl_yaml_param_parser (parse.c): keys are names of nodes, which may be nested as namespaces and have `*` for one part of a name
+and `**` for any number; below `ros__parameters` maps are nested with dots. A node that is given a file that it refuses ends at its start.
+What is given to classes that are loaded into containers is read by launch_ros (to_parameters_list.py): a file without any section is for
+all of them.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import yaml
@@ -57,12 +59,20 @@ class Refusal:
 
 @dataclass(frozen=True)
 class ParamsFile:
-    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` is a text that is open as a whole."""
+    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` is a text that is open as a whole.
+
+    `plain` is what a file without sections says for whatever launch_ros reads it for.
+    """
 
     sections: tuple[Section, ...]
     lines: KeyLines
     refusal: Refusal | None
     unknown: str | None = None
+    plain: tuple[Section, ...] = ()
+
+    def for_loaded(self) -> ParamsFile:
+        """The file as it is for a class that is loaded into a container."""
+        return replace(self, sections=self.sections or self.plain, refusal=None)
 
 
 def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
@@ -83,7 +93,8 @@ def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
         found = tuple(_sections("", data, ())) if isinstance(data, dict) else ()
         is_open = world.state.unknowns.is_open
         unknown = data if isinstance(data, str) and is_open(data) else None
-        world.parameter_texts[text] = ParamsFile(found, lines, None if is_open(text) else refused(text), unknown)
+        plain = (Section(ALL, data, ()),) if isinstance(data, dict) else ()
+        world.parameter_texts[text] = ParamsFile(found, lines, None if is_open(text) else refused(text), unknown, plain)
     return world.parameter_texts[text]
 
 

@@ -149,6 +149,26 @@ def test_containers(tmp_path: Path) -> None:
     assert params(found) == {"/one/a": 1}
 
 
+def test_files_of_classes_in_containers(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + """def generate_launch_description():
+    path = PathJoinSubstitution([FindPackageShare('here'), 'p.yaml'])
+    return LaunchDescription([
+        ComposableNodeContainer(name='box', package='rclcpp_components', executable='component_container', composable_node_descriptions=[
+            ComposableNode(package='here', plugin='here::One', name='one', parameters=[path])]),
+        %s])
+"""
+    )
+    files = {"p.yaml": "size: 2\npid: {gains: &g [1, 2], more: *g}\n"}
+    alone = composed(tmp_path / "alone", {"main.launch.py": main % "", **files})
+    assert params(alone) == {"/one/size": 2, "/one/pid.gains": [1, 2], "/one/pid.more": [1, 2]}
+    assert alone.problems == ()
+    node = "Node(package='here', executable='two', name='two', parameters=[path])"
+    beside = composed(tmp_path / "beside", {"main.launch.py": main % node, **files})
+    assert [problem.kind for problem in beside.problems] == ["params-file"]
+
+
 def test_events_and_timers_start_what_they_hold(tmp_path: Path) -> None:
     before = "first = node('first')"
     entities = """first, TimerAction(period=3.0, actions=[node('timed')]),
