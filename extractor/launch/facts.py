@@ -191,6 +191,8 @@ class _Writer:
                 self.add("file_meant", place, named.role, self.path(named.file))
                 if named.absent:
                     self.add("file_absent", self.path(named.file))
+                if named.made:
+                    self.add("file_made", self.path(named.file))
                 if named.beside is not None:
                     self.add("file_beside", self.path(named.file), self.path(named.beside))
             case TextTested():

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from rosarch.extractor.launch.ignored import kept_out
+from rosarch.extractor.launch.meant import file_meant
+from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.packages import PackagePath
 
 LINES = "# made by calibration\nhead.yaml\n/robot/maps/*.pgm\nlogs/\ndata/**/raw.csv\n!kept.yaml\n"
@@ -40,3 +42,15 @@ def test_what_is_kept_out_is_made_on_each_machine(tmp_path: Path) -> None:
     assert packages.makes(str(config / "head.yaml"))
     (tmp_path / ".gitignore").write_text("*.json\n")  # above the workspace: of another repository
     assert not packages.makes(str(config / "head.json"))
+
+
+def test_a_made_file_is_neither_there_nor_absent(tmp_path: Path) -> None:
+    config = tmp_path / "robot" / "config"
+    config.mkdir(parents=True)
+    (config / "old.yaml").write_text("a: 1\n")
+    (tmp_path / "robot" / ".gitignore").write_text("head.yaml\n")
+    packages = PackagePath([tmp_path])
+    made = file_meant("value", str(config / "head.yaml"), Place("x.launch", 1), packages, there=False)
+    gone = file_meant("value", str(config / "gone.yaml"), Place("x.launch", 1), packages, there=False)
+    assert (made.made, made.absent, made.beside) == (True, False, None)
+    assert (gone.made, gone.absent, gone.beside) == (False, True, str(config / "old.yaml"))
