@@ -12,6 +12,7 @@ from rosarch.composition.inputs import Inputs, content_path
 from rosarch.composition.model import Command, Model, Queue, Variable
 from rosarch.composition.reactions import Effect, alternatives, effects
 from rosarch.composition.system import ENVIRONMENT, End, System, Topic
+from rosarch.models.machine.elapsed import LONG
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import OFF, START
@@ -50,6 +51,7 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
     for end in cone.steps:
         _queue(builder, end)
     commands = [_started(builder, end, command) for end in cone.steps for command in _reaction(builder, end)]
+    commands += _time_passes(builder)
     stages = [entry for entry in inputs.stages() if _reaches(builder, entry.topic)]
     commands += _from_outside(builder, [entry.topic for entry in stages])
     events = tuple(sorted(cone.watched.events))
@@ -174,6 +176,15 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
                 left = tuple(queue for queue in command.puts if queue not in lost)
                 yield replace(command, when=when, puts=left, full_events=(), assumes=(*command.assumes, alone))
     yield from _nothing_done(builder, end, obligation)
+
+
+def _time_passes(builder: _Builder) -> Iterator[Command]:
+    """Times get as long as they are compared with, sooner or later."""
+    for node, key in sorted(builder.cone.variables):
+        if key in builder.system.nodes[node].measured:
+            text = builder.system.nodes[node].variables[key].text
+            obligation = _oblige(builder, f"{node} {key}")
+            yield Command(node, f"waits: {text} gets long", (), given=((_index(builder, node, key), LONG),), obligation=obligation)
 
 
 def _unconnected(builder: _Builder, end: End, sent: Sequence[str]) -> set[int]:
@@ -313,6 +324,7 @@ def _taken_for_granted(
         from_outside = topic is not None and not topic.senders and content_path(subject.text, component.members) is not None
         if not (topic and builder.inputs.content(topic.name, subject) is not None):
             (inputs if from_outside and not subject.hidden else assumes).append(text)
+    assumes += [f"{component.variables[key].text} is {value} then" for key, value in effect.before.items() if key in component.measured]
     return tuple(inputs), tuple(assumes)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rosarch.composition.components import Component, component
@@ -46,6 +46,11 @@ class System:
     def is_uncertain(self, sender: str) -> bool:
         """Whether somebody outside may send or not as long as the system runs."""
         return sender in self.nodes or sender == UNSEEN
+
+    @cached_property
+    def with_times(self) -> System:
+        """The system where the times since moments that variables keep are variables themselves."""
+        return replace(self, nodes={name: node.with_times for name, node in self.nodes.items()})
 
     def inlet(self, end: End) -> Topic | None:
         """What a node receives through a port."""

@@ -370,7 +370,8 @@ def _behavior_json(behavior: Behavior, asked: Collection[str]) -> dict[str, Any]
             for p in behavior.periodic
         ],
         "reactive": [
-            {"input": r.input, "output": r.output, "at": [str(place) for place in r.at], "must": r.must, **_guard_json("when", r.guard)}
+            {"input": r.input, "output": r.output, "at": [str(place) for place in r.at], "must": r.must, **_guard_json("when", r.guard),
+             **({"ways": [{"at": str(place), **_guard_json("when", guard)} for place, guard in r.ways]} if r.ways else {})}
             for r in behavior.reactive
         ],
         "state_variables": [_variable_json(variable) for variable in behavior.state_variables],

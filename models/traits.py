@@ -102,6 +102,7 @@ TRAITS = {
     "keeps_value_of": ("text", "text"),
     "names_number": ("text", "text"),
     "repeated": ("place",),
+    "keeps_moment": ("variable",),
     **FLOW_TRAITS,
 }
 
