@@ -74,6 +74,8 @@ def _doubts(system: System, cone: Cone) -> Iterator[str]:
     for node, key in sorted(cone.variables):
         if key in system.nodes[node].disturbed:
             yield f"callbacks of {node} that may run at the same time change {system.nodes[node].variables[key].text}"
+        if key in system.nodes[node].multiplied:
+            yield f"several objects of {node} may have {system.nodes[node].variables[key].text}, each its own"
     for node in sorted({node for node, _ in (*cone.variables, *cone.steps)} & set(system.conditions)):
         yield f"{node} is started only if {system.conditions[node]}"
     for (node, _), steps in cone.steps.items():
@@ -243,7 +245,7 @@ def _nothing_done(builder: _Builder, end: End, obligation: int | None) -> Iterat
     if obligation is not None and trigger in _OWN:
         rests = f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} does not run then"
         yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
-    if trigger in component.answered:
+    if trigger in component.answered and not builder.system.is_answered(end):
         yield Command(
             node, cause, (), takes=queue, obligation=obligation, assumes=(f"what {node} asked through {trigger} is not answered",)
         )

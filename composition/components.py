@@ -116,9 +116,20 @@ class Component:
         return frozenset(trigger for trigger in self.steps if kinds.get(trigger) in ("service_client", "action_client"))
 
     @cached_property
+    def answering(self) -> frozenset[str]:
+        """The servers whose callbacks come to an end and have answered then, whatever happens."""
+        return frozenset(port for (port,) in self._traits("answers_surely") if port not in self.unheard)
+
+    @cached_property
     def disturbed(self) -> frozenset[str]:
         """The variables that callbacks which may run at the same time change or test without a lock."""
         names = {name for name, *_ in self._traits("changed_at_once")}
+        return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
+
+    @cached_property
+    def multiplied(self) -> frozenset[str]:
+        """The variables that several objects may have, each its own, which are one here."""
+        names = {name for (name,) in self._traits("of_several_objects")}
         return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
 
     @cached_property

@@ -65,6 +65,11 @@ class System:
         asked = self.outlet(client)
         return tuple(end for topic in asked for end in topic.receivers) if all(topic.senders == (client,) for topic in asked) else ()
 
+    def is_answered(self, client: End) -> bool:
+        """Whether a client gets an answer whenever it asks."""
+        servers = self.servers(client)
+        return bool(servers) and all(port in self.nodes[node].answering for node, port in servers)
+
     @cached_property
     def _inlets(self) -> Mapping[End, Topic]:
         found: dict[End, Topic] = {}

@@ -103,6 +103,9 @@ TRAITS = {
     "names_number": ("text", "text"),
     "repeated": ("place",),
     "keeps_moment": ("variable",),
+    "of_several_objects": ("variable",),
+    "least_gap": ("port", "port", "text", "text"),
+    "answers_surely": ("port",),
     **FLOW_TRAITS,
 }
 
