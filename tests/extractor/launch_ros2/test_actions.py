@@ -290,7 +290,7 @@ def test_keywords_that_no_version_has(tmp_path: Path) -> None:
     [
         ("parameters={'rate': 1.0}", "Node: parameters must be a list"),
         ("parameters='a.yaml'", "Node: parameters must be a list"),
-        ("parameters=LaunchConfiguration('parameters')", None),
+        ("parameters=LaunchConfiguration('parameters')", "Node: parameters must be a list"),
         ("parameters=[{'rate': 1.0}], remappings=[('a', 'b')]", None),
         ("remappings=('a', 'b')", "Node: each of the remappings must be a tuple of two names"),
         ("remappings=[['a', 'b']]", "Node: each of the remappings must be a tuple of two names"),
@@ -302,6 +302,13 @@ def test_keywords_that_no_version_has(tmp_path: Path) -> None:
 def test_arguments_of_types_that_are_refused(tmp_path: Path, arguments: str, message: str | None) -> None:
     found = described(tmp_path, f"DeclareLaunchArgument('parameters', default_value='x'), node('n', {arguments})")
     assert [problem.message for problem in found.problems if problem.kind == "type"] == ([] if message is None else [message])
+
+
+def test_arguments_of_an_include_that_are_no_pairs(tmp_path: Path) -> None:
+    found = described(tmp_path, "IncludeLaunchDescription('x.launch.py', launch_arguments={'rate': '1'})")
+    assert [problem.message for problem in found.problems if problem.kind == "type"] == [
+        "IncludeLaunchDescription: launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
+    ]
 
 
 def test_a_launch_file_that_returns_nothing(tmp_path: Path) -> None:
