@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from .world import World
 
 _SECTION = "ros__parameters"
+_MISSPELT = re.compile(r"_*ros[_-]*param(eter)?s?_*", re.IGNORECASE)
 ALL = "/**"
 """The pattern of all nodes."""
 _TEXT = "tag:yaml.org,2002:str"
@@ -174,7 +175,7 @@ def refused(text: str) -> Refusal | None:
     try:
         for event in events:
             if isinstance(event, yaml.MappingStartEvent):
-                _nodes(events, depth=0)
+                _nodes(events, depth=0, outer=None)
             elif isinstance(event, yaml.SequenceStartEvent):
                 return None  # taken, and without effect
     except _Refused as error:
@@ -184,13 +185,15 @@ def refused(text: str) -> Refusal | None:
     return None
 
 
-def _nodes(events: Iterator[yaml.Event], depth: int) -> None:
-    """A map of nodes or namespaces, whose beginning was read."""
+def _nodes(events: Iterator[yaml.Event], depth: int, outer: yaml.ScalarEvent | None) -> None:
+    """A map of nodes or namespaces, below the key `outer`, whose beginning was read."""
     for key, value in _pairs(events):
         if key.value != _SECTION:
             if not isinstance(value, yaml.MappingStartEvent):
+                if outer is not None and _MISSPELT.fullmatch(outer.value):
+                    raise _Refused(f"`{outer.value}` is written for `{_SECTION}`", outer)
                 raise _Refused(f"the value of `{key.value}` stands before `{_SECTION}`", key)
-            _nodes(events, depth + 1)
+            _nodes(events, depth + 1, key)
         elif depth == 0:
             raise _Refused(f"no name of a node stands before `{_SECTION}`", key)
         elif isinstance(value, yaml.MappingStartEvent):
