@@ -12,6 +12,7 @@ from rosarch.composition.inputs import Inputs, content_path
 from rosarch.composition.model import Command, Model, Queue, Variable
 from rosarch.composition.reactions import Effect, alternatives, effects
 from rosarch.composition.system import ENVIRONMENT, End, System, Topic
+from rosarch.models.machine.elapsed import LONG
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import OFF, START
@@ -50,6 +51,7 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
     for end in cone.steps:
         _queue(builder, end)
     commands = [_started(builder, end, command) for end in cone.steps for command in _reaction(builder, end)]
+    commands += _time_passes(builder)
     stages = [entry for entry in inputs.stages() if _reaches(builder, entry.topic)]
     commands += _from_outside(builder, [entry.topic for entry in stages])
     events = tuple(sorted(cone.watched.events))
@@ -72,6 +74,8 @@ def _doubts(system: System, cone: Cone) -> Iterator[str]:
     for node, key in sorted(cone.variables):
         if key in system.nodes[node].disturbed:
             yield f"callbacks of {node} that may run at the same time change {system.nodes[node].variables[key].text}"
+        if key in system.nodes[node].multiplied:
+            yield f"several objects of {node} may have {system.nodes[node].variables[key].text}, each its own"
     for node in sorted({node for node, _ in (*cone.variables, *cone.steps)} & set(system.conditions)):
         yield f"{node} is started only if {system.conditions[node]}"
     for (node, _), steps in cone.steps.items():
@@ -176,6 +180,15 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     yield from _nothing_done(builder, end, obligation)
 
 
+def _time_passes(builder: _Builder) -> Iterator[Command]:
+    """Times get as long as they are compared with, sooner or later."""
+    for node, key in sorted(builder.cone.variables):
+        if key in builder.system.nodes[node].measured:
+            text = builder.system.nodes[node].variables[key].text
+            obligation = _oblige(builder, f"{node} {key}")
+            yield Command(node, f"waits: {text} gets long", (), given=((_index(builder, node, key), LONG),), obligation=obligation)
+
+
 def _unconnected(builder: _Builder, end: End, sent: Sequence[str]) -> set[int]:
     """The queues that need not get what a node sends at its start, as their nodes may not be connected yet."""
     node, trigger = end
@@ -232,7 +245,7 @@ def _nothing_done(builder: _Builder, end: End, obligation: int | None) -> Iterat
     if obligation is not None and trigger in _OWN:
         rests = f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} does not run then"
         yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
-    if trigger in component.answered:
+    if trigger in component.answered and not builder.system.is_answered(end):
         yield Command(
             node, cause, (), takes=queue, obligation=obligation, assumes=(f"what {node} asked through {trigger} is not answered",)
         )
@@ -313,6 +326,7 @@ def _taken_for_granted(
         from_outside = topic is not None and not topic.senders and content_path(subject.text, component.members) is not None
         if not (topic and builder.inputs.content(topic.name, subject) is not None):
             (inputs if from_outside and not subject.hidden else assumes).append(text)
+    assumes += [f"{component.variables[key].text} is {value} then" for key, value in effect.before.items() if key in component.measured]
     return tuple(inputs), tuple(assumes)
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from rosarch.models.machine.cells import Document, Domains, value_in
 from rosarch.models.machine.counting import whole
+from rosarch.models.machine.elapsed import with_elapsed
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger
 from rosarch.models.machine.steps import Step
@@ -37,7 +38,7 @@ class Component:
     `steps` are those of each trigger, a port or an activity; `rates` those of the triggers that come again and again, None where unknown.
     `serving` is the trigger of the loop that handles messages, when they are not handled at once.
     `outlets` are the ports that some step sends through, `queues` the sizes of those of subscribers, `left_out` the state variables
-    without finitely many values.
+    without finitely many values. Of times that are `measured` it is not known how fast they pass.
     """
 
     document: Document
@@ -48,6 +49,17 @@ class Component:
     queues: Mapping[str, int | None]
     left_out: tuple[str, ...]
     serving: str | None = None
+    measured: frozenset[str] = frozenset()
+
+    @cached_property
+    def with_times(self) -> Component:
+        """The component where the times since moments that variables keep are variables themselves, the `measured` ones."""
+        steps, cells = with_elapsed(self.document, self.steps)
+        if not cells:
+            return self
+        variables = {key: StateVariable(key, cell.subject.text, cell.subject.values, cell.initial) for key, cell in cells.items()}
+        changed = {trigger: tuple(own) for trigger, own in steps.items()}
+        return replace(self, steps=changed, variables={**self.variables, **variables}, measured=frozenset(cells))
 
     @cached_property
     def filtered(self) -> Mapping[str, str]:
@@ -104,9 +116,20 @@ class Component:
         return frozenset(trigger for trigger in self.steps if kinds.get(trigger) in ("service_client", "action_client"))
 
     @cached_property
+    def answering(self) -> frozenset[str]:
+        """The servers whose callbacks come to an end and have answered then, whatever happens."""
+        return frozenset(port for (port,) in self._traits("answers_surely") if port not in self.unheard)
+
+    @cached_property
     def disturbed(self) -> frozenset[str]:
         """The variables that callbacks which may run at the same time change or test without a lock."""
         names = {name for name, *_ in self._traits("changed_at_once")}
+        return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
+
+    @cached_property
+    def multiplied(self) -> frozenset[str]:
+        """The variables that several objects may have, each its own, which are one here."""
+        names = {name for (name,) in self._traits("of_several_objects")}
         return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
 
     @cached_property

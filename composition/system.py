@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rosarch.composition.components import Component, component
@@ -47,6 +47,11 @@ class System:
         """Whether somebody outside may send or not as long as the system runs."""
         return sender in self.nodes or sender == UNSEEN
 
+    @cached_property
+    def with_times(self) -> System:
+        """The system where the times since moments that variables keep are variables themselves."""
+        return replace(self, nodes={name: node.with_times for name, node in self.nodes.items()})
+
     def inlet(self, end: End) -> Topic | None:
         """What a node receives through a port."""
         return self._inlets.get(end)
@@ -59,6 +64,11 @@ class System:
         """Who alone may answer what a client asks: the servers, where no other client asks them."""
         asked = self.outlet(client)
         return tuple(end for topic in asked for end in topic.receivers) if all(topic.senders == (client,) for topic in asked) else ()
+
+    def is_answered(self, client: End) -> bool:
+        """Whether a client gets an answer whenever it asks."""
+        servers = self.servers(client)
+        return bool(servers) and all(port in self.nodes[node].answering for node, port in servers)
 
     @cached_property
     def _inlets(self) -> Mapping[End, Topic]:

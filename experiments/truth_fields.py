@@ -94,7 +94,8 @@ LISTS: Mapping[str, Fields] = {
         "feedback": _each(_name), **_CONDITION, **_ALL,
     }),
     "reactive": Fields(("input", "output"), {
-        "input": _name, "output": _name, "must": _FLAG, "when": _text, "when_tree": _anything, "when_normal": _text, **_ALL,
+        "input": _name, "output": _name, "must": _FLAG, "when": _text, "when_tree": _anything, "when_normal": _text, "ways": _anything,
+        **_ALL,
     }),
     "state_variables": Fields(("name",), {**_VARIABLE, **_ALL}),
     "configuration": Fields(("name",), {**_VARIABLE, **_ALL}),

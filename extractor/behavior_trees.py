@@ -1,4 +1,7 @@
-"""Behavior trees of BehaviorTree.CPP, versions 3 and 4 (https://www.behaviortree.dev/docs/learn-the-basics/xml_format): XML files whose elements name nodes of libraries."""
+"""Behavior trees of BehaviorTree.CPP, versions 3 and 4: XML files whose elements name nodes of libraries.
+
+Source: https://www.behaviortree.dev/docs/learn-the-basics/xml_format.
+"""
 
 from __future__ import annotations
 

@@ -34,13 +34,17 @@ class Periodic:
 
 @dataclass(frozen=True)
 class Reactive:
-    """The component sends through `output` when something arrives at `input`; `must`: always."""
+    """The component sends through `output` when something arrives at `input`; `must`: always.
+
+    `ways` are the places that send, each with a guard of its own, where there are several.
+    """
 
     input: str
     output: str
     at: tuple[Place, ...]
     must: bool
     guard: Formula
+    ways: tuple[tuple[Place, Formula], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -182,11 +186,19 @@ def _reactive(
     found = []
     for (source, sink), sites in calls.items():
         if source in ports and sink in ports:
-            guard = formula.either(guards.guard(function, site) for function in sorted(functions[source]) for site in sorted(sites))
+            ways = [
+                (places[site], way.guard)
+                for function in sorted(functions[source])
+                for site in sorted(sites)
+                for way in guards.ways(function, site, "")
+                if way.guard != formula.FALSE
+            ]
+            guard = formula.either(guard for _, guard in ways)
             if guard == formula.FALSE:
                 continue
             at = tuple(sorted(places[site] for site in sites))
-            found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard))
+            apart = tuple(dict.fromkeys(ways)) if len({guard for _, guard in ways}) > 1 else ()
+            found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard, apart))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
 
 

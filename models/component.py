@@ -88,8 +88,8 @@ class ComponentModel:
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
     it makes inside of its own, `told` what plug-ins are told that it loads; `asks_name` where its code asks what the node is called,
-    `asks_namespace` where it asks for its namespace. `tree_files` are the behavior trees that it carries out, `tree_hosts` what the nodes are
-    called that it makes for the nodes of these trees, where these do not use the component's own.
+    `asks_namespace` where it asks for its namespace. `tree_files` are the behavior trees that it carries out, `tree_hosts` the names of the
+    nodes that it makes for the nodes of these trees, where these do not use the component's own.
     """
 
     system: str
@@ -376,7 +376,8 @@ def _behavior_json(behavior: Behavior, asked: Collection[str]) -> dict[str, Any]
             for p in behavior.periodic
         ],
         "reactive": [
-            {"input": r.input, "output": r.output, "at": [str(place) for place in r.at], "must": r.must, **_guard_json("when", r.guard)}
+            {"input": r.input, "output": r.output, "at": [str(place) for place in r.at], "must": r.must, **_guard_json("when", r.guard),
+             **({"ways": [{"at": str(place), **_guard_json("when", guard)} for place, guard in r.ways]} if r.ways else {})}
             for r in behavior.reactive
         ],
         "state_variables": [_variable_json(variable) for variable in behavior.state_variables],

@@ -9,7 +9,7 @@ from typing import Any
 
 from rosarch.models.formula import FALSE, TRUE, Condition, Formula, both, condition, either, loosest
 from rosarch.models.machine.conditions import constant
-from rosarch.models.normal import WORD, expanded, normal_text, replaced, truth_of, with_values
+from rosarch.models.normal import WORD, expanded, folded, normal_text, replaced, truth_of, with_values
 from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
@@ -55,6 +55,7 @@ def _given(items: Iterable[Condition], values: Mapping[str, str]) -> Formula:
         meaning = with_values(before, values)
         truth = truth_of(meaning) if meaning != before else None
         if truth is None:
+            meaning = folded(meaning) if meaning != before else meaning
             found = both(found, condition(item.text, item.holds, item.place, stable=item.stable, meaning=meaning, words=item.words))
         elif truth != item.holds:
             return FALSE

@@ -39,7 +39,9 @@ class NodeConfiguration:
     def key(self) -> str:
         """Tells it from others."""
         return hash_of(
-            map(repr, (self.name, self.values, self.empty, self.unknown, self.open, self.arguments, self.entry, self.namespace, self.inputs)),
+            map(
+                repr, (self.name, self.values, self.empty, self.unknown, self.open, self.arguments, self.entry, self.namespace, self.inputs)
+            ),
         )[:12]
 
     def rows(self) -> Rows:

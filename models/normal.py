@@ -16,8 +16,10 @@ from rosarch.models.machine.conditions import (
     Operand,
     Truth,
     constant,
+    negated,
     parse_condition,
 )
+from rosarch.models.machine.logic import BOOLEAN
 
 DEEPEST = 4  # definitions of variables within definitions of variables
 LONGEST = 1000  # characters that a condition may grow to
@@ -59,7 +61,8 @@ def _bracketed(value: str) -> str:
 def truth_of(source: str) -> bool | None:
     """Whether a condition holds, where constants alone decide that.
 
-    Constants with different names are different ones; names that might be those of variables or classes (`Idle`) decide nothing.
+    Constants with different names are different ones, but a name and a number need not be; names that might be those of variables or
+    classes (`Idle`) decide nothing.
     """
     return _truth(parse_condition(source))
 
@@ -70,10 +73,38 @@ def _truth(parsed: Condition) -> bool | None:
         return None if inner is None else not inner
     if isinstance(parsed, Truth):
         return parsed.value
+    if isinstance(parsed, Conjunction | Disjunction):
+        decisive, outcomes = isinstance(parsed, Disjunction), [_truth(part) for part in parsed.parts]
+        if decisive in outcomes:
+            return decisive
+        return None if None in outcomes else not decisive
     if isinstance(parsed, Comparison) and parsed.op == "==":
         left, right = (None if _NAME.fullmatch(side) else constant(side) for side in (parsed.left, parsed.right))
-        return None if left is None or right is None else left == right
+        return None if left is None or right is None or _is_name(left) is not _is_name(right) else left == right
     return None
+
+
+def _is_name(known: str) -> bool:
+    """Whether a constant is a name: which number or text that is, it does not tell."""
+    return known.isidentifier() and known not in BOOLEAN
+
+
+def folded(source: str) -> str:
+    """A condition without those of its parts that constants alone decide."""
+    parsed = parse_condition(source)
+    shorter = _folded(parsed)
+    return source if shorter == parsed else _written(shorter, True)
+
+
+def _folded(parsed: Condition) -> Condition:
+    truth = _truth(parsed)
+    if truth is not None:
+        return Truth(truth)
+    if isinstance(parsed, Negation):
+        return negated(_folded(parsed.inner))
+    if isinstance(parsed, Conjunction | Disjunction):
+        return type(parsed)(tuple(_folded(part) for part in parsed.parts))
+    return parsed
 
 
 def normal_text(formula: Formula) -> str | None:

@@ -95,11 +95,11 @@ def with_numbers(document: Document, numbers: Mapping[str, int]) -> Document:
     def replaced(text: object) -> object:
         return names.sub(lambda match: str(numbers[match[1]]), text) if isinstance(text, str) else text
 
-    changed = {
-        key: [{**row, **{field: replaced(row.get(field)) for field in fields if field in row}} for row in document.get(key) or ()]
-        for key, fields in _TEXTS.items()
-    }
-    return {**document, **changed}
+    def changed(row: Mapping[str, Any], fields: tuple[str, ...]) -> dict[str, Any]:
+        ways = {"ways": [changed(way, fields) for way in row["ways"]]} if "ways" in row else {}
+        return {**row, **{field: replaced(row.get(field)) for field in fields if field in row}, **ways}
+
+    return {**document, **{key: [changed(row, fields) for row in document.get(key) or ()] for key, fields in _TEXTS.items()}}
 
 
 def _fixed(document: Document) -> Iterator[Rhythm]:

@@ -72,6 +72,11 @@ TRAITS = {
     "ends_too_early": ("place", "text"),
     "loops_for_callback": ("place", "text"),
     "undeclared_read": ("place", "text", "text"),
+    "refuses_other_text": ("place", "text", "text"),
+    "refuses_number": ("place", "text", "text", "text", "text"),
+    "refuses_pair": ("place", "text", "text", "text"),
+    "shared_too_early": ("place",),
+    "declared_twice": ("place", "place", "text"),
     "never_spun": ("place",),
     "interface_absent": ("place", "text", "text"),
     "mixed_arguments": ("place", "text"),
@@ -106,6 +111,10 @@ TRAITS = {
     "port_for_plugin": ("port", "text", "text"),
     "plugin_derives": ("text",),
     "plugin_hears": ("text",),
+    "keeps_moment": ("variable",),
+    "of_several_objects": ("variable",),
+    "least_gap": ("port", "port", "text", "text"),
+    "answers_surely": ("port",),
     **FLOW_TRAITS,
 }
 

@@ -64,8 +64,9 @@ def chosen_checker(wanted: str | None) -> str:
 
 def model_for(system: System, formula: Formula, inputs: Inputs, bound: int = BOUND) -> TransitionSystem:
     """The part of a system that a formula is about."""
-    cone = cone_of_influence(system, _watched(formula))
-    return transition_system(model_of(system, cone, inputs, bound=bound, fair=not ltl.is_safety(formula)))
+    timed = system.with_times
+    cone = cone_of_influence(timed, _watched(formula))
+    return transition_system(model_of(timed, cone, inputs, bound=bound, fair=not ltl.is_safety(formula)))
 
 
 def _watched(formula: Formula) -> Watched:

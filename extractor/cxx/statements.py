@@ -125,6 +125,18 @@ def _lower_compound(body: Body, tree: Tree) -> None:
     for child in tree.children:
         lower_statement(body, child)
         body.flow.mark(body.unit.span_of(child).end)
+        if child.kind == kinds.COMPOUND:
+            _end_variables(body, child)
+
+
+def _end_variables(body: Body, tree: Tree) -> None:
+    """Record where the variables of a block end that stands by itself."""
+    span = body.unit.span_of(tree)
+    line, _ = span.file.line_column(span.end)
+    for child in tree.children:
+        for declared in child.children if child.kind == kinds.DECLARATION_STATEMENT else ():
+            if declared.kind == kinds.VARIABLE:
+                body.unit.add("variable_ends", declare_variable(body.unit, declared.cursor, body.function), line)
 
 
 def _lower_declaration(body: Body, tree: Tree) -> None:

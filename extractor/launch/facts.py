@@ -120,6 +120,8 @@ class _Writer:
         self.add("started", start, node.package, node.type)
         self.add("started_name", start, name, namespace)
         self.add("started_version", start, node.ros)
+        if node.name is None:
+            self.add("started_unnamed", start)
         if node.container is not None:
             self.add("loaded_into", start, node.container)
         for depth, place in enumerate(node.lines):
@@ -189,6 +191,8 @@ class _Writer:
                 self.add("file_meant", place, named.role, self.path(named.file))
                 if named.absent:
                     self.add("file_absent", self.path(named.file))
+                if named.made:
+                    self.add("file_made", self.path(named.file))
                 if named.beside is not None:
                     self.add("file_beside", self.path(named.file), self.path(named.beside))
             case TextTested():

@@ -31,9 +31,15 @@ def files_meant(composition: Composition, packages: PackagePath) -> Iterator[Fil
     """The files that are meant, as they lie in the sources."""
     for role, path, place in meant(composition, packages):
         if packages.of_file(path) is not None:
-            absent = not os.path.exists(path) and not packages.makes(path)
             tracing.probe(path)
-            yield FileMeant(role, path, absent, place, beside(path) if absent else None)
+            yield file_meant(role, path, place, packages, there=os.path.exists(path))
+
+
+def file_meant(role: str, path: str, place: Place, packages: PackagePath, *, there: bool) -> FileMeant:
+    """A file that is meant, which is among the sources (`there`), is made, or is absent."""
+    made = not there and packages.makes(path)
+    absent = not there and not made
+    return FileMeant(role, path, absent, place, beside(path) if absent else None, made)
 
 
 def beside(path: str) -> str | None:

@@ -257,7 +257,7 @@ class FileNamed:
 class FileMeant:
     """With the arguments of this launch, an element means `file`; `role` is include, read (its content is used here) or value.
 
-    Of one that is `absent`, `beside` is a file of its kind in the same folder.
+    Of one that is `absent`, `beside` is a file of its kind in the same folder. One that is `made` is not among the sources, nor absent.
     """
 
     role: str
@@ -265,6 +265,7 @@ class FileMeant:
     absent: bool
     place: Place
     beside: str | None = None
+    made: bool = False
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,8 @@ from rosarch.extractor import tracing
 from rosarch.extractor.files import is_folder, read_file
 from rosarch.extractor.package_names import NO_PACKAGES, quick_name, quick_text
 
+from .ignored import kept_out
+
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _WORD = re.compile(r"[\w.+-]+")
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
@@ -65,12 +67,14 @@ class PackagePath:
         return self._names[folder]
 
     def makes(self, path: str) -> bool:
-        """Whether the build of its package makes the file `path`: from a template beside it, or by a command that names it."""
+        """Whether the file is made: by its package, from a template beside it or by a command that names it, or on each machine."""
         tracing.probe(f"{path}.in")
         if os.path.isfile(f"{path}.in"):
             return True
         folder = self.of_file(path)
-        return folder is not None and os.path.basename(path) in self._made_in(folder)
+        if folder is not None and os.path.basename(path) in self._made_in(folder):
+            return True
+        return any(kept_out(path, top) for top in self.folders if path.startswith(top + os.sep))
 
     def _made_in(self, folder: str) -> frozenset[str]:
         if folder not in self._made:

@@ -10,6 +10,8 @@ from typing import Any
 
 from rosarch.extractor.launch.unknowns import is_known
 
+from .values import Made
+
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
 _RENAMING = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
 
@@ -17,8 +19,10 @@ _RENAMING = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
 def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     """The arguments of an object of the class `kind` that have a type that it refuses, and what it asks for."""
     parameters = given.get("parameters")
-    if kind in _NODES and (isinstance(parameters, (dict, tuple)) or _is_text(parameters)):
+    if kind in _NODES and (isinstance(parameters, (dict, tuple, Made)) or _is_text(parameters)):
         yield "parameters", "parameters must be a list"
+    if kind == "IncludeLaunchDescription" and isinstance(given.get("launch_arguments"), dict):
+        yield "launch_arguments", "launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
     if kind in _RENAMING and any(not _is_rule(rule) for rule in _rules(given.get("remappings"))):
         yield "remappings", "each of the remappings must be a tuple of two names"
 

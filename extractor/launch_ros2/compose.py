@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rosarch.extractor.launch.compose import finished
 from rosarch.extractor.launch.files import Files
-from rosarch.extractor.launch.meant import beside, meant
+from rosarch.extractor.launch.meant import file_meant, meant
 from rosarch.extractor.launch.model import Composition, FileMeant, FileNamed, LaunchError, Place, Reference
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import Exhausted, State
@@ -69,8 +69,7 @@ def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:
     for role, path, place in (*read, *meant(composition, packages)):
         made = path in world.written or world.is_handed(path)
         if packages.of_file(path) is not None and path not in world.looked_for and not made:
-            absent = not os.path.exists(world.located(path)) and not packages.makes(path)
-            yield FileMeant(role, path, absent, place, beside(path) if absent else None)
+            yield file_meant(role, path, place, packages, there=os.path.exists(world.located(path)))
 
 
 def _truths(world: World) -> Iterator[Reference]:

@@ -12,13 +12,17 @@ from rosarch.extractor.launch.model import Condition, Place, Remap, exclusive
 
 @dataclass(frozen=True)
 class Given:
-    """A parameter, or a file of parameters, that nodes get; `place` is where it is given, `conditions` are its own."""
+    """A parameter, or a file of parameters, that nodes get; `place` is where it is given, `conditions` are its own.
+
+    What is given to a class that is `loaded` into a container is read by launch_ros itself.
+    """
 
     value: Any
     place: Place
     conditions: tuple[Condition, ...] = ()
     name: str | None = None
     node: str | None = None
+    loaded: bool = False
 
 
 @dataclass(frozen=True)

@@ -156,6 +156,7 @@ def _of_file(world: World, value: Any, given: Given, name: str | None, context: 
     world.here(given.place)
     try:
         file = params_file(world, path, context if substituted else None)
+        file = file.for_loaded() if given.loaded else file
         wanted = chosen(file.sections, given.node or name)
     except LaunchError as error:
         state.report_unread(error)

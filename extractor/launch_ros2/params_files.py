@@ -1,14 +1,16 @@
 """Files of parameters of ROS 2: which nodes they are for, what they set, and what nodes refuse of them.
 
-Source: rcl_yaml_param_parser (parse.c): keys are names of nodes, which may be nested as namespaces and have `*` for one part of a name and
-`**` for any number; below `ros__parameters` maps are nested with dots. A node that is given a file that it refuses ends at its start.
+Source: rcl_yaml_param_parser (parse.c): keys are names of nodes, which may be nested as namespaces and have `*` for one part of a name
+and `**` for any number; below `ros__parameters` maps are nested with dots. A node that is given a file that it refuses ends at its start.
+What is given to classes that are loaded into containers is read by launch_ros (to_parameters_list.py): a file without any section is for
+all of them.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import yaml
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from .world import World
 
 _SECTION = "ros__parameters"
+_MISSPELT = re.compile(r"_*ros[_-]*param(eter)?s?_*", re.IGNORECASE)
 ALL = "/**"
 """The pattern of all nodes."""
 _TEXT = "tag:yaml.org,2002:str"
@@ -57,12 +60,20 @@ class Refusal:
 
 @dataclass(frozen=True)
 class ParamsFile:
-    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` is a text that is open as a whole."""
+    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` is a text that is open as a whole.
+
+    `plain` is what a file without sections says for whatever launch_ros reads it for.
+    """
 
     sections: tuple[Section, ...]
     lines: KeyLines
     refusal: Refusal | None
     unknown: str | None = None
+    plain: tuple[Section, ...] = ()
+
+    def for_loaded(self) -> ParamsFile:
+        """The file as it is for a class that is loaded into a container."""
+        return replace(self, sections=self.sections or self.plain, refusal=None)
 
 
 def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
@@ -83,7 +94,8 @@ def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
         found = tuple(_sections("", data, ())) if isinstance(data, dict) else ()
         is_open = world.state.unknowns.is_open
         unknown = data if isinstance(data, str) and is_open(data) else None
-        world.parameter_texts[text] = ParamsFile(found, lines, None if is_open(text) else refused(text), unknown)
+        plain = (Section(ALL, data, ()),) if isinstance(data, dict) else ()
+        world.parameter_texts[text] = ParamsFile(found, lines, None if is_open(text) else refused(text), unknown, plain)
     return world.parameter_texts[text]
 
 
@@ -163,7 +175,7 @@ def refused(text: str) -> Refusal | None:
     try:
         for event in events:
             if isinstance(event, yaml.MappingStartEvent):
-                _nodes(events, depth=0)
+                _nodes(events, depth=0, outer=None)
             elif isinstance(event, yaml.SequenceStartEvent):
                 return None  # taken, and without effect
     except _Refused as error:
@@ -173,13 +185,15 @@ def refused(text: str) -> Refusal | None:
     return None
 
 
-def _nodes(events: Iterator[yaml.Event], depth: int) -> None:
-    """A map of nodes or namespaces, whose beginning was read."""
+def _nodes(events: Iterator[yaml.Event], depth: int, outer: yaml.ScalarEvent | None) -> None:
+    """A map of nodes or namespaces, below the key `outer`, whose beginning was read."""
     for key, value in _pairs(events):
         if key.value != _SECTION:
             if not isinstance(value, yaml.MappingStartEvent):
+                if outer is not None and _MISSPELT.fullmatch(outer.value):
+                    raise _Refused(f"`{outer.value}` is written for `{_SECTION}`", outer)
                 raise _Refused(f"the value of `{key.value}` stands before `{_SECTION}`", key)
-            _nodes(events, depth + 1)
+            _nodes(events, depth + 1, key)
         elif depth == 0:
             raise _Refused(f"no name of a node stands before `{_SECTION}`", key)
         elif isinstance(value, yaml.MappingStartEvent):

@@ -167,7 +167,7 @@ def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], 
     kept: list[ProcessSetting] = []
     files: dict[str, ParamsGiven] = {}
     for given in params:
-        for found in settings(world, given, None, context):
+        for found in settings(world, replace(given, loaded=started.container is not None), None, context):
             if isinstance(found, Read):
                 files[found.path] = _sections(found)
                 continue

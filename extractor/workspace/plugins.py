@@ -91,7 +91,7 @@ _MACRO = re.compile(
 
 
 TREE_NODE = "BT::TreeNode"
-"""The base of the nodes of behavior trees (https://www.behaviortree.dev), which libraries register by the names that trees have for them."""
+"""The base of the nodes of behavior trees (https://www.behaviortree.dev), which libraries register under the names that trees use."""
 _TREE_LIBRARY = ("BT_REGISTER_NODES", "BT_RegisterNodesFromPlugin")
 _TREE_NODE = re.compile(r"\bregister(?:NodeType|Builder)\s*<\s*([\w:]+)\s*>\s*\(\s*\"([^\"\n]+)\"")
 

@@ -27,7 +27,7 @@ _MADE_OTHERWISE = re.compile(r"NodeFactory|class_loader::|#\s*include\s*[<\"][^>
 
 @dataclass(frozen=True)
 class Promised:
-    """At `line` of `path`, CMake says that `library` registers the component `name`; `registered` are the classes that it does register."""
+    """At `line` of `path`, CMake or a description says that `library` registers `name`; `registered` are those that it does register."""
 
     name: str
     library: str
@@ -38,15 +38,28 @@ class Promised:
 
 
 def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
-    """The components that CMake names for libraries of the package whose sources are known."""
+    """The classes that CMake and exported descriptions name for libraries of the package whose sources are known."""
     known: dict[str, tuple[frozenset[str], bool]] = {}
+    exported = {path for _, path in package.plugin_exports}
     for plugin in package.plugins:
-        target = package.target(plugin.library) if plugin.base == COMPONENT_BASE else None
+        name, target = plugin.name, None
+        if plugin.base == COMPONENT_BASE:
+            target = package.target(plugin.library)
+        elif plugin.declared_at in exported and not plugin.in_python:
+            name, target = plugin.cxx_class.removeprefix("::"), _library_at(package, plugin.library)
         if target is not None and target.kind in LIBRARY_KINDS:
             if target.name not in known:
                 known[target.name] = _registered(workspace, package, target)
             names, is_open = known[target.name]
-            yield Promised(plugin.name, target.name, plugin.declared_at, plugin.line, tuple(sorted(names)), is_open)
+            yield Promised(name, target.name, plugin.declared_at, plugin.line, tuple(sorted(names)), is_open)
+
+
+def _library_at(package: Package, path: str) -> Target | None:
+    """The target whose file a description calls `path`: with or without a folder, `lib` and an ending."""
+    name = re.sub(r"\.so$", "", path.rpartition("/")[2])
+    names = (name, name.removeprefix("lib"))
+    found = [target for target in package.targets if target.kind in LIBRARY_KINDS and target.output_name in names]
+    return found[0] if len(found) == 1 else None
 
 
 def _registered(workspace: Workspace, package: Package, target: Target) -> tuple[frozenset[str], bool]:

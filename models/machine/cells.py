@@ -15,6 +15,7 @@ from rosarch.models.machine.conditions import (
     Disjunction,
     Negation,
     Operand,
+    choice,
     compact,
     constant,
     number,
@@ -270,6 +271,11 @@ class Domains:
             draft.constants[known] = None
         elif place := self.locator.locate(value, owner):
             draft.copies.add(place)
+        elif chosen := choice(value):
+            self._read_condition(parse_condition(chosen[0]), owner)
+            for text in chosen[1:]:
+                self._read_value(draft, text, owner)
+            draft.given.append(None)
         else:
             draft.open = True
             draft.inputs.add(compact(value))

@@ -95,6 +95,30 @@ def parse_condition(text: str) -> Condition:
     return _disjunction(tokens, 0, len(tokens), text)
 
 
+def choice(text: str) -> tuple[str, str, str] | None:
+    """Of `a ? b : c`, or `b if a else c`, the condition and what is chosen between; nothing when it is no such choice."""
+    text = strip(text)
+    tokens = _tokens(text) or []
+    marks = _top_level(tokens, 0, len(tokens), lambda token: token.text in ("?", ":", "if", "else", "lambda", ","))
+    signs = [tokens[mark].text for mark in marks]
+    if "lambda" in signs or "," in signs or len(signs) < 2:
+        return None
+    if signs[0] == "?":
+        depth, end = 0, -1
+        for mark, sign in zip(marks, signs, strict=True):
+            depth += {"?": 1, ":": -1}.get(sign, 0)
+            if depth == 0:
+                end = mark
+                break
+        spans = [] if end < 0 else [(0, marks[0]), (marks[0] + 1, end), (end + 1, len(tokens))]
+    elif signs[:2] == ["if", "else"]:
+        spans = [(marks[0] + 1, marks[1]), (0, marks[0]), (marks[1] + 1, len(tokens))]
+    else:
+        spans = []
+    parts = [_text(tokens, start, end, text) for start, end in spans]
+    return (parts[0], parts[1], parts[2]) if len(parts) == 3 and all(parts) else None
+
+
 def spaced(text: str) -> str:
     """A text on one line with single spaces."""
     return " ".join(text.split())

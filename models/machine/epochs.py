@@ -27,9 +27,9 @@ class _Guard:
         return any(self.at[place].isdisjoint(other.at[place]) for place in shared)
 
 
-def with_epochs(steps: Sequence[Step], trees: Mapping[tuple[str, int], Any]) -> list[Step]:
-    """The steps of a reaction, in order, with the epochs in which their guards test variables; `trees` are those of the guards of rows."""
-    guards = [_guard(trees.get((step.row.kind, step.row.index))) for step in steps]
+def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any]) -> list[Step]:
+    """The steps of a reaction, in order, with the epochs in which their guards test variables; `trees` are those of their guards."""
+    guards = [_guard(trees.get(step)) for step in steps]
     found = []
     for number, step in enumerate(steps):
         epochs: dict[str, int] = {}
@@ -55,15 +55,16 @@ def _places(guard: _Guard, text: str) -> set[str]:
 
 def _guard(tree: object) -> _Guard:
     at: dict[str, frozenset[Leaf]] = {}
-    for leaf in _leaves(tree):
+    for leaf in leaves_of(tree):
         at[leaf[0]] = at.get(leaf[0], frozenset()) | {leaf}
     return _Guard(at, not (isinstance(tree, Mapping) and "any" in tree))
 
 
-def _leaves(tree: object) -> Iterator[Leaf]:
+def leaves_of(tree: object) -> Iterator[Leaf]:
+    """The conditions of a guard."""
     if not isinstance(tree, Mapping):
         return
     if "condition" in tree:
         yield str(tree.get("at") or ""), str(tree["condition"]), bool(tree.get("holds"))
     for part in (*tree.get("all", ()), *tree.get("any", ())):
-        yield from _leaves(part)
+        yield from leaves_of(part)

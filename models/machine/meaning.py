@@ -16,6 +16,7 @@ from rosarch.models.machine.conditions import (
     Negation,
     Operand,
     Truth,
+    choice,
     compact,
     constant,
     number,
@@ -200,6 +201,8 @@ class Meaning:
             return ((TRUE, known),)
         if cell.counting:
             return self._counted_on(cell, value)
+        if chosen := choice(value):
+            return self._chosen(cell, *chosen, owner)
         if cell.suffix.endswith(EMPTY):
             return self._filled(cell, value)
         if cell.subject.values == BOOLEAN:
@@ -211,6 +214,12 @@ class Meaning:
         if _POINTER_VALUE.match(strip(value)):
             return ((TRUE, OTHER),)
         return self._stepped(cell, value, owner) or self._copied(cell, self._domains.input(value))
+
+    def _chosen(self, cell: Cell, condition: str, then: str, otherwise: str, owner: str) -> Table:
+        """What a condition chooses between."""
+        holds = self.formula(parse_condition(condition), owner)
+        first = [(conjunction((holds, here)), value) for here, value in self._table(cell, then, owner)]
+        return (*first, *((conjunction((negation(holds), here)), value) for here, value in self._table(cell, otherwise, owner)))
 
     def _part(self, cell: Cell, value: str | None, rest: str, owner: str) -> Table:
         """A cell inside something that is assigned as a whole."""

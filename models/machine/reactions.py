@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
+from typing import Any
 
 from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Document, Domains, condition_of, variable_and_field
@@ -53,6 +54,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     meaning = Meaning(domains)
     names = {row["name"] for row in document.get("state_variables") or ()}
     found: dict[str, list[Step]] = {}
+    trees: dict[Step, Any] = {}
     loops = loops_told_apart(document)
     for index, row in enumerate(document.get("transitions") or ()):
         if not row.get("variable"):
@@ -61,36 +63,35 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
         owner = variable.rpartition("::")[0].rsplit("::", 1)[-1]
         assignments = meaning.assignments(variable, suffix, domains.assigned(row), owner)
         step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(condition_of(row, "guard"), owner), tuple(assignments))
+        trees[step] = row.get("guard_tree")
         for trigger in _triggers(row, loops):
             found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("reactive") or ()):
-        guard = meaning.conjuncts(condition_of(row, "when"), "")
-        sometimes = not guard and row.get("must") is False
-        step = Step(Row("reactive", index, _place(row)), guard, (), (str(row["output"]),), sometimes)
-        for trigger in _list(row.get("input")):
-            found.setdefault(trigger, []).append(step)
+        for way in row.get("ways") or (row,):
+            guard = meaning.conjuncts(condition_of(way, "when"), "")
+            sometimes = not guard and row.get("must") is False
+            step = Step(Row("reactive", index, _place(way)), guard, (), (str(row["output"]),), sometimes)
+            trees[step] = way.get("when_tree")
+            for trigger in _list(row.get("input")):
+                found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("periodic") or ()):
         guard = meaning.conjuncts(condition_of(row, "conditional"), "")
         if sent := sent_in_loop(row):
             step = Step(Row("periodic", index, _place(row)), guard, (), tuple(sent), done_at=_last_condition(row.get("conditional_tree")))
+            trees[step] = row.get("conditional_tree")
             found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
+        trees[step] = row.get("when_tree")
         found.setdefault("timer", []).append(step)
     known = gates(document)
-    trees = {}
     for number, gate in enumerate(known):
         for way, step in switch_steps(gate, meaning):
             own = replace(step, row=replace(step.row, index=number * _WAYS + step.row.index))
-            trees[own.row.kind, own.row.index] = way.get("guard_tree")
+            trees[own] = way.get("guard_tree")
             for trigger in _triggers(way, loops):
                 found.setdefault(trigger, []).append(own)
     later = _done_later(document)
-    trees |= {
-        (kind, index): row.get(f"{guard}_tree")
-        for kind, guard in (("transitions", "guard"), ("reactive", "when"), ("periodic", "conditional"), ("one_shot", "when"))
-        for index, row in enumerate(document.get(kind) or ())
-    }
     ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees) for trigger, steps in found.items()}
     return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
 

@@ -52,6 +52,7 @@ def _plugins(rows: _Rows, root: str, package: Built) -> None:
             else:
                 place = _place(rows, root, one.manifest, one.manifest_line)
                 rows["plugin_left_out"].add((place, package.name, path_text(one.path.relative_to(package.folder)), name))
+    _components(rows, root, package)
     if package.exports_more:
         rows["descriptions_open"].add((package.name,))
 

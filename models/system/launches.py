@@ -68,7 +68,7 @@ def _by_itself(package: Package, program: str | None, root: Path) -> Composition
     """What an absent launch file starts: one node, or nothing; others may, too, and all parameters may be set."""
     place = Place(os.path.abspath(package.manifest), 1)
     ros = 2 if package.middleware == ROS2 else 1
-    started = () if program is None else (NodeStart(package.name, program, program, "/", (place,), ros=ros),)
+    started = () if program is None else (NodeStart(package.name, program, None, "/", (place,), ros=ros, called=program),)
     named = () if program is None else (ProgramNamed(package.name, program, False, place),)
     text = "no launch file below this folder: each program is checked by itself"
     nothing = Problem(NO_LAUNCH_FILE, "", text, Place(os.path.abspath(root), 1), fatal=False)

@@ -295,8 +295,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading
     diagnostics += known.problems
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
     return Components(
-        root,
-        models, found.programs, found.builds, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics)
+        root, models, found.programs, found.builds, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics)
     )
 
 

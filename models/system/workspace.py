@@ -49,21 +49,26 @@ def workspace_rows(
     return {
         "program_built": set(programs),
         "package_expected": {(package,) for package in absent & (shipped | depended | own)},
-        "package_unknown": {(package,) for package in depended - shipped - own},
+        "package_unknown": {(package,) for package in (depended | set(brought)) - set(known) - own},
     }
 
 
 def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:
-    """Which launch file of the workspace is the first, by its name, of those that name a package that is not found."""
+    """Which packages launch files of the workspace name, and which file is the first, by its name, that names one that is not found."""
     top = os.path.abspath(root)
     files = defaultdict(set)
+    everywhere: set[str] = set()
     for composition in compositions:
+        everywhere |= {one.package for one in composition.references if isinstance(one, PackageNamed)}
         named = {(one.package, one.place.path) for one in composition.references if isinstance(one, PackageNamed) and one.folder is None}
         named |= {(problem.subject, problem.place.path) for problem in composition.problems if problem.kind == "package"}
         for package, path in named:
             files[package].add(path_below(top, path))
     inside = {package: sorted(path for path in paths if not os.path.isabs(path)) for package, paths in files.items()}
-    return {"package_first_named": {(package, paths[0]) for package, paths in inside.items() if paths}}
+    return {
+        "package_named_somewhere": {(package,) for package in everywhere},
+        "package_first_named": {(package, paths[0]) for package, paths in inside.items() if paths},
+    }
 
 
 def fetched(root: Path) -> set[str]:

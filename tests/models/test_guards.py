@@ -9,7 +9,7 @@ import pytest
 
 from rosarch.models.formula import TRUE
 from rosarch.models.guards import Guards
-from rosarch.models.normal import truth_of
+from rosarch.models.normal import folded, truth_of
 
 EMPTY = (
     "node_text",
@@ -40,7 +40,19 @@ def test_ways_through_circles_of_calls_are_not_all_walked(at_most: Callable[[flo
     [
         ("Mode::RUN == Mode::RUN", True), ("Mode::RUN == Mode::IDLE", False), ("Mode::RUN != Mode::IDLE", True), ("3 == 4", False), ("True", True),
         ("RUN == IDLE", False), ("kRun == kIdle", False), ("Fast == Slow", None), ("mode == Mode::RUN", None), ("3 < 4", None),
+        ("LIMIT == 3", None), ("a && 3 == 4", False), ("a || 3 == 3", True), ("a && 3 == 3", None),
     ],
 )  # fmt: skip
 def test_constants_decide_and_names_that_may_be_variables_do_not(condition: str, holds: bool | None) -> None:
     assert truth_of(condition) is holds
+
+
+@pytest.mark.parametrize(
+    ("condition", "left"),
+    [
+        ("!(Mode::RUN == Mode::RUN && ready_)", "!ready_"), ("!(Mode::RUN == Mode::IDLE && ready_)", "true"),
+        ("ready_ && (Mode::RUN == Mode::IDLE || set_)", "ready_ && set_"), ("!(ready_ && set_)", "!(ready_ && set_)"),
+    ],
+)  # fmt: skip
+def test_what_constants_decide_is_no_part_of_a_condition(condition: str, left: str) -> None:
+    assert folded(condition) == left

@@ -103,3 +103,22 @@ def test_rows(tmp_path: Path) -> None:
 
 def test_files_beside_a_launch_file_that_is_not_where_it_is_installed(tmp_path: Path) -> None:
     assert {file for file, *_ in rows(tmp_path, BESIDE)["file_in_package"]} == set()
+
+
+def test_classes_that_descriptions_promise(tmp_path: Path) -> None:
+    demo = tmp_path / "demo"
+    demo.mkdir()
+    (demo / "package.xml").write_text(MANIFEST.format("demo"))
+    text = '<library path="{}">\n<class name="demo/{}" type="demo::{}" base_class_type="base::Base"/></library>'
+    for name, library in (("Part", "lib/libpart"), ("Other", "part"), ("Left", "part"), ("Far", "elsewhere")):
+        (demo / f"{name}.xml").write_text(text.format(library, name, name))
+    exports = "".join(f"pluginlib_export_plugin_description_file(base {name}.xml)\n" for name in ("Part", "Other", "Far"))
+    (demo / "CMakeLists.txt").write_text(f"add_library(part SHARED part.cpp)\n{exports}ament_package()\n")
+    (demo / "part.cpp").write_text("PLUGINLIB_EXPORT_CLASS(demo::Other, base::Base)\n")
+    (demo / "a.launch").write_text("<launch/>")
+    found = build_rows(compose([demo / "a.launch"], files=Files(PackagePath([tmp_path]))), builds(discover(tmp_path)), tmp_path)
+    assert found["component_promised"] == {
+        ("demo/Part.xml:2:1", "demo", "part", "demo::Part"), ("demo/Other.xml:2:1", "demo", "part", "demo::Other")
+    }  # fmt: skip
+    assert found["class_registered"] == {("demo", "part", "demo::Other")}
+    assert found["registering_open"] == set()

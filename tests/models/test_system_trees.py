@@ -165,7 +165,11 @@ def _ports(system: SystemModel, node: str) -> set[tuple[str, str]]:
 def test_nodes_of_a_tree_use_the_node_that_carries_it_out(tmp_path: Path) -> None:
     system = _system(tmp_path)
     assert [node.name for node in system.nodes] == ["/r1/robot"]
-    assert _ports(system, "/r1/robot") == {("subscriber", "/r1/ready"), ("service_client", "/r1/near/clear"), ("service_client", "/r1/clear")}
+    assert _ports(system, "/r1/robot") == {
+        ("subscriber", "/r1/ready"),
+        ("service_client", "/r1/near/clear"),
+        ("service_client", "/r1/clear"),
+    }
     assert not any("tree" in part.reason for part in system.unseen)
 
 
@@ -204,6 +208,8 @@ def test_reading_trees(tmp_path: Path, text: str, nodes: list[TreeNode], whole: 
 
 
 def test_trees_of_other_files(tmp_path: Path) -> None:
-    (tmp_path / "a.xml").write_text('<root><include path="b.xml"/><BehaviorTree ID="A"><SubTree ID="B"/></BehaviorTree></root>', encoding="utf-8")
+    (tmp_path / "a.xml").write_text(
+        '<root><include path="b.xml"/><BehaviorTree ID="A"><SubTree ID="B"/></BehaviorTree></root>', encoding="utf-8"
+    )
     (tmp_path / "b.xml").write_text('<root><include path="a.xml"/><BehaviorTree ID="B"><X/></BehaviorTree></root>', encoding="utf-8")
     assert nodes_of([tmp_path / "a.xml"]) == ((TreeNode("X", ()),), True)

@@ -57,7 +57,9 @@ def test_what_lists_of_repositories_bring(tmp_path: Path) -> None:
     assert fetched(tmp_path) == {"driver", "costs", "camera", "arm", "hand"}
     (tmp_path / "a.launch").write_text('<launch><node pkg="camera" type="x" name="x"/><node pkg="gone" type="x" name="y"/></launch>')
     composition = compose([tmp_path / "a.launch"], files=Files(PackagePath([tmp_path])))
-    assert workspace_rows(dependencies(()), [composition], set(), (), fetched(tmp_path))["package_expected"] == {("camera",)}
+    rows = workspace_rows(dependencies(()), [composition], set(), ("arm",), fetched(tmp_path))
+    assert rows["package_expected"] == {("camera",)}
+    assert rows["package_unknown"] == {("driver",), ("costs",), ("camera",), ("hand",)}  # each may have packages of other names, too
 
 
 def test_the_first_file_that_names_a_package_that_is_not_there(tmp_path: Path) -> None:
@@ -67,7 +69,8 @@ def test_the_first_file_that_names_a_package_that_is_not_there(tmp_path: Path) -
         (tmp_path / "robot" / f"{name}.launch").write_text(f'<launch><node pkg="{package}" type="x" name="x"/></launch>')
     compositions = [compose([tmp_path / "robot" / f"{name}.launch"], files=Files(PackagePath([tmp_path]))) for name in "bacd"]
     first = first_rows(compositions, tmp_path)
-    assert first == {"package_first_named": {("gone", "robot/a.launch"), ("other", "robot/c.launch")}}
+    assert first["package_first_named"] == {("gone", "robot/a.launch"), ("other", "robot/c.launch")}
+    assert first["package_named_somewhere"] == {("gone",), ("other",), ("robot",)}
     assert named_by(compositions[0], first)["package_first_named"] == {("gone", "robot/a.launch")}
 
 

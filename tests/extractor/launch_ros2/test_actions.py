@@ -149,6 +149,26 @@ def test_containers(tmp_path: Path) -> None:
     assert params(found) == {"/one/a": 1}
 
 
+def test_files_of_classes_in_containers(tmp_path: Path) -> None:
+    main = (
+        HEAD
+        + """def generate_launch_description():
+    path = PathJoinSubstitution([FindPackageShare('here'), 'p.yaml'])
+    return LaunchDescription([
+        ComposableNodeContainer(name='box', package='rclcpp_components', executable='component_container', composable_node_descriptions=[
+            ComposableNode(package='here', plugin='here::One', name='one', parameters=[path])]),
+        %s])
+"""
+    )
+    files = {"p.yaml": "size: 2\npid: {gains: &g [1, 2], more: *g}\n"}
+    alone = composed(tmp_path / "alone", {"main.launch.py": main % "", **files})
+    assert params(alone) == {"/one/size": 2, "/one/pid.gains": [1, 2], "/one/pid.more": [1, 2]}
+    assert alone.problems == ()
+    node = "Node(package='here', executable='two', name='two', parameters=[path])"
+    beside = composed(tmp_path / "beside", {"main.launch.py": main % node, **files})
+    assert [problem.kind for problem in beside.problems] == ["params-file"]
+
+
 def test_events_and_timers_start_what_they_hold(tmp_path: Path) -> None:
     before = "first = node('first')"
     entities = """first, TimerAction(period=3.0, actions=[node('timed')]),
@@ -270,7 +290,7 @@ def test_keywords_that_no_version_has(tmp_path: Path) -> None:
     [
         ("parameters={'rate': 1.0}", "Node: parameters must be a list"),
         ("parameters='a.yaml'", "Node: parameters must be a list"),
-        ("parameters=LaunchConfiguration('parameters')", None),
+        ("parameters=LaunchConfiguration('parameters')", "Node: parameters must be a list"),
         ("parameters=[{'rate': 1.0}], remappings=[('a', 'b')]", None),
         ("remappings=('a', 'b')", "Node: each of the remappings must be a tuple of two names"),
         ("remappings=[['a', 'b']]", "Node: each of the remappings must be a tuple of two names"),
@@ -282,6 +302,13 @@ def test_keywords_that_no_version_has(tmp_path: Path) -> None:
 def test_arguments_of_types_that_are_refused(tmp_path: Path, arguments: str, message: str | None) -> None:
     found = described(tmp_path, f"DeclareLaunchArgument('parameters', default_value='x'), node('n', {arguments})")
     assert [problem.message for problem in found.problems if problem.kind == "type"] == ([] if message is None else [message])
+
+
+def test_arguments_of_an_include_that_are_no_pairs(tmp_path: Path) -> None:
+    found = described(tmp_path, "IncludeLaunchDescription('x.launch.py', launch_arguments={'rate': '1'})")
+    assert [problem.message for problem in found.problems if problem.kind == "type"] == [
+        "IncludeLaunchDescription: launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
+    ]
 
 
 def test_a_launch_file_that_returns_nothing(tmp_path: Path) -> None:

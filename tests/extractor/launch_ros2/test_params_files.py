@@ -6,6 +6,7 @@ from rosarch.extractor.launch_ros2.params_files import Refusal, refused
 
 REFUSED = {
     "n:\n  p: 1\n": (2, "the value of `p` stands before `ros__parameters`"),
+    "n:\n  ros_parameters:\n    p: 1\n": (2, "`ros_parameters` is written for `ros__parameters`"),
     "n:\n": (1, "the value of `n` stands before `ros__parameters`"),
     "n:\n  ros__parameters:\n    p: 1\n  q: 2\n": (4, "the value of `q` stands before `ros__parameters`"),
     "n:\n  [1, 2]\n": (1, "the value of `n` stands before `ros__parameters`"),

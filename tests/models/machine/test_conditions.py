@@ -20,6 +20,7 @@ from rosarch.models.machine.conditions import (
     Negation,
     Operand,
     Truth,
+    choice,
     compact,
     constant,
     number,
@@ -158,3 +159,17 @@ def test_guards_hold_where_the_reference_says(spelled: Spelled, values: Mapping[
 
 def test_numbers_in_conditions() -> None:
     assert [number(text) for text in ("1.5e3", ".5", "- 2", "0x1F", "5u", "x", "1 2")] == [1500.0, 0.5, -2.0, 31.0, 5.0, None, None]
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        ("mode_ == Mode::A ? Mode::B : Mode::A", ("mode_ == Mode::A", "Mode::B", "Mode::A")),
+        ("(ready ? 1 : 0)", ("ready", "1", "0")),
+        ("a ? b ? c : d : e", ("a", "b ? c : d", "e")),
+        ("Mode.A if self.mode == Mode.B else Mode.B", ("self.mode == Mode.B", "Mode.A", "Mode.B")),
+        ("x[1:2]", None), ("f(a ? b : c)", None), ("x if y", None), ("ready", None),
+    ],
+)  # fmt: skip
+def test_a_choice_is_a_condition_and_what_it_chooses_between(text: str, parts: tuple[str, str, str] | None) -> None:
+    assert choice(text) == parts

@@ -32,6 +32,11 @@ def modes(*transitions: tuple[str, str | None, str | None], initial: str | None 
     return build_machine(document(variables=[("N::mode_", "Mode", initial)], transitions=rows, **rest))
 
 
+def test_what_a_condition_chooses_between_is_assigned_under_it() -> None:
+    machine = modes(("toggle", None, "mode_ == Mode::A ? Mode::B : Mode::A"), ("set", None, "m.data ? Mode::B : Mode::A"))
+    assert arrows(machine) == {"A toggle B", "B toggle A", "A set[m.data] B", "B set[!m.data] A"}
+
+
 def test_the_cases_of_a_switch_are_arcs_of_their_own() -> None:
     machine = modes(("go", "mode_ == Mode::A", "Mode::B"), ("go", "mode_ == Mode::B", "Mode::C"), ("go", "mode_ == Mode::C", "Mode::A"))
     assert arrows(machine) == {"A go B", "B go C", "C go A"}
