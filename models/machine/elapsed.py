@@ -35,8 +35,8 @@ def with_elapsed(document: Document, steps: Mapping[str, Sequence[Step]]) -> tup
                 cells.setdefault(name, {})[cell.subject.key] = cell
     changed = {trigger: [_changed(step, known, cells, document) for step in own] for trigger, own in steps.items()}
     doubtful = {trigger for trigger, own in changed.items() if any(_asked_again(own, name, cells[name], document) for name in cells)}
-    found = {trigger: [replace(step, unclear=True) if trigger in doubtful else step for step in own] for trigger, own in changed.items()}
-    return found, {key: cell for own in cells.values() for key, cell in own.items()}
+    clear = {trigger: [replace(step, unclear=True) if trigger in doubtful else step for step in own] for trigger, own in changed.items()}
+    return clear, {key: cell for own in cells.values() for key, cell in own.items()}
 
 
 def _asked_again(steps: Sequence[Step], name: str, cells: Mapping[str, Cell], document: Document) -> bool:
