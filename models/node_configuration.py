@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
 
@@ -22,7 +22,7 @@ class NodeConfiguration:
     When it is `open`, more may be set. With an `entry`, the node is an object of that class, which another node makes; `arguments` are what
     its constructor, or the functions of a plug-in, get from there. The `namespace`, absolute, is there where code may ask for it: nodes in
     different ones share their models otherwise, as their names are put below it when systems are composed. A node of a behavior tree has
-    `inputs`: what the tree says of its input ports.
+    `inputs`: what the tree says of its input ports. `entries` are those of lists of maps: the parameter, the index of the map, key and text.
     """
 
     name: str | None = None
@@ -34,14 +34,13 @@ class NodeConfiguration:
     entry: str | None = None
     namespace: str | None = None
     inputs: tuple[tuple[str, str], ...] | None = None
+    entries: tuple[tuple[str, int, str, str], ...] = ()
 
     @cached_property
     def key(self) -> str:
         """Tells it from others."""
         return hash_of(
-            map(
-                repr, (self.name, self.values, self.empty, self.unknown, self.open, self.arguments, self.entry, self.namespace, self.inputs)
-            ),
+            repr((one.name, getattr(self, one.name))) for one in fields(self)
         )[:12]
 
     def rows(self) -> Rows:
@@ -51,6 +50,7 @@ class NodeConfiguration:
             "configured_name": {(self.name,)} if self.name else set(),
             "configured_namespace": {(self.namespace,)} if self.namespace else set(),
             "configured_value": set(self.values),
+            "configured_entry": set(self.entries),
             "configured_empty": {(name,) for name in self.empty},
             "configured_unknown": {(name,) for name in self.unknown},
             "configured_open": {()} if self.open else set(),

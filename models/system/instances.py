@@ -256,10 +256,12 @@ def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting
     values: set[tuple[str, str]] = set()
     empty: set[str] = set()
     unknown: set[str] = set()
+    entries: set[tuple[str, int, str, str]] = set()
     for name, found in settings.items():
         texts = _texts(found[0].value) if len(found) == 1 and not found[0].conditions else None
         if texts is None:
             unknown.add(name)
+            entries.update((name, *entry) for entry in _entries(found))
         elif not texts:
             empty.add(name)
         else:
@@ -267,7 +269,20 @@ def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting
     for param, written in node_arguments(node).params:
         values = {value for value in values if value[0] != f"~{param}"} | {(f"~{param}", kind_and_text(automatic(written))[1])}
     own_name = node.name or node.called
-    return NodeConfiguration(own_name, tuple(sorted(values)), tuple(sorted(empty)), tuple(sorted(unknown)), is_open)
+    return NodeConfiguration(own_name, tuple(sorted(values)), tuple(sorted(empty)), tuple(sorted(unknown)), is_open, entries=tuple(sorted(entries)))
+
+
+def _entries(found: Sequence[ParamSetting]) -> Iterator[tuple[int, str, str]]:
+    """What a list of maps has under which keys: index, key and text; nothing of a list that has other elements."""
+    if len(found) != 1 or found[0].conditions or not isinstance(found[0].value, (list, tuple)):
+        return
+    elements = found[0].value
+    if all(isinstance(element, dict) for element in elements):
+        for index, element in enumerate(elements):
+            for key, value in element.items():
+                texts = _texts(value)
+                if isinstance(key, str) and texts is not None and len(texts) == 1:
+                    yield index, key, texts[0]
 
 
 def _texts(value: Any) -> list[str] | None:
