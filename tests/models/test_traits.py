@@ -20,7 +20,8 @@ COUNTS = (
     "sent_untimed",
     "sent_otherwise",
     "synchronised",
-)  # `tests/rules/sources/flows_*.cpp` has them
+    "answers_surely",
+)  # `tests/rules/sources/flows_*.cpp` and `answers_*.cpp` have them
 MODES = (
     "begins_in",
     "moves_on",

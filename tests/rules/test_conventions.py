@@ -150,6 +150,7 @@ int main(int argc, char** argv) {
   for (int value : {1, 2}) { switch (value) { case 1: global(value, 2.5); break; default: return 1; } }
   auto callback = [&argc](int x) { return x + argc; };
   ros::NodeHandle nh; nh.param<int>("p", argc, 3); nh.publish(undeclared);
+  { ros::Subscriber inner = nh.subscribe("inner", 1, callback); }
 #if 0
 #endif
   int many = node.one(made(1), 2, 3); callback(static_cast<int>(1.5)); auto text = undeclared("x");

@@ -84,18 +84,20 @@ def document(component: str, rows: Mapping[str, Any], places: Mapping[str, Place
 def unlike(system: System, rows: Mapping[str, Any], given: Mapping[str, float]) -> set[str]:
     """Topics on which other messages are sent than the rules count, and what comes of these.
 
-    Users say otherwise than the senders do; a program without behaviour sends; a filter hands on each message by itself.
+    Users say otherwise than the senders do; a program without behaviour sends; a filter hands on each message by itself, as does what lets
+    through only what comes a while after the last.
     """
     synchronised = {port for _, port, _ in rows["interface_synchronised"]}
+    apart = {(inlet, outlet) for _, inlet, outlet, *_ in rows["interface_least_gap"]}
     found = {topic.name for topic in system.topics.values() if topic.name in given and topic.senders}
     found |= {topic.name for topic in system.topics.values() if topic.name not in given and topic.outside not in ((), (ENVIRONMENT,))}
     reactions = [
-        (inlet.name, outlet.name, source in synchronised)
+        (inlet.name, outlet.name, source in synchronised or (source, sink) in apart)
         for node, component in system.nodes.items()
         for source, sink, _ in rows["interface_reacts"]
         if source in component.queues and (inlet := system.inlet((node, source)))
         for outlet in system.outlet((node, sink))
     ]
-    while more := {after for before, after, apart in reactions if apart or before in found} - found:
+    while more := {after for before, after, by_itself in reactions if by_itself or before in found} - found:
         found |= more
     return found

@@ -249,7 +249,7 @@ def generate_launch_description():
     arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]
     return LaunchDescription([*arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
                                                       composable_node_descriptions=[inner],
-                                                      parameters=[os.path.join(here, "box.yaml"), {"map": os.path.join(here, "gone.yaml")}])])
+                                                      parameters=[os.path.join(here, "box.yaml"), {"map": os.path.join(here, "gone.yaml"), "own": os.path.join(here, "made.yaml")}])])
 
 def unused(context):
     mode = LaunchConfiguration("mode")
@@ -273,6 +273,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     filled |= script_rows(composition, PackagePath([tmp_path]))
     (tmp_path / "here" / "arm.launch.xml").write_text('<launch><arg name="rate" default="2"/></launch>')
     (tmp_path / "here" / "ros2.launch.py").write_text(IN_PYTHON)
+    (tmp_path / "here" / ".gitignore").write_text("made.yaml\n")
     (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")
     view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"
     (tmp_path / "here" / "demo.rviz").write_text(view)

@@ -6,7 +6,7 @@
 // expect: N = count : { guard_step(_, _, _, "default", _) }, N = 1
 // expect: N = count : { guard_step(_, _, _, "true", _) }, N = 3
 // expect: N = count : { guard_step(_, _, _, "false", _) }, N = 1
-// expect: N = count : { guard_step(_, _, _, "always", _) }, N = 15
+// expect: N = count : { guard_step(_, _, _, "always", _) }, N = 16
 // expect: reactive /mode -> /one may if "message.data == 1"
 // expect: reactive /mode -> /other
 // expect: reactive /mode -> /after must

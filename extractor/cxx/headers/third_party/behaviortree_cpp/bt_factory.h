@@ -25,7 +25,8 @@ struct AnyTypeAllowed {};
 class RuntimeError : public std::runtime_error { public: template <class... A> RuntimeError(const A&...); };
 class LogicError : public std::runtime_error { public: template <class... A> LogicError(const A&...); };
 class BehaviorTreeException : public std::exception { public: template <class... A> BehaviorTreeException(const A&...); };
-class NodeExecutionError : public RuntimeError { public: struct { std::string registration_name, node_path; } failedNode() const; std::string originalMessage() const; };
+struct FailedNode { std::string registration_name, node_path; };
+class NodeExecutionError : public RuntimeError { public: FailedNode failedNode() const; std::string originalMessage() const; };
 std::string toStr(NodeStatus, bool colored = false); template <class T> std::string toStr(const T&);
 template <class T> T convertFromString(StringView); std::vector<StringView> splitString(const StringView&, char);
 template <class T> struct Expected {
