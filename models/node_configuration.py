@@ -39,9 +39,7 @@ class NodeConfiguration:
     @cached_property
     def key(self) -> str:
         """Tells it from others."""
-        return hash_of(
-            repr((one.name, getattr(self, one.name))) for one in fields(self)
-        )[:12]
+        return hash_of(repr((one.name, getattr(self, one.name))) for one in fields(self))[:12]
 
     def rows(self) -> Rows:
         """The rows of `rules/schema/configuration.dl`; those of the class that is entered take the place of the component's."""

@@ -269,7 +269,9 @@ def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting
     for param, written in node_arguments(node).params:
         values = {value for value in values if value[0] != f"~{param}"} | {(f"~{param}", kind_and_text(automatic(written))[1])}
     own_name = node.name or node.called
-    return NodeConfiguration(own_name, tuple(sorted(values)), tuple(sorted(empty)), tuple(sorted(unknown)), is_open, entries=tuple(sorted(entries)))
+    return NodeConfiguration(
+        own_name, tuple(sorted(values)), tuple(sorted(empty)), tuple(sorted(unknown)), is_open, entries=tuple(sorted(entries))
+    )
 
 
 def _entries(found: Sequence[ParamSetting]) -> Iterator[tuple[int, str, str]]:

@@ -121,4 +121,9 @@ def test_each_map_of_a_list_is_a_plugin(tmp_path: Path) -> None:
     where = Surroundings(tmp_path, (tmp_path,), {})
     (system,) = analyze_systems(tmp_path, given([parse_request("layers/main.launch")], where), Reading(jobs=1)).systems
     (node,) = (node for node in system.nodes if node.name == "/host")
-    assert {port.name for port in node.ports if not port.implicit} == {"/host/one/left", "/host/two/right", "/host/three/left", "/two_shown"}
+    assert {port.name for port in node.ports if not port.implicit} == {
+        "/host/one/left",
+        "/host/two/right",
+        "/host/three/left",
+        "/two_shown",
+    }
