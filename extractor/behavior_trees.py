@@ -19,6 +19,8 @@ _SUBTREE = frozenset({"SubTree", "SubTreePlus"})
 _NO_INPUTS = frozenset({"ID", "name"})
 _DEEPEST = 50
 """Trees within trees are followed so far."""
+_Told = tuple[tuple[str, str], ...]
+"""What a tree gives a node, or another tree in it: names and texts."""
 
 
 @dataclass(frozen=True, order=True)
@@ -29,7 +31,7 @@ class TreeNode:
     """
 
     id: str
-    inputs: tuple[tuple[str, str], ...]
+    inputs: _Told
 
 
 @dataclass
@@ -71,30 +73,34 @@ class Forest:
 
     def nodes(self) -> tuple[TreeNode, ...]:
         """The nodes of the main trees and of all that these contain, each once; of all trees where no tree is the main one."""
-        found = {node for name in self.main or self.trees for node in self._within(name, {}, 0)}
+        found: set[TreeNode] = set()
+        told: set[tuple[str, _Told]] = set()
+        for name in self.main or self.trees:
+            self._collect(name, (), (), found, told)
         return tuple(sorted(found))
 
-    def _within(self, name: str, given: Mapping[str, str], depth: int) -> Iterator[TreeNode]:
+    def _collect(self, name: str, given: _Told, within: tuple[str, ...], found: set[TreeNode], told: set[tuple[str, _Told]]) -> None:
+        """Add the nodes of a tree, which is `within` others, to `found`; once for all that it is `told` by the trees that contain it."""
         tree = self.trees.get(name)
-        if tree is None or depth > _DEEPEST:
+        if tree is None or name in within or len(within) > _DEEPEST:
             self.whole = False
             return
+        if (name, given) in told:
+            return
+        told.add((name, given))
+        references = {f"{{{key}}}": text for key, text in given}
         for element in tree.iter():
-            if element is tree or element.tag in _SUBTREE:
-                continue
-            id_ = element.get("ID") if element.tag in _EXPLICIT else element.tag
-            if id_:
-                yield TreeNode(id_, tuple(sorted(_inputs(element, given))))
-        for element in tree.iter():
+            inputs = tuple(sorted(_inputs(element, references)))
             if element.tag in _SUBTREE:
-                inner = dict(_inputs(element, given))
-                yield from self._within(element.get("ID") or "", {f"{{{key}}}": text for key, text in inner.items()}, depth + 1)
+                self._collect(element.get("ID") or "", inputs, (*within, name), found, told)
+            elif element is not tree and (id_ := element.get("ID") if element.tag in _EXPLICIT else element.tag):
+                found.add(TreeNode(id_, inputs))
 
 
 def _inputs(element: Element, given: Mapping[str, str]) -> Iterator[tuple[str, str]]:
     """What an element says of ports; `given` is what the tree is told by the one that contains it, by references to it."""
     for key, text in element.items():
-        if key not in _NO_INPUTS and not key.startswith(("_", "__")):
+        if key not in _NO_INPUTS and not key.startswith("_"):
             yield key, given.get(text, text)
 
 

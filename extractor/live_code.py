@@ -12,11 +12,10 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from rosarch.extractor.workspace.plugins import REGISTERS_TREE_NODES
+
 Row = tuple[str | int, ...]
 Rows = Mapping[str, Iterable[Row]]
-
-_REGISTERS = "BT_RegisterNodesFromPlugin"
-"""The function of a library that registers its nodes of behavior trees, which are components (https://www.behaviortree.dev)."""
 
 _OWNED = ("expr_function", "block", "variable_function")
 """What says to which function an expression, block or variable belongs."""
@@ -121,7 +120,7 @@ class _Program:
         self.mention_name("main")
         aliased = _multimap(_pairs(self.declared, "type_alias"))
         for name in _column(self.declared, "component_class"):
-            self.mention_name(_REGISTERS)
+            self.mention_name(REGISTERS_TREE_NODES)
             self.mention_classes([name])
             self.mention_types(aliased.get(name, ()))
 

@@ -27,7 +27,7 @@ def library_documents(models: Iterable[ComponentModel], origin: str, revision: s
             found = packages.setdefault(model.package, [])
             found.append(document)
             # a class that is loaded into containers, and the programs that run it alone
-            found += [{**document, "component": name, "kind": "node"} for name in model.executables if model.kind != "node"]
+            found += [{**document, "component": name, "kind": "node"} for name in model.executables if _kind(model) != "node"]
             known = versions.setdefault(model.package, set())
             if model.middleware:
                 known.add(2 if "ROS 2" in model.middleware else 1)

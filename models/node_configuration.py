@@ -22,8 +22,8 @@ class NodeConfiguration:
     When it is `open`, more may be set. With an `entry`, the node is an object of that class, which another node makes; `arguments` are what
     its constructor, or the functions of a plug-in, get from there. The `namespace`, absolute, is there where code may ask for it: nodes in
     different ones share their models otherwise, as their names are put below it when systems are composed. A node of a behavior tree has
-    `inputs`: what the tree says of its input ports. `entries` are those of lists of maps:
-    the parameter, the index of the map, key and text.
+    `inputs`: what the tree says of its input ports. `entries` are those of lists of maps: the parameter, the index of the map, key and
+    text.
     """
 
     name: str | None = None

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 
+from rosarch.extractor.path_patterns import path_matches
 from rosarch.extractor.suppressions import Suppression
 from rosarch.models.baseline import Baseline, BaselineEntry, compare
 from rosarch.models.findings import SEVERITIES, Check, Finding
@@ -127,27 +128,6 @@ def identifiers(checks: Iterable[Check]) -> list[str]:
 def unmatched(patterns: Iterable[str], checks: Collection[str]) -> list[str]:
     """The patterns that no check's id matches."""
     return [pattern for pattern in patterns if not any(fnmatchcase(check, pattern) for check in checks)]
-
-
-def path_matches(pattern: str, path: str) -> bool:
-    """Whether a pattern of `ignore_paths` means a file: as in `.gitignore`, a folder means all below it and a bare name any folder's."""
-    anchored = "/" in pattern.rstrip("/")
-    steps = [step for step in pattern.split("/") if step not in ("", ".")]
-    names = [name for name in path.split("/") if name not in ("", ".")]
-    return bool(steps) and _steps_match(steps if anchored else ["**", *steps], names)
-
-
-def _steps_match(steps: Sequence[str], names: Sequence[str]) -> bool:
-    """Whether the steps of a pattern match the first of `names`, or all: `ends` are the numbers of names that the steps so far match."""
-    ends = {0}
-    for step in steps:
-        if step == "**":
-            ends = set(range(min(ends), len(names) + 1))
-        else:
-            ends = {end + 1 for end in ends if end < len(names) and fnmatchcase(names[end], step)}
-        if not ends:
-            return False
-    return True
 
 
 def _weight(pattern: str) -> tuple[int, bool]:

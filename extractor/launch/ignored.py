@@ -7,19 +7,19 @@ stands for all below it. What a later line brings back (`!`) counts as kept out,
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
-from fnmatch import fnmatchcase
+from collections.abc import Iterator
 
 from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
+from rosarch.extractor.path_patterns import path_matches
 
 
 def kept_out(path: str, top: str) -> bool:
     """Whether a `.gitignore` of a folder of `path`, up to the folder `top`, keeps the file out."""
     folder = os.path.dirname(path)
     while folder.startswith(top):
-        names = os.path.relpath(path, folder).split(os.sep)
-        if any(_matches(pattern, names) for pattern in _patterns(os.path.join(folder, ".gitignore"))):
+        below = os.path.relpath(path, folder)
+        if any(path_matches(pattern, below) for pattern in _patterns(os.path.join(folder, ".gitignore"))):
             return True
         if folder == os.path.dirname(folder):
             break
@@ -36,18 +36,3 @@ def _patterns(file: str) -> Iterator[str]:
     except OSError:
         return
     yield from (line.strip() for line in lines if line.strip() and line[0] not in "#!")
-
-
-def _matches(pattern: str, names: Sequence[str]) -> bool:
-    steps = [step for step in pattern.split("/") if step]
-    if "/" not in pattern.rstrip("/"):
-        steps = ["**", *steps]
-    ends = {0}  # how many of the names the steps so far stand for
-    for step in steps:
-        if step == "**":
-            ends = set(range(min(ends), len(names) + 1))
-        else:
-            ends = {end + 1 for end in ends if end < len(names) and fnmatchcase(names[end], step)}
-        if not ends:
-            return False
-    return bool(steps)

@@ -92,7 +92,8 @@ _MACRO = re.compile(
 
 TREE_NODE = "BT::TreeNode"
 """The base of the nodes of behavior trees (https://www.behaviortree.dev), which libraries register under the names that trees use."""
-_TREE_LIBRARY = ("BT_REGISTER_NODES", "BT_RegisterNodesFromPlugin")
+REGISTERS_TREE_NODES = "BT_RegisterNodesFromPlugin"
+"""The function of a library that registers them; `BT_REGISTER_NODES` begins it."""
 _TREE_NODE = re.compile(r"\bregister(?:NodeType|Builder)\s*<\s*([\w:]+)\s*>\s*\(\s*\"([^\"\n]+)\"")
 
 
@@ -102,7 +103,7 @@ def registrations(path: Path) -> list[Registration]:
         text = read_file(path).decode(errors="replace")
     except OSError:
         return []  # reported where it is parsed
-    of_tree = any(word in text for word in _TREE_LIBRARY)
+    of_tree = any(word in text for word in ("BT_REGISTER_NODES", REGISTERS_TREE_NODES))
     if not of_tree and not any(word in text for word in ("_CLASS", "RCLCPP_COMPONENTS", "_PLUGIN")):
         return []
     text = _CODE_COMMENT.sub(_blank, text)

@@ -145,6 +145,10 @@ class _Finder:
             self.wants.components[component].add(configuration)
             return Parts()
         self._inner(node, model, component, made, params)
+        return self._consisting(node, model, configuration, made)
+
+    def _consisting(self, node: NodeStart, model: ComponentModel, configuration: NodeConfiguration, made: _Made) -> Parts:
+        """What a node with this model consists of: with its plug-ins, and with the behavior trees that all of these carry out."""
         models = [model, *self._plugins(model, configuration)]
         found = Parts(tuple(each.title for each in models))
         for each in models:
@@ -204,7 +208,7 @@ class _Finder:
             if found is None:
                 self.wants.components[component].add(configuration)
                 continue
-            made.append((started, Parts((found.title, *(plugin.title for plugin in self._plugins(found, configuration))))))
+            made.append((started, self._consisting(started, found, configuration, made)))
             params += [replace(one, name=f"{started.full_name}/{name}") for name, own in settings.items() for one in own]
 
     def _inner_start(self, node: NodeStart, inner: InnerNode) -> NodeStart | None:

@@ -213,3 +213,10 @@ def test_trees_of_other_files(tmp_path: Path) -> None:
     )
     (tmp_path / "b.xml").write_text('<root><include path="a.xml"/><BehaviorTree ID="B"><X/></BehaviorTree></root>', encoding="utf-8")
     assert nodes_of([tmp_path / "a.xml"]) == ((TreeNode("X", ()),), True)
+
+
+def test_trees_that_contain_each_other_again_and_again(tmp_path: Path) -> None:
+    file = tmp_path / "tree.xml"
+    trees = "".join(f'<BehaviorTree ID="T{n}"><SubTree ID="T{n + 1}"/><SubTree ID="T{n + 1}"/></BehaviorTree>' for n in range(40))
+    file.write_text(f'<root main_tree_to_execute="T0">{trees}<BehaviorTree ID="T40"><X/></BehaviorTree></root>', encoding="utf-8")
+    assert nodes_of([file]) == ((TreeNode("X", ()),), True)
