@@ -18,13 +18,18 @@ from .unknowns import is_known
 _WORLDS = (".world", ".sdf")
 
 
-def evaluated(state: State, call: XacroCall) -> tuple[str | None, tuple[SimulatorPlugin, ...]]:
-    """What xacro prints, None when it refuses the file; its problems become those of the launch file."""
+def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tuple[str | None, tuple[SimulatorPlugin, ...]]:
+    """What xacro prints, None when it refuses the file; its problems become those of the launch file.
+
+    `installed`: packages are looked for where they are installed, as in ROS 2; a file there may come from elsewhere in their sources.
+    """
+    if installed:
+        call = replace(call, file=state.files.located(call.file))
     for path in (call.program, call.file):
         if is_known(path) and (path is call.file or "/" in path) and not state.files.is_file(path):
             state.report(LaunchError("command", call.program, f"command `{call.program}` would fail: no such file: {path}"))
             return None, ()
-    expansion = run(call, state.files, state.resolver.environment, state.unknowns)
+    expansion = run(call, state.files, state.resolver.environment, state.unknowns, installed=installed)
     state.spend(expansion.work)
     for problem in expansion.problems:
         kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one

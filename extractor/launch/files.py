@@ -72,6 +72,17 @@ class Files:
         tracing.probe(full := os.path.join(self.folder, path))
         return os.path.isfile(full)
 
+    def located(self, path: str) -> str:
+        """Where a file lies in the sources that is installed at `path`: packages may install it from elsewhere in their folder."""
+        folder = None if self.is_file(path) else self.packages.of_file(path)
+        if folder is None:
+            return path
+        words = os.path.relpath(path, folder).split(os.sep)[-2:]
+        found = list(self.packages.paths_in(folder).get(words[-1], ()))
+        if len(found) > 1:
+            found = [other for other in found if other.split(os.sep)[-2:] == words]
+        return found[0] if len(found) == 1 else path
+
     def read(self, path: str) -> bytes:
         """The content of a file.
 

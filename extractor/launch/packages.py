@@ -16,7 +16,7 @@ from pathlib import Path
 
 from rosarch.extractor import tracing
 from rosarch.extractor.files import is_folder, read_file
-from rosarch.extractor.package_names import NO_PACKAGES, quick_name, quick_text
+from rosarch.extractor.package_names import IGNORE_MARKERS, NO_PACKAGES, quick_name, quick_text
 
 from .ignored import kept_out
 
@@ -84,10 +84,13 @@ class PackagePath:
         return self._made[folder]
 
     def paths_in(self, folder: str) -> Mapping[str, Sequence[str]]:
-        """The paths of the files below a package's folder, by their names."""
+        """The paths of the files below a package's folder, by their names; ignore markers hide copies that are built or installed there."""
         if folder not in self._paths:
             found: dict[str, list[str]] = {}
             for here, folders, names in os.walk(folder):
+                if here != folder and not IGNORE_MARKERS.isdisjoint(names):
+                    folders.clear()
+                    continue
                 folders[:] = sorted(name for name in folders if not name.startswith("."))
                 for name in names:
                     found.setdefault(name, []).append(os.path.join(here, name))

@@ -18,11 +18,12 @@ from rosarch.extractor.xml_reader import XmlError
 from .files import Files
 from .model import Composition, LaunchError, Place, Problem
 from .templates import is_template
-from .versions import compose
+from .versions import compose, ros_version
 from .xml_reader import read_launch
 
 _SUFFIXES = (".launch", ".launch.xml")
 _ROS2_FILE = re.compile(r".+[._-]launch\.(py|xml|ya?ml)")
+_ANY_NAME = (".py", ".xml")  # `ros2 launch` takes a file of any name with such a suffix
 _TEST = re.compile(r"test_.*|.*[._-]test\.py")
 _TESTS = frozenset({"test", "tests"})
 _DESCRIBES = {".py": b"generate_launch_description", ".xml": b"<launch", ".yaml": b"launch:", ".yml": b"launch:"}
@@ -45,11 +46,14 @@ def launch_files(folder: Path | str, *, templates: bool = False) -> list[str]:
 
 
 def _is_ros2(top: Path | str, folder: str, name: str) -> bool:
-    """Whether a file is called as those of ROS 2 are, holds what they do, and is no test."""
-    if not _ROS2_FILE.fullmatch(name) or _TEST.fullmatch(name) or _TESTS.intersection(os.path.relpath(folder, top).split(os.sep)):
+    """Whether a file is called as those of ROS 2 are, or lies where they do, holds what they do, and is no test."""
+    folders = set(os.path.relpath(folder, top).split(os.sep))
+    is_called_so = _ROS2_FILE.fullmatch(name) is not None
+    if not (is_called_so or ("launch" in folders and name.endswith(_ANY_NAME))) or _TEST.fullmatch(name) or _TESTS & folders:
         return False
+    path = os.path.join(folder, name)
     try:
-        return _DESCRIBES[os.path.splitext(name)[1]] in read_file(os.path.join(folder, name))
+        return _DESCRIBES[os.path.splitext(name)[1]] in read_file(path) and (is_called_so or ros_version(path) == 2)
     except OSError:
         return False
 

@@ -5,16 +5,17 @@ from __future__ import annotations
 import itertools
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path
 
 from rosarch.extractor import tracing
 from rosarch.extractor.files import read_file
+from rosarch.extractor.package_names import quick_text
 
 from .compose import compose as compose_ros1
 from .files import Files
-from .model import Composition
+from .model import Composition, Place, Problem
 
 _ROS2 = re.compile(
     rb"\bexec\s*=|\$\((?:var|find-pkg-share|find-pkg-prefix) |<(?:let|push[-_]ros[-_]namespace|node_container|set_\w+|load_composable)\b"
@@ -33,8 +34,10 @@ def compose(
 ) -> Composition:
     """What roslaunch or `ros2 launch` would make of launch files, each by the version of ROS that it is for; see `compose.compose`."""
     compositions: list[Composition] = []
-    for version, group in itertools.groupby(launch_files, key=ros_version):
-        if version == 1:
+    for version, group in itertools.groupby(launch_files, key=_version_or_none):
+        if version is None:
+            composed = _left_behind(group)
+        elif version == 1:
             composed = compose_ros1(list(group), arguments, files=files, environment=environment, namespace=namespace)
         else:
             from rosarch.extractor.launch_ros2.compose import compose_ros2
@@ -63,12 +66,34 @@ def ros_version(path: Path | str) -> int:
         return 2
     if _ROS1.search(text):
         return 1
+    return 2 if _AMENT.search(_manifest_of(path)) else 1
+
+
+def _version_or_none(path: Path | str) -> int | None:
+    """The version of ROS that a launch file is for; None when it is for ROS 1, and its package is for ROS 2 only: nothing starts it."""
+    version = ros_version(path)
+    manifest = _manifest_of(Path(path)) if version == 1 else b""
+    return None if _AMENT.search(manifest) and b"catkin" not in manifest else version
+
+
+def _left_behind(launch_files: Iterable[Path | str]) -> Composition:
+    problems = []
+    for path in map(str, launch_files):
+        text = _content(Path(path))
+        found = _ROS1.search(text)
+        line = 1 + text.count(b"\n", 0, found.start()) if found else 1
+        problems.append(Problem("ros1", path, "written for ROS 1, in a package for ROS 2: `ros2 launch` refuses it", Place(path, line)))
+    return Composition((), (), (), (), tuple(problems), tuple(problem.subject for problem in problems), ros=2)
+
+
+def _manifest_of(path: Path) -> bytes:
+    """The manifest of the package that a file lies in, without comments."""
     for folder in path.absolute().parents:
         manifest = folder / "package.xml"
         tracing.probe(manifest)
         if os.path.isfile(manifest):
-            return 2 if _AMENT.search(_content(manifest)) else 1
-    return 1
+            return (quick_text(str(manifest)) or "").encode()
+    return b""
 
 
 def _content(path: Path) -> bytes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +10,7 @@ from rosarch.extractor.launch.model import ArgumentDeclared, ArgumentLeaked, Lau
 from rosarch.extractor.launch.names import canonical
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import PART_COST
+from rosarch.extractor.launch.unknowns import is_known
 
 from .conditions import condition_held, holds
 from .context import Context, Given
@@ -130,10 +131,15 @@ def _group(world: World, made: Made, context: Context) -> None:
         return
     with context.scoped():
         own = _performed(world, given, context)
-        if forwarding is False:
-            context.configurations.clear()
-        context.put(own)
+        _put(context, own, alone=forwarding is False)
         visit(world, made.get("actions"), context)
+
+
+def _put(context: Context, configurations: Mapping[str, str], *, alone: bool) -> None:
+    """Set configurations, `alone` in the place of all others: of these, one whose name is not known may be any."""
+    if alone and all(map(is_known, configurations)):
+        context.configurations.clear()
+    context.put(configurations)
 
 
 def _performed(world: World, given: Any, context: Context) -> dict[str, str]:
@@ -216,9 +222,7 @@ def _unset(world: World, made: Made, context: Context) -> None:
 
 @carries_out("ResetLaunchConfigurations")
 def _reset(world: World, made: Made, context: Context) -> None:
-    kept = _performed(world, made.get("launch_configurations") or {}, context)
-    context.configurations.clear()
-    context.put(kept)
+    _put(context, _performed(world, made.get("launch_configurations") or {}, context), alone=True)
 
 
 @carries_out("SetEnvironmentVariable", "AppendEnvironmentVariable")

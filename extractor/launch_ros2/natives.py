@@ -15,6 +15,7 @@ from rosarch.extractor.launch.unknowns import is_known
 from .conditions import holds
 from .context import Context
 from .decisions import is_certain
+from .expressions import Raised
 from .natives_files import FILE_METHODS, PATH_METHODS
 from .registry import NATIVES, native
 from .substitutions import perform
@@ -159,6 +160,21 @@ def _add(run: Calls, owner: Made, item: Any, *_more: Any) -> Any:
     return None
 
 
+def _arguments(_run: Calls, owner: Made, *_more: Any) -> Any:
+    """The arguments that a description declares; not known when an included file may declare more."""
+    found: list[Made] = []
+    waiting = list(_entities(owner)) if owner.kind == "LaunchDescription" else [None]
+    while waiting:
+        entity = waiting.pop(0)
+        if not isinstance(entity, Made) or entity.kind in ("IncludeLaunchDescription", "OpaqueFunction"):
+            return NOTHING
+        if entity.kind == "DeclareLaunchArgument":
+            found.append(entity)
+        inner = entity.arguments.get("actions") if entity.kind == "GroupAction" else ()
+        waiting += inner if isinstance(inner, (list, tuple)) else [inner]
+    return found
+
+
 def _perform(run: Calls, owner: Made, context: Any = None) -> Any:
     return perform(run.world, owner, context) if isinstance(context, Context) else NOTHING
 
@@ -173,6 +189,7 @@ def _find(run: Calls, owner: Made, package: Any) -> Any:
 
 
 _MADE: dict[str, _Call] = {"add_action": _add, "add_entity": _add, "perform": _perform, "evaluate": _evaluate, "find": _find}
+_MADE["get_launch_arguments"] = _arguments
 _MADE["describe"] = lambda _run, _owner: NOTHING
 
 
@@ -211,7 +228,12 @@ def _str(run: Calls, value: Any = "") -> Any:
     return str(value) if not isinstance(value, (Unknown, Either, PathText)) and is_certain(value) else run.world.as_text(value)
 
 
-@native("print", "input", "sys.exit", "os.remove", "time.sleep", "launch.logging.get_logger")
+@native("exit", "quit", "sys.exit", "os._exit")
+def _exit(_run: Calls, *_arguments: Any, **_named: Any) -> Any:
+    raise Raised("SystemExit", "the program ends")
+
+
+@native("print", "input", "os.remove", "time.sleep", "launch.logging.get_logger")
 def _nothing(_run: Calls, *_arguments: Any, **_named: Any) -> Any:
     return NOTHING
 

@@ -195,7 +195,7 @@ def _command(world: World, made: Made, context: Context) -> str:
     if call is None or _is_open(world, call.file) or not world.state.files.is_file(call.file):
         return unknown
     try:
-        printed, plugins = evaluated(world.state, call)
+        printed, plugins = evaluated(world.state, call, installed=True)
     except LaunchError:
         return unknown
     if printed is None:

@@ -142,18 +142,8 @@ class World:
         return written or any(path in text for text in self.handed)
 
     def located(self, path: str) -> str:
-        """Where a file lies in the sources that is installed at `path`: packages may install it from elsewhere in their folder."""
-        files = self.state.files
-        if files.is_file(path) or self.state.unknowns.is_open(path):
-            return path
-        folder = next((folder for folder in files.packages.packages.values() if path.startswith(folder + os.sep)), None)
-        if folder is None:
-            return path
-        words = os.path.relpath(path, folder).split(os.sep)[-2:]
-        found = list(files.packages.paths_in(folder).get(words[-1], ()))
-        if len(found) > 1:
-            found = [other for other in found if other.split(os.sep)[-2:] == words]
-        return found[0] if len(found) == 1 else path
+        """Where a file lies in the sources that is installed at `path`, as far as that is known."""
+        return path if self.state.unknowns.is_open(path) else self.state.files.located(path)
 
     def module_source(self, name: str, beside: str) -> tuple[str, str] | None:
         """File and text of a module of the workspace, of the folder of the launch file, or of those that rosarch knows."""

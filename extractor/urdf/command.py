@@ -60,11 +60,13 @@ def xacro_call(words: Sequence[str]) -> XacroCall | None:
     return XacroCall(program, files[0], arguments, dialects) if len(files) == 1 else None
 
 
-def run(call: XacroCall, files: Files, environment: Mapping[str, str], unknowns: Unknowns) -> Expansion:
+def run(call: XacroCall, files: Files, environment: Mapping[str, str], unknowns: Unknowns, *, installed: bool = False) -> Expansion:
     """What xacro makes of the file that `call` names."""
     tried = []
     for dialect in call.dialects:
-        expansion = expand(call.file, call.arguments, files=files, environment=environment, unknowns=unknowns, dialect=dialect)
+        expansion = expand(
+            call.file, call.arguments, files=files, environment=environment, unknowns=unknowns, dialect=dialect, installed=installed
+        )
         if expansion.document is not None and not expansion.bare_tags:
             return expansion
         tried.append(expansion)

@@ -21,8 +21,10 @@ MAX_DEPTH = 120  # elements, macros and files within each other
 class Context:
     """What all parts of an evaluation share. `incomplete` tells that a file is missing, so that what it defines is unknown, not absent."""
 
-    def __init__(self, files: Files, environment: Mapping[str, str], unknowns: Unknowns, arguments: Mapping[str, str]) -> None:
-        self.files, self.unknowns = files, unknowns
+    def __init__(
+        self, files: Files, environment: Mapping[str, str], unknowns: Unknowns, arguments: Mapping[str, str], installed: bool = False
+    ) -> None:
+        self.files, self.unknowns, self.installed = files, unknowns, installed
         self.resolver = Resolver(files.packages, environment, unknowns, self)
         self.scope = Scope("/", "", args=dict(arguments))
         self.open_files: list[str] = []
@@ -82,8 +84,9 @@ class Context:
             self.scope.filename = before
 
     def beside(self, path: str) -> str:
-        """`path`, relative to the file that is evaluated."""
-        return os.path.join(os.path.dirname(self.open_files[-1]), path)
+        """`path`, relative to the file that is evaluated, in the sources."""
+        path = os.path.join(os.path.dirname(self.open_files[-1]), path)
+        return self.files.located(path) if self.installed else path
 
     def evaluate_extension(self, command: str) -> str:
         """The value of `$(command)`.

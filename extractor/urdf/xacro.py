@@ -24,6 +24,7 @@ def expand(
     environment: Mapping[str, str] | None = None,
     unknowns: Unknowns | None = None,
     dialect: Dialect = NOETIC,
+    installed: bool = False,
 ) -> Expansion:
     """What xacro makes of a file. What depends on something absent stays unknown, as `unknowns` has it, and the rest is evaluated.
 
@@ -34,8 +35,9 @@ def expand(
         environment: the environment variables that `$(env)` and `$(optenv)` see.
         unknowns: those that `arguments` may have.
         dialect: how xacro reads it.
+        installed: whether packages are looked for where they are installed; a file there may come from elsewhere in their sources.
     """
-    context = Context(files, environment or {}, unknowns or Unknowns(), arguments or {})
+    context = Context(files, environment or {}, unknowns or Unknowns(), arguments or {}, installed)
     expander = Expander(context, dialect)
     frame = Frame(Table(), Symbols(dialect))
     context.here = Place(path, 1)

@@ -47,27 +47,30 @@ class Need:
 class Declared:
     """What the manifest of a package in `folder` declares; `line` is that of its last dependency.
 
-    `after` are the lines of the dependencies that it is built or used with, not only tested. `needs` have no dependency of their name.
+    `aside` are those that stand in a comment only, `after` the lines of the dependencies that it is built or used with, not only tested.
+    `needs` have no dependency of their name.
     """
 
     name: str
     folder: str
     line: int
     depends: frozenset[str]
+    aside: frozenset[str]
     after: tuple[tuple[str, int], ...]
     needs: tuple[Need, ...]
 
 
 def declared(root: Path) -> tuple[Declared, ...]:
-    """The manifests below `root`, those that ignore markers hide included."""
+    """The manifests below `root`. Those that ignore markers hide are there, but nobody builds them: they need nothing."""
     from rosarch.extractor.workspace.manifests import find_manifests
 
     paths = find_manifests(root, [], ignored=True)
     folders = {os.path.dirname(path) for path in paths}
-    return tuple(one for path in paths if (one := _read(path, folders)) is not None)
+    built = set(find_manifests(root, []))
+    return tuple(one for path in paths if (one := _read(path, folders, path in built)) is not None)
 
 
-def _read(path: str, folders: set[str]) -> Declared | None:
+def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:
     text = quick_text(path)
     name = name_in(text or "")
     if text is None or name is None:
@@ -77,7 +80,9 @@ def _read(path: str, folders: set[str]) -> Declared | None:
     depends = frozenset(dependency for _, dependency, _ in found)
     after = {dependency: line for tag, dependency, line in reversed(found) if not tag.startswith(_TESTS)}
     folder = os.path.dirname(path)
-    return Declared(name, folder, last, depends, tuple(after.items()), tuple(_needs(folder, folders, depends | {name})))
+    aside = frozenset(match[2] for match in _DEPENDENCY.finditer(_text(path))) - depends
+    needs = tuple(_needs(folder, folders, depends | {name})) if is_built else ()
+    return Declared(name, folder, last, depends, aside, tuple(after.items()), needs)
 
 
 def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator[Need]:
@@ -171,6 +176,7 @@ def manifest_rows(
             wanted.add(holder)
     for one in wanted:
         rows["package_manifest"].add((one.name, place(one, one.line)))
+        rows["package_set_aside"].update((one.name, dependency) for dependency in one.aside)
         needs = [need for need in one.needs if need.how != "header" or need.name in there or _MESSAGES.search(need.name)]
         rows["package_needs"].update((place(one, need.line, need.path), one.name, need.name, need.how) for need in needs)
         rows["package_known"].update((need.name,) for need in needs if need.name in there)

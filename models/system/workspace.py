@@ -46,11 +46,17 @@ def workspace_rows(
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
     shipped = {*known, *brought}
     depended, own = depends if absent - shipped else (set[str](), set[str]())
+    expected = absent & (shipped | depended | own) | {package for package in absent if any(_names(path, package) for path in brought)}
     return {
         "program_built": set(programs),
-        "package_expected": {(package,) for package in absent & (shipped | depended | own)},
+        "package_expected": {(package,) for package in expected},
         "package_unknown": {(package,) for package in (depended | set(brought)) - set(known) - own},
     }
+
+
+def _names(repository: str, package: str) -> bool:
+    """Whether the name of a repository has that of a package in it, as whole words."""
+    return f"_{package}_".replace("-", "_") in f"_{repository}_".replace("-", "_")
 
 
 def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:

@@ -74,6 +74,20 @@ def test_rows(tmp_path: Path) -> None:
     }
 
 
+def test_what_stands_in_a_comment_only_is_set_aside(tmp_path: Path) -> None:
+    node = '<launch><node pkg="store" type="a" name="a"/></launch>'
+    package(tmp_path, "robot", "<depend>lamp</depend>\n<!-- <depend>lamp</depend> <run_depend>store</run_depend> -->", **{"a.launch": node})
+    composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
+    assert manifest_rows(composition, declared(tmp_path), tmp_path, ())["package_set_aside"] == {("robot", "store")}
+
+
+def test_a_package_that_is_not_built_needs_nothing(tmp_path: Path) -> None:
+    package(tmp_path, "robot", **{"a.py": "import tf\n", "COLCON_IGNORE": ""})
+    package(tmp_path, "arm", **{"a.py": "import tf\n"})
+    found = declared(tmp_path)
+    assert (needs(found, "robot"), needs(found, "arm")) == (set(), {("tf", "code", 1)})
+
+
 def test_a_manifest_that_cannot_be_read(tmp_path: Path) -> None:
     package(tmp_path, "robot").joinpath("package.xml").write_bytes(b"\xff<package>")
     assert declared(tmp_path) == ()

@@ -59,6 +59,8 @@ def test_what_lists_of_repositories_bring(tmp_path: Path) -> None:
     composition = compose([tmp_path / "a.launch"], files=Files(PackagePath([tmp_path])))
     rows = workspace_rows(dependencies(()), [composition], set(), ("arm",), fetched(tmp_path))
     assert rows["package_expected"] == {("camera",)}
+    # a repository may be called after its package
+    assert workspace_rows(dependencies(()), [composition], set(), (), {"team_camera-ros2", "cameras"})["package_expected"] == {("camera",)}
     assert rows["package_unknown"] == {("driver",), ("costs",), ("camera",), ("hand",)}  # each may have packages of other names, too
 
 

@@ -51,6 +51,15 @@ def test_what_is_no_package(tmp_path: Path) -> None:
     assert PackagePath([tmp_path]).find("zone") == str(tmp_path / "zone")
 
 
+def test_copies_that_are_built_or_installed_in_a_package_are_no_files_of_it(tmp_path: Path) -> None:
+    folder = package(tmp_path / "a", "a")
+    for name in ("launch/x.launch.py", "install/a/share/a/launch/x.launch.py", "install/COLCON_IGNORE", "build/y", "build/COLCON_IGNORE"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).touch()
+    path = PackagePath([tmp_path])
+    assert path.paths_in(str(folder)) == {"package.xml": [f"{folder}/package.xml"], "x.launch.py": [f"{folder}/launch/x.launch.py"]}
+
+
 def test_links_and_special_files(tmp_path: Path) -> None:
     elsewhere = package(tmp_path / "elsewhere" / "linked", "linked")
     workspace = tmp_path / "workspace"

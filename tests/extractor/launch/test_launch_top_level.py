@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.launch import Files, NodeStart, PackagePath, Place, Remap, launch_files, top_level
+from rosarch.extractor.launch import Files, NodeStart, PackagePath, Place, Remap, compose, launch_files, top_level
 from rosarch.extractor.launch.arguments import NodeArguments, node_arguments
 
 
@@ -41,6 +41,42 @@ def test_top_level(tmp_path: Path) -> None:
         "main.launch",
         "parts/deep/front_laser.launch",
     ]
+
+
+def test_launch_files_of_ros_2_may_be_called_anything(tmp_path: Path) -> None:
+    node = '<launch><node pkg="a" exec="b"/></launch>'
+    texts = {
+        "p/launch/race.xml": node,
+        "p/launch/track/drive.py": "def generate_launch_description(): ...",
+        "p/launch/tools.py": "import os",
+        "p/launch/model.xml": "<robot/>",
+        "p/launch/part.xml": '<launch><node pkg="a" type="b" name="b"/></launch>',
+        "p/config/race.xml": node,
+    }
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    found = [path.removeprefix(f"{tmp_path}/") for path in launch_files(tmp_path)]
+    assert found == ["p/launch/race.xml", "p/launch/track/drive.py"]
+
+
+@pytest.mark.parametrize(
+    ("manifest", "expected"),
+    [
+        (
+            "<buildtool_depend>ament_cmake</buildtool_depend>",
+            ["l.launch:2:1: written for ROS 1, in a package for ROS 2: `ros2 launch` refuses it"],
+        ),
+        ("<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>catkin</buildtool_depend>", []),
+        ("<buildtool_depend>catkin</buildtool_depend>", []),
+    ],
+)
+def test_a_launch_file_of_ros_1_that_a_package_of_ros_2_has_left(tmp_path: Path, manifest: str, expected: list[str]) -> None:
+    (tmp_path / "package.xml").write_text(f"<package><name>p</name>{manifest}</package>")
+    (tmp_path / "l.launch").write_text('<launch>\n<node pkg="a" type="b" name="n"/></launch>')
+    found = compose([tmp_path / "l.launch"], files=Files(PackagePath([tmp_path])))
+    assert [str(problem).removeprefix(f"{tmp_path}/") for problem in found.problems] == expected
+    assert [node.name for node in found.nodes] == ([] if expected else ["n"])
 
 
 def test_templates_are_no_launch_files_yet(tmp_path: Path) -> None:

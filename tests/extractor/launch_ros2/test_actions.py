@@ -24,6 +24,27 @@ def test_groups_keep_what_they_change(tmp_path: Path) -> None:
     assert params(found) == {"/g/in/p": 1, "/alone/b": "kept", "/out/a": 3}
 
 
+@pytest.mark.parametrize(
+    ("entities", "expected"),
+    [
+        ("DeclareLaunchArgument('a', default_value='1'), GroupAction([DeclareLaunchArgument('b', default_value='2')], scoped=False)", "12"),
+        # what an included file declares is not known here: nothing is told to be missing
+        (
+            "DeclareLaunchArgument('a', default_value='1'), IncludeLaunchDescription('/none.launch.py'), SetLaunchConfiguration('b', '2')",
+            "12",
+        ),
+    ],
+)
+def test_arguments_of_a_description(tmp_path: Path, entities: str, expected: str) -> None:
+    lines = f"""ld = LaunchDescription([{entities}])
+    ld.add_action(GroupAction([node('n', parameters=[{{'p': [LaunchConfiguration('a'), LaunchConfiguration('b')]}}])], forwarding=False,
+      launch_configurations={{one.name: LaunchConfiguration(one.name) for one in ld.get_launch_arguments()}}))
+    return ld"""
+    found = composed(tmp_path, {"l.launch.py": f"{HEAD}def generate_launch_description():\n    {lines}\n"})
+    assert params(found) == {"/n/p": int(expected)}
+    assert [problem.kind for problem in found.problems if problem.kind == "configuration"] == []
+
+
 def test_namespaces(tmp_path: Path) -> None:
     entities = "PushRosNamespace('a'), PushRosNamespace('b'), node('n'), node('m', namespace='c'), node('o', namespace='/abs')"
     assert names(described(tmp_path, entities)) == ["/a/b/n", "/a/b/c/m", "/abs/o"]

@@ -3,10 +3,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from xacro_builder import expanded, inner, problems
+from xacro_builder import HEAD, expanded, inner, problems
 
+from rosarch.extractor.launch import Files, PackagePath
 from rosarch.extractor.launch.unknowns import Unknowns
-from rosarch.extractor.urdf import IN_ORDER, TRADITIONAL, write
+from rosarch.extractor.urdf import IN_ORDER, TRADITIONAL, expand, write
 
 P, M = "xacro:property", "xacro:macro"
 
@@ -157,3 +158,17 @@ def test_unknown_arguments_flow_through(tmp_path: Path) -> None:
     expansion = expanded(tmp_path, '<l name="$(arg prefix)_link"/>', {"prefix": mark}, unknowns=unknowns)
     assert expansion.document is not None
     assert unknowns.render(next(expansion.document.root.elements()).attributes["name"]) == "$(env ROBOT)_link"
+
+
+@pytest.mark.parametrize("installed", [True, False])
+def test_files_of_packages_that_are_installed_come_from_elsewhere_in_their_sources(tmp_path: Path, installed: bool) -> None:
+    package = tmp_path / "here"
+    (package / "bringup" / "config").mkdir(parents=True)
+    (package / "package.xml").write_text("<package><name>here</name></package>")
+    (package / "bringup" / "config" / "a.yaml").write_text("ticks: 3")
+    (package / "bringup" / "part.xacro").write_text(f"{HEAD}<part/></robot>")
+    texts = "<xacro:include filename='$(find here)/urdf/part.xacro'/><l v=\"${xacro.load_yaml('$(find here)/config/a.yaml')['ticks']}\"/>"
+    (package / "robot.xacro").write_text(f"{HEAD}{texts}</robot>")
+    expansion = expand(f"{package}/robot.xacro", files=Files(PackagePath([tmp_path])), installed=installed)
+    assert [problem.kind for problem in expansion.problems] == ([] if installed else ["xacro"])
+    assert expansion.document is None or "".join(write(expansion.document, "robot.xacro").split()).endswith('<part/><lv="3"/></robot>')
