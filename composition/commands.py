@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from rosarch.composition.components import Component
 from rosarch.composition.cone import Cone, Event
-from rosarch.composition.inputs import Inputs, content_path
+from rosarch.composition.inputs import Inputs
 from rosarch.composition.model import Command, Model, Queue, Variable
 from rosarch.composition.reactions import Effect, alternatives, effects
 from rosarch.composition.system import ENVIRONMENT, End, System, Topic
@@ -151,7 +151,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     for effect, cases in _grouped(found, component, keys):
         if not (effect.after or effect.sent or queue is not None or obligation is not None or idle):
             continue
-        inputs, assumes = _taken_for_granted(builder, component, topic, effect)
+        inputs, assumes = _taken_for_granted(builder, component, trigger, effect, topic)
         command = Command(
             actor=node,
             cause=_cause(component, trigger, topic),
@@ -316,14 +316,14 @@ def _grouped(found: Sequence[Effect], component: Component, keys: Iterable[str])
 
 
 def _taken_for_granted(
-    builder: _Builder, component: Component, topic: Topic | None, effect: Effect
+    builder: _Builder, component: Component, trigger: str, effect: Effect, topic: Topic | None
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """What an effect needs to be so: of the content of messages from outside, and of anything else."""
     inputs: list[str] = []
     assumes: list[str] = []
     for subject, values in effect.choices.items():
         text = _told(subject, values)
-        from_outside = topic is not None and not topic.senders and content_path(subject.text, component.members) is not None
+        from_outside = topic is not None and not topic.senders and component.is_content(trigger, subject.text)
         if not (topic and builder.inputs.content(topic.name, subject) is not None):
             (inputs if from_outside and not subject.hidden else assumes).append(text)
     assumes += [f"{component.variables[key].text} is {value} then" for key, value in effect.before.items() if key in component.measured]

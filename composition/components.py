@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -11,10 +12,18 @@ from rosarch.models.machine.cells import Document, Domains, value_in
 from rosarch.models.machine.counting import whole
 from rosarch.models.machine.elapsed import with_elapsed
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
-from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger
+from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger, names_of_messages
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import START, gated, gates, starting
 from rosarch.models.rhythm import with_constants, with_numbers
+
+
+def content_path(text: str, members: Collection[str]) -> str | None:
+    """The field that an operand such as `msg->header.seq` is about; None when it begins with a member of the component."""
+    match = re.fullmatch(r"\(?\*?(\w+)\)?(?:->|\.)([\w.>\[\]-]+)", text.strip())
+    if match is None or match.group(1) in members:
+        return None
+    return match.group(2).replace("->", ".")
 
 
 @dataclass(frozen=True)
@@ -78,6 +87,13 @@ class Component:
             return replace(self, rates=found)
         trigger = next((trigger for trigger in found if trigger.partition(" ")[2] in ("", own)), loop_trigger(own))
         return replace(self, rates={trigger: rates[own], **found}, serving=trigger)
+
+    def is_content(self, trigger: str, text: str) -> bool:
+        """Whether an operand is a field of the message that a trigger is; where the model does not tell, of something that is no member."""
+        if content_path(text, self.members) is None:
+            return False
+        names = names_of_messages(self.document, [trigger])
+        return self.document.get("traits") is None or re.split(r"->|\.", text.strip().lstrip("(*"))[0].rstrip(")") in names
 
     @cached_property
     def together(self) -> Mapping[str, frozenset[str]]:

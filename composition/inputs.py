@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rosarch.composition.components import StateVariable
+from rosarch.composition.components import StateVariable, content_path
 from rosarch.models.machine.cells import value_in
 from rosarch.models.machine.logic import Subject
 
@@ -59,11 +58,3 @@ class Inputs:
         path = content_path(subject.text, ())
         values = {entry.fields.get(path or "") for entry in self.entries if entry.topic == topic}
         return value_in(values.pop(), subject.values) if len(values) == 1 else None
-
-
-def content_path(text: str, members: Collection[str]) -> str | None:
-    """The field that an operand such as `msg->header.seq` is about; None when it begins with a member of the component."""
-    match = re.fullmatch(r"\(?\*?(\w+)\)?(?:->|\.)([\w.>\[\]-]+)", text.strip())
-    if match is None or match.group(1) in members:
-        return None
-    return match.group(2).replace("->", ".")

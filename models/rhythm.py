@@ -1,4 +1,4 @@
-"""How often a component sends of what sets it off: every time, where parameters say so, or in a rhythm that its counters give.
+"""How often a component sends of what sets it off: every time, where parameters say so, or in a rhythm that its state gives.
 
 What a rhythm is comes of running the reaction itself, from its first state on, until a state comes again.
 """
@@ -11,15 +11,16 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rosarch.models import formula
-from rosarch.models.machine.cells import Document, Domains
+from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import Comparison, Negation, Operand, constant, parse_condition, strip
-from rosarch.models.machine.counting import stepped, whole
+from rosarch.models.machine.counting import whole
 from rosarch.models.machine.logic import TRUE
 from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses
 from rosarch.models.machine.steps import Step
 
 _TRIED = (2, 3, 4, 5, 7)  # values of a parameter, from which is seen what it does
 _MOST_ROUNDS = 1000
+_MOST_COURSES = 100
 _CHANGED = r"\s*(?:=(?!=)|\+\+|--|[-+*/%]=|\.|->|\[)"  # behind a name that is no plain value
 _TEXTS = {
     "transitions": ("guard", "guard_normal", "value"), "reactive": ("when", "when_normal"), "one_shot": ("when", "when_normal"),
@@ -29,11 +30,15 @@ _TEXTS = {
 
 @dataclass(frozen=True)
 class Rhythm:
-    """Of `rounds` successive times that `trigger` comes, and as many more as `parameter` says, `sends` send through `output`."""
+    """Of `rounds` successive times that `trigger` comes, and `factor` times `parameter` more, `sends` send through `output`.
+
+    With a parameter, its value has to be known and greater than 1.
+    """
 
     trigger: str
     output: str
     parameter: str
+    factor: int
     rounds: int
     sends: int
 
@@ -66,17 +71,17 @@ def rhythms(document: Document) -> Iterator[Rhythm]:
     """The rhythms of a component's reactions to messages, and of its loops and timers."""
     traits: Mapping[str, Any] = document.get("traits") or {}
     document = with_constants(document)
-    values = [str(row.get("value")) for row in document.get("transitions") or ()]
-    if not any(stepped(value, sized) for value in values for sized in (False, True)):
-        return
     yield from _fixed(document)
     for name, parameter in traits.get("keeps_value_of", ()):
         found = [{(r.trigger, r.output): r for r in _fixed(with_numbers(document, {name: value}))} for value in _TRIED]
         for key, first in found[0].items():
-            same = [rhythms_.get(key) for rhythms_ in found]
-            more = [rhythm.rounds - value if rhythm else None for rhythm, value in zip(same, _TRIED, strict=True)]
-            if None not in more and len(set(more)) == 1 and len({rhythm.sends for rhythm in same if rhythm}) == 1:
-                yield Rhythm(first.trigger, first.output, parameter, first.rounds - _TRIED[0], first.sends)
+            same = [rhythms_[key] for rhythms_ in found if key in rhythms_]
+            if len(same) < len(_TRIED) or len({rhythm.sends for rhythm in same}) > 1:
+                continue
+            for factor in (0, 1):
+                more = {rhythm.rounds - factor * value for rhythm, value in zip(same, _TRIED, strict=True)}
+                if len(more) == 1:
+                    yield replace(first, parameter=parameter, factor=factor, rounds=more.pop())
 
 
 def with_constants(document: Document) -> Document:
@@ -105,13 +110,13 @@ def with_numbers(document: Document, numbers: Mapping[str, int]) -> Document:
 def _fixed(document: Document) -> Iterator[Rhythm]:
     document = {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
     domains = Domains(document, counts=True)
-    counted = {cell.subject.key: cell.initial[0] for cell in domains.cells.values() if cell.counting}
-    if not counted:
+    first = {cell.subject.key: cell.initial[0] for cell in domains.cells.values() if len(cell.initial) == 1}
+    if not first:
         return
     triggers = component_steps(document, domains)
     traits = document.get("traits") or {}
     doubtful = {name for name, *_ in traits.get("changed_at_once", ())}
-    counted = {key: value for key, value in counted.items() if not any(key == name or key.startswith(f"{name}.") for name in doubtful)}
+    first = {key: value for key, value in first.items() if not any(key == name or key.startswith(f"{name}.") for name in doubtful)}
     changed = {(trigger, a.cell.subject.key) for trigger, steps in triggers.items() for step in steps for a in step.assignments}
     for trigger, steps in triggers.items():
         place = _place(trigger, document)
@@ -120,8 +125,74 @@ def _fixed(document: Document) -> Iterator[Rhythm]:
             own = _needed([replace(step, outputs=(output,) if output in step.outputs else ()) for step in steps])
             if not _told_in_order(own, traits.get("several_orders", ())) or not _of_one_timer(own, trigger, place, document):
                 continue
-            if found := _rounds(own, counted, shared):
-                yield Rhythm(place, output, "", *found)
+            if found := _rounds(own, first, shared):
+                yield Rhythm(place, output, "", 0, *found)
+
+
+@dataclass(frozen=True)
+class Used:
+    """Each run of the loop or timer at `trigger` that sends through `output` uses up what a message at `port` left.
+
+    `each` message leaves it, and each run sends when it is there.
+    """
+
+    trigger: str
+    output: str
+    port: str
+    each: bool
+
+
+def used_up(document: Document) -> Iterator[Used]:
+    """What loops and timers send once for what came: a flag, or a message that is kept, which they take away."""
+    document = with_constants({**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]})
+    timed = {str(port["id"]) for port in document.get("ports") or () if port.get("kind") == "subscriber"}
+    domains = Domains(document, counts=True)
+    traits = document.get("traits") or {}
+    doubtful = {name for name, *_ in traits.get("changed_at_once", ())}
+    cells = [cell for cell in domains.cells.values() if not cell.counting and len(cell.initial) == 1 and cell.variable not in doubtful]
+    triggers = component_steps(document, domains) if cells else {}
+    for trigger, steps in triggers.items():
+        place = _place(trigger, document) if trigger.partition(" ")[0] == PERIODIC else ""
+        if not place or not _told_in_order(steps, traits.get("several_orders", ())) or not _of_one_timer(steps, trigger, place, document):
+            continue
+        for cell in cells:
+            others = {other: own for other, own in triggers.items() if other != trigger and _assigns(own, cell)}
+            for output in sorted({port for step in steps for port in step.outputs}) if others and _assigns(steps, cell) else ():
+                try:
+                    taken = _taken(steps, cell, output)
+                    ports = {other: _sets(own, cell, taken[0]) for other, own in others.items()} if taken else {}
+                except TooManyCases:
+                    continue
+                setting = {other: how for other, how in ports.items() if how}
+                if taken and setting and timed.issuperset(setting):
+                    for port, how in sorted(setting.items()):
+                        yield Used(place, output, port, how == "each" and taken[1] and len(ports) == 1)
+
+
+def _assigns(steps: list[Step], cell: Cell) -> bool:
+    return any(assignment.cell == cell for step in steps for assignment in step.assignments)
+
+
+def _taken(steps: list[Step], cell: Cell, output: str) -> tuple[frozenset[str], bool] | None:
+    """The values of a cell with which these steps may send, and whether they surely do; None where one may be left when they have sent."""
+    found = {value: list(courses(steps, [cell.subject.key], (value,), _MOST_COURSES)) for value in cell.subject.values}
+    sent = {value: [[out for out in course.outputs if out.port == output] for course in own] for value, own in found.items()}
+    sending = frozenset(value for value, own in sent.items() if any(own))
+    if not sending or cell.initial[0] in sending:
+        return None
+    for value, own in found.items():
+        for course, outputs in zip(own, sent[value], strict=True):
+            if course.values[0] in sending and (outputs or value not in sending):
+                return None
+    surely = all(any(out.when == TRUE and not out.sometimes for out in outputs) for value in sending for outputs in sent[value])
+    return sending, surely
+
+
+def _sets(steps: list[Step], cell: Cell, values: frozenset[str]) -> str:
+    """Whether a reaction may give a cell one of these values, at some times or at each; "" when never."""
+    found = (courses(steps, [cell.subject.key], (value,), _MOST_COURSES) for value in cell.subject.values)
+    ends = [course.values[0] in values for own in found for course in own]
+    return "each" if all(ends) else "at times" if any(ends) else ""
 
 
 def _place(trigger: str, document: Document) -> str:
@@ -149,18 +220,18 @@ def _needed(steps: list[Step]) -> list[Step]:
     while True:
         own = [step for step in steps if step.outputs or any(a.cell.subject.key in needed for a in step.assignments)]
         own = [replace(step, assignments=tuple(a for a in step.assignments if a.cell.subject.key in needed)) for step in own]
-        asked = {subject.key for step in own for subject in step.tested()}
+        asked = {subject.key for step in own for subject in step.tested() if not subject.hidden}
         if asked <= needed:
             return own
         needed |= asked
 
 
-def _rounds(steps: list[Step], counted: Mapping[str, str], shared: set[str]) -> tuple[int, int] | None:
-    """After how many rounds the counters are as they were, and how often it was sent meanwhile; None when more than counters decides."""
-    keys = sorted({subject.key for step in steps for subject in step.tested()})
-    if not keys or not counted.keys() >= set(keys) or shared.intersection(keys) or any(step.sometimes for step in steps):
+def _rounds(steps: list[Step], first: Mapping[str, str], shared: set[str]) -> tuple[int, int] | None:
+    """After how many rounds the state is as it was, and how often it was sent meanwhile; None when more than that state decides."""
+    keys = sorted({subject.key for step in steps for subject in step.tested() if not subject.hidden})
+    if not keys or not first.keys() >= set(keys) or shared.intersection(keys) or any(step.sometimes for step in steps):
         return None
-    state = tuple(counted[key] for key in keys)
+    state = tuple(first[key] for key in keys)
     seen: dict[tuple[str, ...], int] = {}
     sent: list[bool] = []
     while state not in seen:

@@ -107,6 +107,7 @@ TRAITS = {
     "keeps_value_of": ("text", "text"),
     "names_number": ("text", "text"),
     "repeated": ("place",),
+    "names_message": ("port", "text"),
     "registers_tree_node": ("text",),
     "port_for_plugin": ("port", "text", "text"),
     "plugin_derives": ("text",),

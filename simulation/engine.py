@@ -14,8 +14,8 @@ from itertools import count
 
 import simpy
 
-from rosarch.composition.components import Component
-from rosarch.composition.inputs import Entry, content_path
+from rosarch.composition.components import Component, content_path
+from rosarch.composition.inputs import Entry
 from rosarch.composition.reactions import Effect, react
 from rosarch.composition.scenario import Scenario, Span
 from rosarch.composition.system import ENVIRONMENT, End, System

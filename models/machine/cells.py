@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -23,13 +23,19 @@ from rosarch.models.machine.conditions import (
     strip,
 )
 from rosarch.models.machine.counting import WIDE, Arithmetic, Counting, arithmetic, calculated, counting, step, stepped, whole, width
+from rosarch.models.machine.limits import MOST_LIMITS, are_ranges, is_path, range_of, ranges
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 
 Document = Mapping[str, Any]
 EMPTY = ".empty()"
 _PATH = re.compile(r"\*?((?:::)?[A-Za-z_][\w:]*(?:\.\w+)*)((?:\.(?:empty|size|length)\(\))?)")
+_OPTIONAL = re.compile(r"(boost::)?optional<")
+_EMPTIED = re.compile(r"^\{\}$|(?:\.|->)reset\((?:nullptr|NULL)?\)$")
+_REPLACED = re.compile(r"(?:\.|->)reset\((.+)\)$")
+_OBJECT = re.compile(r"new\b|&|(\w+::)*(make_shared|make_unique|allocate_shared|make_optional)\b")
 _QUALIFIERS = re.compile(r"\b(const|volatile|static|mutable|std::)\s*|std::atomic<(.*)>|\batomic<(.*)>|\batomic_(?=bool)")
-_POINTER = re.compile(r"\*\s*$|Ptr\b|_ptr\b|::ConstPtr\b")
+_POINTER = re.compile(r"\*\s*$|Ptr\b|_ptr\b|::ConstPtr\b|^(boost::)?optional<")
+_HOLDS = re.compile(r"(?:\.|->)(?:has_value|is_initialized|get)\(\)$")  # what an optional, or a pointer, is asked for
 _INTEGER = re.compile(r"(unsigned|signed|short|long|int|char|u?int\d+_t|size_t|std::size_t|float|double)( (int|char|long|double|short))*")
 _SIZES = (".size()", ".length()")
 _LENGTH = re.compile(r"^len\((.*)\)$")
@@ -58,6 +64,8 @@ class Cell:
         if self.counting:
             number = whole(text)
             return None if number is None else self.counting.name(number)
+        if NULL in self.subject.values and _POINTER.search(self.type) and _EMPTIED.search(strip(text)):
+            return NULL
         return value_in(text, self.subject.values)
 
     def nearest(self, value: str) -> str | None:
@@ -70,7 +78,10 @@ def value_in(text: object, values: Sequence[str]) -> str | None:
     found = None if text is None else constant(str(text))
     if found is None:
         return None
-    if tuple(values) == BOOLEAN and (size := number(found)) is not None:
+    size = number(found)
+    if size is not None and are_ranges(values):
+        return range_of(size, values)
+    if size is not None and tuple(values) == BOOLEAN:
         found = "false" if size == 0 else "true"
     return _nearest(found, values)
 
@@ -88,6 +99,21 @@ def nonzero(values: Iterable[str]) -> frozenset[str] | None:
     return known - zeros if zeros else None
 
 
+def is_something(cell: Cell, value: str, messages: Collection[str]) -> bool:
+    """Whether what a pointer or an optional is given is certainly an object; `messages` are what messages are called there."""
+    text = strip(value)
+    if match := _REPLACED.search(text):
+        text = strip(match[1])
+    if text in messages or _OBJECT.match(text):
+        return True
+    held = re.search(r"(\w+)>$", cell.type) if _OPTIONAL.match(cell.type) else None
+    if held is None:
+        return False
+    part = re.match(r"(\w+)(?:\.|->)[\w.]+$", text)  # a field of a message is no optional
+    made = rf"\*|(\w+::)*{held[1].rstrip('_')}\s*[({{]|.*(\.|->)emplace\("
+    return re.match(made, text) is not None or (part is not None and part[1] in messages)
+
+
 @dataclass
 class _Draft:
     """What is found about a cell, or an input, before its values are settled."""
@@ -101,6 +127,7 @@ class _Draft:
     asked: list[tuple[Arithmetic, int]] = field(default_factory=list)  # comparisons with whole numbers
     given: list[str | None] = field(default_factory=list)  # the texts that are assigned
     compared: bool = False  # with something that is no number
+    limits: set[float] = field(default_factory=set)  # that it is compared with by size
 
 
 Place = tuple[str, str]  # the name of a variable, and `""`, `.field` or `.empty()`
@@ -120,7 +147,7 @@ class Locator:
 
     def locate(self, text: str, owner: str) -> Place | None:
         """The variable and the field of it, seen from a member of the class `owner`; nothing for what is no state variable."""
-        match = _PATH.fullmatch(_LENGTH.sub(r"\1.size()", compact(text).replace("->", ".")))
+        match = _PATH.fullmatch(_LENGTH.sub(r"\1.size()", _HOLDS.sub("", compact(text)).replace("->", ".")))
         if not match:
             return None
         parts = match.group(1).split(".")
@@ -168,7 +195,8 @@ def atoms(condition: Condition) -> Iterator[Operand | Comparison]:
 class Domains:
     """The cells of a component, and the values of its inputs that conditions tell apart.
 
-    When it `counts`, variables that count have each number as a value, as far as conditions tell them apart.
+    When it `counts`, variables that count have each number as a value, as far as conditions tell them apart, and other numbers lie in
+    ranges between the limits that conditions compare them with.
     """
 
     def __init__(self, document: Document, *, counts: bool = False) -> None:
@@ -202,6 +230,8 @@ class Domains:
     def input(self, text: str) -> Subject:
         """An input as a subject."""
         draft = self._inputs.get(compact(text), _Draft())
+        if (limits := self._limits(draft)) and is_path(compact(text)):
+            return Subject(compact(text), strip(text), ranges(limits))
         return Subject(compact(text), strip(text), _values(draft.constants, True) if draft.constants else BOOLEAN)
 
     def assigned(self, row: Mapping[str, Any]) -> str | None:
@@ -217,6 +247,8 @@ class Domains:
             elif atom.op == "==":
                 self._read_equality(atom.left, atom.right, owner)
             else:
+                if self._counts and (limit := number(atom.right)) is not None and is_path(compact(atom.left)):
+                    self._draft(atom.left, owner).limits.add(limit)
                 for side in (atom.left, atom.right):
                     place = self.locator.locate(side, owner)
                     if place and place[1].endswith(EMPTY):
@@ -282,7 +314,29 @@ class Domains:
             if not (self._counts and step(value)):
                 self._read_condition(parse_condition(value), owner)
 
+    def _share_limits(self) -> None:
+        """What is copied is told apart as finely where it comes from as where it goes to."""
+        changed = True
+        while changed:
+            changed = False
+            for draft in self._drafts.values():
+                others = [self._drafts[place] for place in draft.copies if place in self._drafts]
+                others += [self._inputs.setdefault(key, _Draft()) for key in draft.inputs if draft.limits and is_path(key)]
+                for other in others:
+                    if other.limits != draft.limits:
+                        other.limits |= draft.limits
+                        draft.limits |= other.limits
+                        changed = True
+
+    @staticmethod
+    def _limits(draft: _Draft) -> set[float]:
+        """The limits between which a number is told apart; none when that is too many, or it is compared with what is no number."""
+        sizes = [number(constant) for constant in (*draft.constants, *(("0",) if draft.tested else ()))]
+        found = {size for size in sizes if size is not None} | draft.limits
+        return found if draft.limits and None not in sizes and len(found) <= MOST_LIMITS else set()
+
     def _settle(self) -> Iterator[Cell]:
+        self._share_limits()
         distinct = {place for place, draft in self._drafts.items() if draft.constants or draft.tested}
         for place, draft in self._drafts.items():
             first = self._initial(place)
@@ -304,10 +358,11 @@ class Domains:
             if self._counts and (found := self._counting(place, draft)) is not None:
                 yield self._counted(place, found)
                 continue
-            values = self._cell_values(place, draft)
-            if draft.assigned and len(values) > 1 and (values == BOOLEAN or place in distinct):
+            limits = self._limits(draft) if draft.open else set()
+            values = ranges(limits) if limits and not place[1].endswith(EMPTY) else self._cell_values(place, draft)
+            if draft.assigned and len(values) > 1 and (values == BOOLEAN or limits or place in distinct):
                 yield self._cell(place, values)
-                if values != BOOLEAN:
+                if values != BOOLEAN and not limits:
                     for key in draft.inputs:  # an input is told apart as finely as the variable that takes its value
                         self._inputs.setdefault(key, _Draft()).constants.update(dict.fromkeys(v for v in values if v != OTHER))
 
@@ -338,7 +393,7 @@ class Domains:
             else:
                 return None
         size = WIDE if sized else width(_plain_type(self._variables[place[0]]))
-        return counting(first, given, steps, draft.asked, rests=not draft.compared, width=size) if steps else None
+        return counting(first, given, steps, draft.asked, rests=not draft.compared, width=size, sized=sized) if steps else None
 
     def _first_number(self, place: Place) -> int | None:
         name, suffix = place
@@ -374,7 +429,7 @@ class Domains:
             alone = suffix == "" or sum(place[0] == name for place in self._drafts) == 1
             return constant(str(text)) if alone else None
         if text is None and suffix == "":
-            if "Ptr" in type_ or "_ptr<" in type_:
+            if "Ptr" in type_ or "_ptr<" in type_ or _OPTIONAL.match(type_):
                 return NULL
             if name.startswith("::"):  # storage that is zero before the program starts
                 return "false" if type_ == "bool" else "0" if _INTEGER.fullmatch(type_) else NULL if type_.endswith("*") else None

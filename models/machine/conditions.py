@@ -155,7 +155,7 @@ def constant(text: str) -> str | None:
     text = strip(text)
     if text in ("true", "True", "false", "False"):
         return text.lower()
-    if text in ("NULL", "nullptr", "None", "null"):
+    if text in ("NULL", "nullptr", "None", "null", "nullopt", "std::nullopt", "boost::none"):
         return NULL
     if re.fullmatch(r"""[uULRrbf]?8?("(\\.|[^"\\])*"|'(\\.|[^'\\])*')""", text):
         return text

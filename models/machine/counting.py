@@ -213,6 +213,11 @@ def width(type_: str) -> Width:
     return next((Width(bits or int(match[1]), signed) for match, bits in found), WIDE)
 
 
+def _falls(step: Arithmetic, number: int) -> bool:
+    after = step.at(number)
+    return after is not None and after < number
+
+
 def counting(
     first: int,
     given: Iterable[int],
@@ -221,11 +226,13 @@ def counting(
     *,
     rests: bool = True,
     width: Width = WIDE,
+    sized: bool = False,
 ) -> Counting | None:
     """How a variable is counted that begins with `first`, may be `given` numbers and take `steps`.
 
     Conditions compare what is `asked` with limits.
     Where nothing else is asked, it is enough to know its `rests`. None: there are too many numbers.
+    What is `sized` is the size of a container: nothing is taken from an empty one.
     """
     starts = {first, *given}
     moduli = [left.modulus for left, _ in asked]
@@ -236,8 +243,9 @@ def counting(
     far = [abs(limit) + sum(left.numbers) for left, limit in asked]
     far += [max(step.numbers, default=0) for step in steps if "%" in step.text]
     least, most = min([*starts, *(-number for number in far if min(starts) < 0)], default=0), max([*starts, *far])
-    if any(step.at(number) is not None and (step.at(number) or 0) < number for step in steps for number in (most, first)):
+    if any(_falls(step, number) for step in steps for number in (most, first)):
         least = min(least, 0)
+        most += 1  # a sliding window has one more for a moment
     if most - least >= MOST_VALUES:
         return None
     reached, waiting, above, below = set(starts), list(starts), False, False
@@ -247,6 +255,8 @@ def counting(
             after = step.at(number)
             if after is None:
                 return None
+            if sized and after < 0:
+                continue
             above, below = above or after > most, below or after < least
             if least <= after <= most and after not in reached:
                 reached.add(after)

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
+from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, is_something, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
     Comparison,
@@ -21,9 +21,10 @@ from rosarch.models.machine.conditions import (
     constant,
     number,
     parse_condition,
-    strip,
 )
 from rosarch.models.machine.counting import calculated, stepped
+from rosarch.models.machine.limits import are_ranges, is_path
+from rosarch.models.machine.limits import holds as limits_hold
 from rosarch.models.machine.logic import (
     BOOLEAN,
     FALSE,
@@ -84,15 +85,20 @@ class Meaning:
         parts = tuple(self.formula(part, owner) for part in condition.parts)
         return conjunction(parts) if isinstance(condition, Conjunction) else Any(parts)
 
-    def assignments(self, variable: str, suffix: str, value: str | None, owner: str) -> list[Assignment]:
-        """What assigning `value` to a variable or to its field does to each of the variable's cells."""
+    def assignments(
+        self, variable: str, suffix: str, value: str | None, owner: str, messages: frozenset[str] = frozenset()
+    ) -> list[Assignment]:
+        """What assigning `value` to a variable or to its field does to each of the variable's cells.
+
+        `messages` is what messages are called there.
+        """
         found = []
         for cell in self._domains.cells_of(variable):
             if cell.suffix == suffix:
-                found.append(Assignment(cell, self._table(cell, value, owner)))
+                found.append(Assignment(cell, self._table(cell, value, owner, messages)))
             elif suffix in ("", cell.suffix[: len(suffix)]):
                 rest = cell.suffix[len(suffix) :]
-                found.append(Assignment(cell, self._part(cell, value, rest, owner)))
+                found.append(Assignment(cell, self._part(cell, value, rest, owner, messages)))
             elif suffix.startswith(cell.suffix):
                 found.append(Assignment(cell, self._unknown(cell)))
         return found
@@ -153,6 +159,11 @@ class Meaning:
         """A comparison by size, decided for the values that are numbers."""
         cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
         limit = number(condition.right)
+        subject = cell.subject if cell else self._domains.input(condition.left)
+        if limit is not None and are_ranges(subject.values):
+            truths = {value: limits_hold(condition.op, value, limit) for value in subject.values}
+            if None not in truths.values():
+                return Is(subject, frozenset(value for value, truth in truths.items() if truth))
         if cell is None or limit is None or cell.counting:
             return self._compared(condition)
 
@@ -193,7 +204,7 @@ class Meaning:
     def _opaque(text: str) -> Formula:
         return Is(Subject(compact(text), text), frozenset({"true"}))
 
-    def _table(self, cell: Cell, value: str | None, owner: str) -> Table:
+    def _table(self, cell: Cell, value: str | None, owner: str, messages: frozenset[str]) -> Table:
         if value is None:
             return self._unknown(cell)
         known = cell.value_of(value)
@@ -202,7 +213,7 @@ class Meaning:
         if cell.counting:
             return self._counted_on(cell, value)
         if chosen := choice(value):
-            return self._chosen(cell, *chosen, owner)
+            return self._chosen(cell, chosen, owner, messages)
         if cell.suffix.endswith(EMPTY):
             return self._filled(cell, value)
         if cell.subject.values == BOOLEAN:
@@ -211,24 +222,28 @@ class Meaning:
         source = self._domains.cell(self._domains.locator.locate(value, owner))
         if source:
             return self._copied(cell, source.subject)
-        if _POINTER_VALUE.match(strip(value)):
+        if are_ranges(cell.subject.values):
+            return self._copied(cell, self._domains.input(value)) if is_path(compact(value)) else self._unknown(cell)
+        if is_something(cell, value, messages):
             return ((TRUE, OTHER),)
         return self._stepped(cell, value, owner) or self._copied(cell, self._domains.input(value))
 
-    def _chosen(self, cell: Cell, condition: str, then: str, otherwise: str, owner: str) -> Table:
+    def _chosen(self, cell: Cell, chosen: tuple[str, str, str], owner: str, messages: frozenset[str]) -> Table:
         """What a condition chooses between."""
+        condition, then, otherwise = chosen
         holds = self.formula(parse_condition(condition), owner)
-        first = [(conjunction((holds, here)), value) for here, value in self._table(cell, then, owner)]
-        return (*first, *((conjunction((negation(holds), here)), value) for here, value in self._table(cell, otherwise, owner)))
+        first = [(conjunction((holds, here)), value) for here, value in self._table(cell, then, owner, messages)]
+        second = [(conjunction((negation(holds), here)), value) for here, value in self._table(cell, otherwise, owner, messages)]
+        return (*first, *second)
 
-    def _part(self, cell: Cell, value: str | None, rest: str, owner: str) -> Table:
+    def _part(self, cell: Cell, value: str | None, rest: str, owner: str, messages: frozenset[str]) -> Table:
         """A cell inside something that is assigned as a whole."""
         if value is None:
             return self._unknown(cell)
         if rest == EMPTY:
             return self._counted_on(cell, value) if cell.counting else self._filled(cell, value)
         part = part_text(value, rest)
-        return self._table(cell, part, owner) if part else self._unknown(cell)
+        return self._table(cell, part, owner, messages) if part else self._unknown(cell)
 
     def _counted_on(self, cell: Cell, value: str) -> Table:
         """The next number, from each of the values."""
@@ -291,5 +306,3 @@ class Meaning:
         hidden = Subject(f"next {cell.subject.key} of {'|'.join(values)}", f"next {cell.subject.text}", tuple(values), hidden=True)
         return [(conjunction((here, Is(hidden, frozenset({value})))), value) for value in values]
 
-
-_POINTER_VALUE = re.compile(r"new\b|&|(\w+::)*(make_shared|make_unique|allocate_shared)\b")

@@ -61,7 +61,8 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             continue
         variable, suffix = variable_and_field(row, names)
         owner = variable.rpartition("::")[0].rsplit("::", 1)[-1]
-        assignments = meaning.assignments(variable, suffix, domains.assigned(row), owner)
+        messages = names_of_messages(document, _list(row.get("trigger")))
+        assignments = meaning.assignments(variable, suffix, domains.assigned(row), owner, messages)
         step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(condition_of(row, "guard"), owner), tuple(assignments))
         trees[step] = row.get("guard_tree")
         for trigger in _triggers(row, loops):
@@ -94,6 +95,13 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     later = _done_later(document)
     ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees) for trigger, steps in found.items()}
     return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
+
+
+def names_of_messages(document: Document, triggers: Sequence[str]) -> frozenset[str]:
+    """What the code that all of these triggers run calls the message, and nothing else."""
+    told = (document.get("traits") or {}).get("names_message", ())
+    names = [frozenset(name for port, name in told if port == trigger) for trigger in triggers]
+    return frozenset.intersection(*names) if names else frozenset()
 
 
 def _done_later(document: Document) -> Mapping[str, frozenset[str]]:

@@ -9,7 +9,7 @@ from typing import Any
 from rosarch.library import LibraryComponent
 from rosarch.models.component import MANAGED, ComponentModel, parameter_json, port_json, to_json, traits_json
 from rosarch.models.places import Place
-from rosarch.models.rhythm import rhythms, way_needs
+from rosarch.models.rhythm import rhythms, used_up, way_needs
 from rosarch.models.traits import TRAITS
 
 Rows = dict[str, set[tuple[Any, ...]]]
@@ -106,10 +106,16 @@ def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
             for parameter, value, holds in needs:
                 writer.add("interface_way_needs", way, parameter, value, "yes" if holds else "no")
     places = {str(loop.at): loop.at for loop in model.behavior.periodic}
-    for rhythm in () if managed else rhythms({**to_json(model), "traits": traits_json(model)}):
+    if managed:
+        return
+    document = {**to_json(model), "traits": traits_json(model)}
+    for rhythm in rhythms(document):
         source = writer.placed(places[rhythm.trigger]) if rhythm.trigger in places else f"{component}#{rhythm.trigger}"
         sink = f"{component}#{rhythm.output}"
-        writer.add("interface_rhythm", component, source, sink, rhythm.parameter, rhythm.rounds, rhythm.sends)
+        writer.add("interface_rhythm", component, source, sink, rhythm.parameter, rhythm.factor, rhythm.rounds, rhythm.sends)
+    for used in used_up(document):
+        sink, port = f"{component}#{used.output}", f"{component}#{used.port}"
+        writer.add("interface_uses_up", component, writer.placed(places[used.trigger]), sink, port, "each" if used.each else "some")
 
 
 def _trait_value(writer: _Writer, component: str, kind: str, value: str | Place) -> str:

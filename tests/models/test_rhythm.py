@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from rosarch.models import formula
-from rosarch.models.rhythm import Rhythm, rhythms, way_needs, with_numbers
+from rosarch.models.rhythm import Rhythm, Used, rhythms, used_up, way_needs, with_numbers
 
 
 def _counting(
@@ -38,7 +38,7 @@ def _counting(
     ],
 )  # fmt: skip
 def test_a_counter_gives_a_rhythm(document: dict[str, Any], rounds: int, sends: int) -> None:
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "", rounds, sends)]
+    assert list(rhythms(document)) == [Rhythm("p1", "p2", "", 0, rounds, sends)]
 
 
 @pytest.mark.parametrize(
@@ -74,16 +74,16 @@ def test_a_timer_counts_behind_where_it_is_made() -> None:
     sent = {"mechanism": "timer", "hz": 20.0, "publishes": ["p2"], "at": "n.cpp:5", "conditional": "++n_ >= 4", "conditional_tree": tree}
     variable = {"name": "N::n_", "type": "int", "initial": "0", "at": "n.h:3"}
     document = {"state_variables": [variable], "transitions": [counted, again], "periodic": [sent]}
-    assert list(rhythms(document)) == [Rhythm("n.cpp:5", "p2", "", 4, 1)]
+    assert list(rhythms(document)) == [Rhythm("n.cpp:5", "p2", "", 0, 4, 1)]
     other = {**counted, "timed_by": ["n.cpp:6"]}
     assert list(rhythms({**document, "transitions": [other, again]})) == []
 
 
 def test_a_rhythm_that_a_parameter_gives() -> None:
     document = _counting("skip_", "--n_ == 0", ("--n_", None), ("skip_", "--n_ == 0"), traits={"keeps_value_of": [["skip_", "~skip"]]})
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "~skip", 0, 1)]
+    assert list(rhythms(document)) == [Rhythm("p1", "p2", "~skip", 1, 0, 1)]
     document = _counting("0", "++n_ > skip_", ("++n_", None), ("0", "++n_ > skip_"), traits={"keeps_value_of": [["skip_", "~skip"]]})
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "~skip", 1, 1)]
+    assert list(rhythms(document)) == [Rhythm("p1", "p2", "~skip", 1, 1, 1)]
 
 
 def test_names_that_stand_for_numbers() -> None:
@@ -103,7 +103,7 @@ def test_ways_that_parameters_open() -> None:
 
 def test_constants_have_names() -> None:
     document = _counting("0", "++n_ >= MOST", ("++n_", None), ("0", "++n_ >= MOST"), traits={"names_number": [["MOST", "6"]]})
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "", 6, 1)]
+    assert list(rhythms(document)) == [Rhythm("p1", "p2", "", 0, 6, 1)]
 
 
 @pytest.mark.parametrize(
@@ -124,5 +124,84 @@ def test_a_counter_of_few_bits_begins_anew(type_: str, guard: str, told: bool) -
 
 
 def test_an_unsigned_counter_is_never_below_zero() -> None:
-    assert list(rhythms(_counting("1", "--n_ < 1", ("--n_", None), type_="int"))) == [Rhythm("p1", "p2", "", 1, 1)]
+    assert list(rhythms(_counting("1", "--n_ < 1", ("--n_", None), type_="int"))) == [Rhythm("p1", "p2", "", 0, 1, 1)]
     assert list(rhythms(_counting("1", "--n_ < 1", ("--n_", None), type_="unsigned int"))) == []
+
+
+def _timed(variable: dict[str, Any], sent: str, *changes: tuple[str, str | None]) -> dict[str, Any]:
+    """A timer that changes a variable and sends where a condition holds behind that."""
+    rows = [
+        {"variable": variable["name"], "trigger": ["periodic"], "timed_by": ["n.cpp:5"], "value": value, "guard": guard, "at": f"n.cpp:{line}",
+         "guard_tree": {"all": [{"condition": guard, "holds": True, "at": "n.cpp:9"}]} if guard else None}
+        for line, (value, guard) in enumerate(changes, 10)
+    ]  # fmt: skip
+    tree = {"all": [{"condition": sent, "holds": True, "at": "n.cpp:20"}]}
+    loop = {"mechanism": "timer", "hz": 20.0, "publishes": ["p2"], "at": "n.cpp:5", "conditional": sent, "conditional_tree": tree}
+    return {"state_variables": [variable], "transitions": rows, "periodic": [loop]}
+
+
+@pytest.mark.parametrize(
+    ("variable", "sent", "changes", "rounds", "sends"),
+    [
+        ({"name": "N::on_", "type": "bool", "initial": "false", "at": "n.h:3"}, "on_", [("!on_", None)], 2, 1),
+        ({"name": "N::flip", "type": "bool", "initial": "True", "at": "n.py:3"}, "self.flip", [("not self.flip", None)], 2, 1),
+        ({"name": "N::first_", "type": "bool", "initial": "true", "at": "n.h:3"}, "first_", [("false", "first_")], 1, 0),
+        ({"name": "N::step_", "type": "Step", "initial": "Step::A", "at": "n.h:3"}, "step_ == Step::B",
+         [("Step::B", "step_ == Step::A"), ("Step::A", "!(step_ == Step::A)")], 2, 1),
+    ],
+)  # fmt: skip
+def test_a_state_that_a_timer_alone_changes_gives_a_rhythm(
+    variable: dict[str, Any], sent: str, changes: list[tuple[str, str | None]], rounds: int, sends: int
+) -> None:
+    assert list(rhythms(_timed(variable, sent, *changes))) == [Rhythm("n.cpp:5", "p2", "", 0, rounds, sends)]
+
+
+def test_a_state_that_may_begin_as_either_gives_no_rhythm() -> None:
+    variable = {"name": "N::on_", "type": "bool", "initial": None, "at": "n.h:3"}
+    assert list(rhythms(_timed(variable, "on_", ("false", "on_")))) == []
+
+
+def test_a_sliding_window_sends_for_each_once_it_is_full() -> None:
+    window = ("w_.push_back(x)", None), ("w_.pop_front()", "w_.size() > size_")
+    document = _timed({"name": "N::w_", "type": "std::deque<float>", "initial": None, "at": "n.h:3"}, "!(w_.size() < size_)", *window)
+    document = {**document, "traits": {"keeps_value_of": [["size_", "size"]]}}
+    assert list(rhythms(document)) == [Rhythm("n.cpp:5", "p2", "size", 0, 1, 1)]
+
+
+def _flag(*changes: tuple[str, str | None, str], guard: str = "new_") -> dict[str, Any]:
+    """A timer that sends where a flag is set; changes as (value, guard, trigger)."""
+    rows = [
+        {"variable": "N::new_", "trigger": [trigger], "timed_by": ["n.cpp:5"] if trigger == "periodic" else None, "value": value, "guard": condition,
+         "at": f"n.cpp:{line}", "guard_tree": {"all": [{"condition": condition, "holds": True, "at": "n.cpp:20"}]} if condition else None}
+        for line, (value, condition, trigger) in enumerate(changes, 10 if changes[0][2] != "periodic" else 22)
+    ]  # fmt: skip
+    tree = {"all": [{"condition": guard, "holds": True, "at": "n.cpp:20"}]}
+    loop = {"mechanism": "timer", "hz": 20.0, "publishes": ["p2"], "at": "n.cpp:5", "conditional": guard, "conditional_tree": tree}
+    ports = [{"id": "p1", "kind": "subscriber"}, {"id": "p2", "kind": "publisher"}, {"id": "p3", "kind": "service_server"}]
+    variable = {"name": "N::new_", "type": "bool", "initial": "false", "at": "n.h:3"}
+    return {"ports": ports, "state_variables": [variable], "transitions": rows, "periodic": [loop]}
+
+
+@pytest.mark.parametrize(
+    ("document", "each"),
+    [
+        (_flag(("true", None, "p1"), ("false", "new_", "periodic")), True),
+        (_flag(("true", "m.ok", "p1"), ("false", "new_", "periodic")), False),
+        (_flag(("true", None, "p1"), ("false", "new_ && ok()", "periodic"), guard="new_ && ok()"), False),
+    ],
+)
+def test_what_is_sent_once_for_what_came(document: dict[str, Any], each: bool) -> None:
+    assert list(used_up(document)) == [Used("n.cpp:5", "p2", "p1", each)]
+
+
+@pytest.mark.parametrize(
+    "document",
+    [
+        _flag(("true", None, "p1"), ("false", "new_ && ok()", "periodic")),  # sent again as long as not ok
+        _flag(("true", None, "p1"), ("false", "stop", "p1")),  # nothing takes it away
+        _flag(("true", None, "p3"), ("false", "new_", "periodic")),  # a service sets it
+        {**_flag(("true", None, "p1"), ("false", "new_", "periodic")), "traits": {"changed_at_once": [["N::new_", "n.cpp:10", "n.cpp:11"]]}},
+    ],
+)
+def test_what_may_be_sent_more_often_than_something_came(document: dict[str, Any]) -> None:
+    assert list(used_up(document)) == []

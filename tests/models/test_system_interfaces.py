@@ -115,7 +115,7 @@ def test_behavior_of_a_model() -> None:
         ("robot/base#robot/base#p2 p1 1", "robot/base", "robot/base#p2", sent, "partly"),
     }
     assert rows["interface_way_needs"] == {(f"robot/base#{loop} p1 1", "x", "true", "no")}
-    assert rows["interface_rhythm"] == {("robot/base", "robot/base#p2", sent, "", 3, 1)}
+    assert rows["interface_rhythm"] == {("robot/base", "robot/base#p2", sent, "", 0, 3, 1)}
 
 
 def test_of_managed_nodes_nothing_is_sent_for_certain() -> None:

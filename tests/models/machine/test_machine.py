@@ -119,6 +119,31 @@ def test_kinds_of_variables(type_: str, initial: str | None, rows: list, expecte
     assert reached == expected
 
 
+def test_an_optional_is_null_or_set() -> None:
+    rows = [
+        ("N::got_", "copied", None, "*msg"), ("N::got_", "made", None, "Pose()"), ("N::got_", "emplaced", None, "got_.emplace(1)"),
+        ("N::got_", "reset", None, "got_.reset()"), ("N::got_", "nothing", "got_.has_value()", "std::nullopt"), ("N::got_", "empty", None, "{}"),
+    ]  # fmt: skip
+    machine = build_machine(document(variables=[("N::got_", "std::optional<geometry_msgs::msg::Pose_>", None)], transitions=rows))
+    assert arrows(machine) == {
+        *(f"null {trigger} set" for trigger in ("copied", "made", "emplaced")),
+        *(f"set {trigger} null" for trigger in ("reset", "nothing", "empty")),
+    }
+    assert machine.regions[0].initial == (0,)
+
+
+def test_what_a_function_gives_may_be_null() -> None:
+    rows = [("N::got_", "asked", None, "find()"), ("N::got_", "sent", "got_", "{}")]
+    machine = build_machine(document(variables=[("N::got_", "std::optional<Pose>", None)], transitions=rows))
+    assert {arrow.partition("[")[0] for arrow in arrows(machine)} == {"null asked", "set asked", "set sent null"}
+
+
+def test_a_message_that_is_kept_is_not_null() -> None:
+    rows = [("N::last", "in", None, "msg"), ("N::last", "sent", "last is not None", "None")]
+    kept = {**document(variables=[("N::last", "", "None")], transitions=rows), "traits": {"names_message": [["in", "msg"]]}}
+    assert arrows(build_machine(kept)) == {"null in set", "set sent null"}
+
+
 def test_fields_are_variables_of_their_own() -> None:
     node = document(
         variables=[("N::cmd_", "Twist", None)],

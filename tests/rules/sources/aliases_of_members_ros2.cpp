@@ -1,18 +1,21 @@
 // Members that are changed by another name: a pointer or reference that is chosen, an iterator, a binding, a wrapper, what a function gives, a guard.
-// expect: assignment(E, V, "argument"), location(E, _, 57, _), variable_name(V, "left_")
-// expect: assignment(E, V, "argument"), location(E, _, 57, _), variable_name(V, "right_")
+// expect: assignment(E, V, "argument"), location(E, _, 60, _), variable_name(V, "left_")
+// expect: assignment(E, V, "argument"), location(E, _, 60, _), variable_name(V, "right_")
 // expect: 9 = count : { changes_by_other_name(E, V), variable_name(V, "left_") }
 // expect-not: changes_by_other_name(_, V), variable_name(V, "other_")
 // expect-not: changes_by_other_name(_, V), variable_name(V, "copied_")
-// expect: assignment(E, V, "argument"), location(E, _, 62, _), variable_name(V, "found_")
-// expect: assignment(E, V, "argument"), location(E, _, 64, _), variable_name(V, "pair_")
-// expect: assignment(E, V, "argument"), location(E, _, 69, _), variable_name(V, "list_")
+// expect-not: assignment(_, V, _), variable_name(V, "window_")
+// expect: assignment(E, V, "argument"), location(E, _, 65, _), variable_name(V, "found_")
+// expect: assignment(E, V, "argument"), location(E, _, 67, _), variable_name(V, "pair_")
+// expect: assignment(E, V, "argument"), location(E, _, 72, _), variable_name(V, "list_")
 // expect: member_refers(W, V), variable_name(W, "wrapped_"), variable_name(V, "left_")
-// expect: runs_at_end(C, _), location(C, _, 70, _)
-// expect: several_orders(E, E), location(E, _, 78, _)
-// expect-not: several_orders(E, E), location(E, _, 80, _)
+// expect: runs_at_end(C, _), location(C, _, 73, _)
+// expect: several_orders(E, E), location(E, _, 81, _)
+// expect-not: several_orders(E, E), location(E, _, 83, _)
 // expect: port_flow([_, "subscriber", "set"], [_, "publisher", "out"], "control", "kept")
+#include <algorithm>
 #include <cstring>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -80,12 +83,16 @@ private:
       checked_ = false;
     }
     if (checked_ && ended_) out_->publish(m);
+    std::vector<int> sorted(window_.begin(), window_.end());
+    std::sort(sorted.begin(), sorted.end());
+    if (!window_.empty() && sorted[0] > 0) out_->publish(m);
   }
 
   bool left_ = false, right_ = false, other_ = false, copied_ = false, ended_ = false, checked_ = false;
   int number_ = 0;
   bool list_[3] = {false, false, false};
   std::map<int, bool> found_;
+  std::deque<int> window_;
   std::pair<bool, int> pair_{false, 0};
   std::reference_wrapper<bool> wrapped_{left_};
   rclcpp::Publisher<Bool>::SharedPtr out_;
