@@ -71,12 +71,14 @@ def rhythms(document: Document) -> Iterator[Rhythm]:
     """The rhythms of a component's reactions to messages, and of its loops and timers."""
     traits: Mapping[str, Any] = document.get("traits") or {}
     document = with_constants(document)
-    yield from _fixed(document)
+    fixed = list(_fixed(document))
+    yield from fixed
+    known = {(rhythm.trigger, rhythm.output) for rhythm in fixed}
     for name, parameter in traits.get("keeps_value_of", ()):
         found = [{(r.trigger, r.output): r for r in _fixed(with_numbers(document, {name: value}))} for value in _TRIED]
         for key, first in found[0].items():
             same = [rhythms_[key] for rhythms_ in found if key in rhythms_]
-            if len(same) < len(_TRIED) or len({rhythm.sends for rhythm in same}) > 1:
+            if key in known or len(same) < len(_TRIED) or len({rhythm.sends for rhythm in same}) > 1:
                 continue
             for factor in (0, 1):
                 more = {rhythm.rounds - factor * value for rhythm, value in zip(same, _TRIED, strict=True)}

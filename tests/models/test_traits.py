@@ -21,6 +21,7 @@ COUNTS = (
     "sent_otherwise",
     "synchronised",
     "answers_surely",
+    "names_message",
 )  # `tests/rules/sources/flows_*.cpp` and `answers_*.cpp` have them
 MODES = (
     "begins_in",
