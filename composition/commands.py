@@ -221,6 +221,8 @@ def _runs_if(builder: _Builder, end: End) -> tuple[str, ...]:
         return (f"{node} takes what arrives ({component.unheard[trigger]})",)
     if builder.system.inlet(end) or trigger in component.queues or trigger == START:
         return ()
+    if trigger == "timer" and component.runs_once_when_set:
+        return ()
     return (f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} runs then",)
 
 
@@ -242,7 +244,7 @@ def _nothing_done(builder: _Builder, end: End, obligation: int | None) -> Iterat
     if obligation is not None and trigger in component.unsteady:
         rests = f"{component.label(trigger)} of {node} does not run then ({component.unsteady[trigger]})"
         yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
-    if obligation is not None and trigger in _OWN:
+    if obligation is not None and trigger in _OWN and not (trigger == "timer" and component.runs_once_when_set):
         rests = f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} does not run then"
         yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
     if trigger in component.answered and not builder.system.is_answered(end):

@@ -115,6 +115,12 @@ class Component:
         return found
 
     @cached_property
+    def runs_once_when_set(self) -> bool:
+        """Whether the only timer that runs once runs when it has been set off, and then alone."""
+        once = [gate for gate in gates(self.document) if gate.once]
+        return len(once) == 1 and all(once[0].open in step.guard for step in self.steps.get("timer", ()))
+
+    @cached_property
     def unheard(self) -> Mapping[str, str]:
         """The ports whose messages may never be taken, each with a reason; that callbacks wait for each other only makes queues longer."""
         waits = {reason for (reason,) in self._traits("held_up")}

@@ -28,10 +28,9 @@ from rosarch.models.machine.logic import (
 )
 from rosarch.models.machine.meaning import Meaning
 from rosarch.models.machine.steps import Output, Row, Step
-from rosarch.models.machine.switching import gated, gates, switch_steps
+from rosarch.models.machine.switching import WAYS, gated, gates, switch_steps
 
 PERIODIC = "periodic"
-_WAYS = 1000  # more than anything is switched by
 
 
 class TooManyCases(Exception):
@@ -88,7 +87,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     known = gates(document)
     for number, gate in enumerate(known):
         for way, step in switch_steps(gate, meaning):
-            own = replace(step, row=replace(step.row, index=number * _WAYS + step.row.index))
+            own = replace(step, row=replace(step.row, index=number * WAYS + step.row.index))
             trees[own] = way.get("guard_tree")
             for trigger in _triggers(way, loops):
                 found.setdefault(trigger, []).append(own)

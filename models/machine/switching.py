@@ -12,6 +12,7 @@ from rosarch.models.machine.meaning import Assignment, Meaning
 from rosarch.models.machine.steps import Row, Step
 
 ON, OFF = "on", "off"
+WAYS = 1000  # more than anything is switched by
 START = "start"
 """Triggers what a node does before its callbacks run."""
 
@@ -74,7 +75,8 @@ def _line(place: str) -> tuple[str, int]:
 
 def _once(document: Document) -> set[str]:
     """The places of timers that run once."""
-    timed = (row for row in document.get("transitions") or () if "timer" in _list(row.get("trigger")))
+    switches = [way for row in document.get("switched") or () for way in row["switches"]]
+    timed = (row for row in (*(document.get("transitions") or ()), *switches) if "timer" in _list(row.get("trigger")))
     return {str(row.get("at")) for row in document.get("one_shot") or ()} | {at for row in timed for at in _list(row.get("timed_by"))}
 
 
@@ -93,7 +95,7 @@ def gated(steps: Sequence[Step], trigger: str, known: Sequence[Gate], document: 
     found = list(steps)
     rows = document.get("transitions") or ()
     for number, gate in enumerate(known):
-        timed = [not gate.ports and trigger.split(" ")[0] in ("periodic", "timer") and _of(step, gate, rows) for step in found]
+        timed = [not gate.ports and trigger.split(" ")[0] in ("periodic", "timer") and _of(step, gate, rows, known) for step in found]
         found = [replace(step, guard=(gate.open, *step.guard)) if own else step for step, own in zip(found, timed, strict=True)]
         if gate.once and any(timed):
             ended = Assignment(gate.cell, ((TRUE, OFF),))
@@ -102,12 +104,15 @@ def gated(steps: Sequence[Step], trigger: str, known: Sequence[Gate], document: 
     return found
 
 
-def _of(step: Step, gate: Gate, rows: Sequence[Mapping[str, Any]]) -> bool:
+def _of(step: Step, gate: Gate, rows: Sequence[Mapping[str, Any]], known: Sequence[Gate]) -> bool:
     """Whether a step is one of the timer's, or of the loop's."""
     if step.row.kind in ("periodic", "one_shot"):
         return step.row.at == gate.at
     if step.row.kind == "transitions":
         return _list(rows[step.row.index].get("timed_by")) == [gate.at]
+    if step.row.kind == "switched":
+        number, way = divmod(step.row.index, WAYS)
+        return _list(known[number].ways[way].get("timed_by")) == [gate.at]
     return False
 
 
