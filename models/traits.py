@@ -103,6 +103,8 @@ TRAITS = {
     "made_without_queue": ("place",),
     "starts_in_constructor": ("place", "place", "text"),
     "spins_again": ("place", "text"),
+    "runs_too_little": ("place", "text"),
+    "plugin_named": ("place", "text", "text", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     "keeps_value_of": ("text", "text"),
     "names_number": ("text", "text"),

@@ -16,7 +16,7 @@ from rosarch.extractor.files import LARGEST_PARSED, read_file
 
 from .graph import closure
 from .model import LIBRARY_KINDS, Package, PluginClass, Target, Workspace
-from .plugins import own_headers, parse_plugins, registrations
+from .plugins import Registration, own_headers, parse_plugins, registrations
 
 COMPONENT_BASE = "rclcpp_components"
 _OTHER_MACRO = re.compile(
@@ -27,7 +27,10 @@ _MADE_OTHERWISE = re.compile(r"NodeFactory|class_loader::|#\s*include\s*[<\"][^>
 
 @dataclass(frozen=True)
 class Promised:
-    """At `line` of `path`, CMake or a description says that `library` registers `name`; `registered` are those that it does register."""
+    """At `line` of `path`, CMake or a description says that `library` registers `name`, of `base`; it does register `registered`.
+
+    `bases` are those under which it registers the class. A description that calls the library otherwise than its file has `written` so.
+    """
 
     name: str
     library: str
@@ -35,41 +38,66 @@ class Promised:
     line: int
     registered: tuple[str, ...]
     open: bool
+    base: str = ""
+    bases: tuple[str, ...] = ()
+    written: str = ""
 
 
 def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
     """The classes that CMake and exported descriptions name for libraries of the package whose sources are known."""
-    known: dict[str, tuple[frozenset[str], bool]] = {}
+    known: dict[str, tuple[frozenset[Registration], bool]] = {}
     exported = {path for _, path in package.plugin_exports}
     for plugin in package.plugins:
-        name, target = plugin.name, None
+        name, target, written = plugin.name, None, ""
         if plugin.base == COMPONENT_BASE:
             target = package.target(plugin.library)
         elif plugin.declared_at in exported and not plugin.in_python:
             name, target = plugin.cxx_class.removeprefix("::"), _library_at(package, plugin.library)
+            if target is None and plugin.library and not _files_at(package, plugin.library):
+                target, written = _registering(workspace, package, name), plugin.library
         if target is not None and target.kind in LIBRARY_KINDS:
             if target.name not in known:
                 known[target.name] = _registered(workspace, package, target)
-            names, is_open = known[target.name]
-            yield Promised(name, target.name, plugin.declared_at, plugin.line, tuple(sorted(names)), is_open)
+            found, is_open = known[target.name]
+            names = sorted({one.cxx_class for one in found})
+            bases = sorted({one.base for one in found if one.cxx_class == name})
+            base = plugin.base.removeprefix("::")
+            yield Promised(name, target.name, plugin.declared_at, plugin.line, tuple(names), is_open, base, tuple(bases), written)
+
+
+def _registering(workspace: Workspace, package: Package, name: str) -> Target | None:
+    """The one library of the package that registers a class."""
+    libraries = [target for target in package.targets if target.kind in LIBRARY_KINDS]
+    found = [target for target in libraries if name in {one.cxx_class for one in _registered(workspace, package, target)[0]}]
+    return found[0] if len(found) == 1 else None
+
+
+def _files_at(package: Package, path: str) -> list[Target]:
+    """The targets that may be what a description calls `path`."""
+    name = _file_name(path)
+    return [target for target in package.targets if target.output_name.removeprefix("lib") == name.removeprefix("lib")]
 
 
 def _library_at(package: Package, path: str) -> Target | None:
     """The target whose file a description calls `path`: with or without a folder, `lib` and an ending."""
-    name = re.sub(r"\.so$", "", path.rpartition("/")[2])
+    name = _file_name(path)
     names = (name, name.removeprefix("lib"))
     found = [target for target in package.targets if target.kind in LIBRARY_KINDS and target.output_name in names]
     return found[0] if len(found) == 1 else None
 
 
-def _registered(workspace: Workspace, package: Package, target: Target) -> tuple[frozenset[str], bool]:
+def _file_name(path: str) -> str:
+    return re.sub(r"\.so$", "", path.rpartition("/")[2])
+
+
+def _registered(workspace: Workspace, package: Package, target: Target) -> tuple[frozenset[Registration], bool]:
     """What a library registers, and whether it may be more."""
     targets = (target, *closure(workspace, target))
     sources = [source for one in targets for source in one.sources]
     files = dict.fromkeys(sources)
     for source in sources:
         files.update(dict.fromkeys(own_headers(source, (*target.include_dirs, package.path / "include"), package.path)))
-    names = frozenset(found.cxx_class for file in files for found in registrations(file))
+    names = frozenset(found for file in files for found in registrations(file))
     return names, not target.sources or any(map(_may_register, files)) or any(_is_unknown(workspace, one) for one in targets)
 
 

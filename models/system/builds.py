@@ -59,7 +59,13 @@ def _plugins(rows: _Rows, root: str, package: Built) -> None:
 
 def _components(rows: _Rows, root: str, package: Built) -> None:
     for one in package.promised:
-        rows["component_promised"].add((_place(rows, root, one.path, one.line), package.name, one.library, one.name))
+        place = _place(rows, root, one.path, one.line)
+        if one.written:
+            rows["library_misnamed"].add((place, package.name, one.written, one.library, one.name))
+        else:
+            rows["component_promised"].add((place, package.name, one.library, one.name))
+        rows["plugin_base_described"].add((place, package.name, one.library, one.name, one.base))
+        rows["plugin_base_registered"].update((package.name, one.library, one.name, base) for base in one.bases)
         rows["class_registered"].update((package.name, one.library, name) for name in one.registered)
         if one.open:
             rows["registering_open"].add((package.name, one.library))

@@ -55,7 +55,7 @@ def rows(root: Path, launch: str) -> dict[str, set[tuple[object, ...]]]:
         "install(FILES plain.py DESTINATION lib/demo)\n"
     )
     (demo / "CMakeLists.txt").write_text(cmake)
-    (demo / "part.cpp").write_text("RCLCPP_COMPONENTS_REGISTER_NODE(demo::Other)\n")
+    (demo / "part.cpp").write_text("RCLCPP_COMPONENTS_REGISTER_NODE(demo::Other)\nPLUGINLIB_EXPORT_CLASS(demo::plugins, base::Other)\n")
     for name in ("plugins", "more"):
         text = f'<library path="{name}"><class name="demo/{name}" type="demo::{name}" base_class_type="base::Base"/></library>'
         (demo / f"{name}.xml").write_text(text)
@@ -90,7 +90,13 @@ def test_rows(tmp_path: Path) -> None:
     assert found["entry_module_absent"] == {("kitchen", "kitchen.bake")}
     assert found["entry_module_left_out"] == {("kitchen", "kitchen.stove.boil")}
     assert found["component_promised"] == {("demo/CMakeLists.txt:4:1", "demo", "part", "demo::Part")}
-    assert found["class_registered"] == {("demo", "part", "demo::Other")}
+    assert found["class_registered"] == {("demo", "part", "demo::Other"), ("demo", "part", "demo::plugins")}
+    assert found["library_misnamed"] == {("demo/plugins.xml:1:1", "demo", "plugins", "part", "demo::plugins")}
+    assert found["plugin_base_described"] == {
+        ("demo/CMakeLists.txt:4:1", "demo", "part", "demo::Part", "rclcpp_components"),
+        ("demo/plugins.xml:1:1", "demo", "part", "demo::plugins", "base::Base"),
+    }
+    assert found["plugin_base_registered"] == {("demo", "part", "demo::plugins", "base::Other")}
     assert found["registering_open"] == {("demo", "part")}  # for a source that is not there
     assert found["plugin_exported"] == {("demo/plugins.xml:1:1", "demo", name) for name in ("demo/plugins", "demo::plugins")}
     assert found["plugin_left_out"] == {("demo/CMakeLists.txt:7:1", "demo", "more.xml", name) for name in ("demo/more", "demo::more")}
@@ -121,4 +127,21 @@ def test_classes_that_descriptions_promise(tmp_path: Path) -> None:
         ("demo/Part.xml:2:1", "demo", "part", "demo::Part"), ("demo/Other.xml:2:1", "demo", "part", "demo::Other")
     }  # fmt: skip
     assert found["class_registered"] == {("demo", "part", "demo::Other")}
+    assert found["plugin_base_registered"] == {("demo", "part", "demo::Other", "base::Base")}
+    assert found["library_misnamed"] == set()  # nothing registers the class of the library that is elsewhere
     assert found["registering_open"] == set()
+
+
+def test_a_library_that_may_be_called_so(tmp_path: Path) -> None:
+    demo = tmp_path / "demo"
+    demo.mkdir()
+    (demo / "package.xml").write_text(MANIFEST.format("demo"))
+    (demo / "Part.xml").write_text('<library path="lib/libparts"><class name="demo/Part" type="demo::Part" base_class_type="base::Base"/></library>')
+    (demo / "part.cpp").write_text("PLUGINLIB_EXPORT_CLASS(demo::Part, base::Base)\n")
+    (demo / "a.launch").write_text("<launch/>")
+    renamed = "set_target_properties(part PROPERTIES OUTPUT_NAME parts)\n"
+    for more, expected in (("", {"part"}), (renamed, set())):
+        exports = "pluginlib_export_plugin_description_file(base Part.xml)\n"
+        (demo / "CMakeLists.txt").write_text(f"add_library(part SHARED part.cpp)\n{more}{exports}ament_package()\n")
+        found = build_rows(compose([demo / "a.launch"], files=Files(PackagePath([tmp_path]))), builds(discover(tmp_path)), tmp_path)
+        assert {row[3] for row in found["library_misnamed"]} == expected, more
