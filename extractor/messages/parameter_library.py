@@ -62,7 +62,7 @@ class ParameterHeaders:
                 if body is None:
                     continue
                 inner = f"rosarch_parameters/{package.name}/{name}.hpp"
-                text = f"#pragma once\n#include <rclcpp/rclcpp.hpp>\n#include <rclcpp_lifecycle/lifecycle_node.hpp>\n#include <{inner}>\n"
+                text = f"#pragma once\n#include <stdexcept>\n#include <rclcpp/rclcpp.hpp>\n#include <rclcpp_lifecycle/lifecycle_node.hpp>\n#include <{inner}>\n"
                 texts |= {inner: body, f"{package.name}/{name}.hpp": text}
                 texts.setdefault(f"{name}.hpp", text)
         return cls(texts, tuple(problems))
@@ -164,7 +164,13 @@ class _Header:
         text += f' + "{joint}"'
         told = kind if kind in _TYPES and kind != "string" else type_
         line, column = key.start_mark.line, key.start_mark.column
-        self.statements[line].append((column, f"{begin}{target[:-1]} =", f"node->declare_parameter<{told}>({text}{given});{end}"))
+        declares = f"node->declare_parameter<{told}>({text}{given});"
+        refused = [] if begin else list(_refused(described.get("validation"), item, is_list=type_ != item))
+        if refused:
+            checks = "".join(f' if ({condition.replace("?", "given")}) throw std::invalid_argument("");' for condition in refused)
+            self.statements[line].append((column, f"{{ const {type_} given =", f"{declares} {target[:-1]} = given;{checks} }}"))
+        else:
+            self.statements[line].append((column, f"{begin}{target[:-1]} =", f"{declares}{end}"))
         return f"{type_} {key.value};"
 
     def _refuse(self, node: yaml.Node, text: str) -> str:
@@ -190,6 +196,30 @@ class _Header:
                 lines[before] += f" {target}"
                 lines[-1] = f"{lines[-1].ljust(column)}{call}" if before == -2 else f"{lines[-1]} {call}"
         return "\n".join([*lines, "} }; }", ""])
+
+
+_COMPARED = {"lt": (">=",), "gt": ("<=",), "lt_eq": (">",), "gt_eq": ("<",), "bounds": ("<", ">")}
+_SIZED = {"fixed_size": "!=", "size_gt": "<=", "size_lt": ">="}
+
+
+def _refused(validation: yaml.Node | None, item: str, *, is_list: bool) -> Iterator[str]:
+    """The conditions on a value, `?`, under which the validators refuse it; those of own validators and of elements are not told."""
+    for key, value in _entries(validation):
+        name, listed = key.value.removesuffix("<>"), value.value if isinstance(value, yaml.SequenceNode) else [value]
+        if name in _SIZED and is_list and len(listed) == 1 and (number := _number(listed[0])):
+            yield f"?.size() {_SIZED[name]} {number}"
+        elif name == "not_empty" and is_list:
+            yield "?.size() == 0"
+        elif name in _COMPARED and not is_list and item in ("int64_t", "double"):
+            for operator, given in zip(_COMPARED[name], listed, strict=False):
+                if number := _number(given):
+                    yield f"? {operator} {number}"
+        elif name == "one_of" and not is_list and item == "std::string" and len(listed) == 1 and isinstance(listed[0], yaml.SequenceNode):
+            yield " && ".join(f"? != {json.dumps(text.value)}" for text in listed[0].value if isinstance(text, yaml.ScalarNode))
+
+
+def _number(node: yaml.Node) -> str | None:
+    return node.value if isinstance(node, yaml.ScalarNode) and _NUMBER.fullmatch(node.value) else None
 
 
 def _literal(node: yaml.Node, item: str) -> str | None:

@@ -51,6 +51,29 @@ def test_defaults_that_are_none_of_their_type_are_left_out(tmp_path: Path) -> No
     ]
 
 
+def test_values_that_validators_refuse(tmp_path: Path) -> None:
+    """Those of elements, of entries of maps and of own validators are not told."""
+    found = headers_of(
+        tmp_path,
+        "space:\n  a: {type: double, validation: {bounds<>: [0.0, 5.0]}}\n  b: {type: int, validation: {gt<>: 0, lt_eq<>: [8]}}\n"
+        "  c: {type: string, validation: {one_of<>: [[x, y]]}}\n  d: {type: int_array, validation: {fixed_size<>: 2, bounds<>: [0, 1]}}\n"
+        "  e: {type: string_array, validation: {not_empty<>: null, size_lt<>: [n]}}\n  f: {type: string, validation: {own<>: null, not_empty<>: []}}\n"
+        "  g: {type: string_array}\n  h:\n    __map_g:\n      i: {type: int, validation: {gt<>: 0}}\n",
+    )
+    lines = found.texts["rosarch_parameters/demo/made.hpp"].split("\n")
+    assert [line.partition("params_->")[2].partition(" = given;")[2] for line in lines if "declare_parameter<" in line] == [
+        ' if (given < 0.0) throw std::invalid_argument(""); if (given > 5.0) throw std::invalid_argument(""); } { const int64_t given =',
+        ' if (given <= 0) throw std::invalid_argument(""); if (given > 8) throw std::invalid_argument(""); } { const std::string given =',
+        ' if (given != "x" && given != "y") throw std::invalid_argument(""); } { const std::vector<int64_t> given =',
+        ' if (given.size() != 2) throw std::invalid_argument(""); } { const std::vector<std::string> given =',
+        ' if (given.size() == 0) throw std::invalid_argument(""); } params_->f =',
+        "",
+        "",
+        "",
+    ]
+    assert lines[1].startswith('  node->declare_parameter<double>(prefix + "a"); params_->a = given;')
+
+
 def test_several_in_a_line(tmp_path: Path) -> None:
     found = headers_of(tmp_path, "space: {a: {type: int}, b: {type: bool}}\n")
     text = found.texts["rosarch_parameters/demo/made.hpp"]

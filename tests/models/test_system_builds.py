@@ -136,7 +136,9 @@ def test_a_library_that_may_be_called_so(tmp_path: Path) -> None:
     demo = tmp_path / "demo"
     demo.mkdir()
     (demo / "package.xml").write_text(MANIFEST.format("demo"))
-    (demo / "Part.xml").write_text('<library path="lib/libparts"><class name="demo/Part" type="demo::Part" base_class_type="base::Base"/></library>')
+    (demo / "Part.xml").write_text(
+        '<library path="lib/libparts"><class name="demo/Part" type="demo::Part" base_class_type="base::Base"/></library>'
+    )
     (demo / "part.cpp").write_text("PLUGINLIB_EXPORT_CLASS(demo::Part, base::Base)\n")
     (demo / "a.launch").write_text("<launch/>")
     renamed = "set_target_properties(part PROPERTIES OUTPUT_NAME parts)\n"
