@@ -15,6 +15,7 @@ from rosarch.extractor.files import path_text
 
 from .arguments import NodeArguments, node_arguments
 from .model import (
+    ActionLeftOut,
     ArgumentDeclared,
     ArgumentLeaked,
     ArgumentUsed,
@@ -199,6 +200,8 @@ class _Writer:
                 self.add("text_tested", place, named.name)
             case ArgumentLeaked():
                 self.add("argument_leaked", place, named.name, named.value, self.place(named.origin))
+            case ActionLeftOut():
+                self.add("action_left_out", place, named.action, named.name)
             case SubstitutionUsed():
                 self.add("substitution_used", place, named.name, named.effect)
             case ProgramNamed():

@@ -333,6 +333,15 @@ class SubstitutionUsed:
 
 
 @dataclass(frozen=True)
+class ActionLeftOut:
+    """An `action` is made and never used; `name` is the variable that holds it, "" for none."""
+
+    action: str
+    name: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class ArgumentLeaked:
     """The argument `name`, declared at `place`, has the `value` that a file included before gave it at `origin`, not its own default."""
 
@@ -342,7 +351,7 @@ class ArgumentLeaked:
     origin: Place
 
 
-_OfArguments = ArgumentLeaked | ArgumentUsed | SubstitutionUsed | TextTested
+_OfArguments = ActionLeftOut | ArgumentLeaked | ArgumentUsed | SubstitutionUsed | TextTested
 Reference = _OfArguments | FileNamed | FileMeant | ProgramNamed | ComponentNamed | PackageNamed | HomePath
 
 

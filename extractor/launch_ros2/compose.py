@@ -22,6 +22,7 @@ from .actions import joined, visit
 from .context import Context
 from .expressions import Raised, Stopped, Undecided
 from .includes import read
+from .left_out import left_out
 from .truths import truths
 from .world import World
 
@@ -73,11 +74,14 @@ def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:
 
 
 def _truths(world: World) -> Iterator[Reference]:
-    """Where Python launch files take configurations for values."""
+    """Where Python launch files take configurations for values, and which actions they leave out."""
     for path in world.state.read:
         if path.endswith(".py"):
             with suppress(LaunchError, SyntaxError):
-                yield from truths(parse_python(world.state.files.read(path)), path)
+                text = world.state.files.read(path)
+                tree = parse_python(text)
+                yield from truths(tree, path)
+                yield from left_out(tree, text.decode(errors="replace"), path)
 
 
 def _references(world: World) -> tuple[Reference, ...]:

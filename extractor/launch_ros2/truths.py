@@ -39,8 +39,13 @@ def _within(body: list[ast.stmt]) -> Iterator[ast.AST]:
     while stack:
         node = stack.pop()
         yield node
-        if not isinstance(node, (*_Function.__args__, ast.Lambda)):
+        if not isinstance(node, (*_Function.__args__, ast.Lambda)) and not _is_print(node):
             stack.extend(reversed(list(ast.iter_child_nodes(node))))
+
+
+def _is_print(node: ast.AST) -> bool:
+    """Whether it only shows something."""
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print"
 
 
 class _Names:
@@ -88,6 +93,14 @@ def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Found]:
                 yield from _tested(test, names, path)
         case ast.Call(func=ast.Name(id="bool"), args=[test]):
             yield from _tested(test, names, path)
+        case ast.FormattedValue(value=written) | ast.Call(func=ast.Name(id="str"), args=[written]):
+            yield from _written(written, names, path, "is written as the object that it is, not as its value")
+        case ast.BinOp(left=left, op=ast.Add(), right=right) if _is_text(left) or _is_text(right):
+            for one in (left, right):
+                yield from _written(one, names, path, "cannot be joined with a text: TypeError")
+        case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="path"), attr="join"), args=parts):
+            for one in parts:
+                yield from _written(one, names, path, "is no path: TypeError")
         case ast.Compare(left=left, ops=[ast.Eq() | ast.NotEq() | ast.Is() | ast.IsNot()], comparators=[right]):
             yield from _compared(node, left, right, names, path)
 
@@ -101,6 +114,16 @@ def _tested(test: ast.expr, names: _Names, path: str) -> Iterator[_Found]:
     if found is not None:
         place = Place(path, test.lineno, test.col_offset + 1)
         yield TextTested(found[0], place) if found[1] else SubstitutionUsed(found[0], "counts as true", place)
+
+
+def _is_text(node: ast.expr) -> bool:
+    return isinstance(node, ast.JoinedStr) or (isinstance(node, ast.Constant) and isinstance(node.value, str))
+
+
+def _written(node: ast.expr, names: _Names, path: str, effect: str) -> Iterator[_Found]:
+    found = names.of(node)
+    if found is not None and not found[1]:
+        yield SubstitutionUsed(found[0], effect, Place(path, node.lineno, node.col_offset + 1))
 
 
 def _compared(node: ast.Compare, left: ast.expr, right: ast.expr, names: _Names, path: str) -> Iterator[_Found]:

@@ -62,7 +62,8 @@ class ParameterHeaders:
                 if body is None:
                     continue
                 inner = f"rosarch_parameters/{package.name}/{name}.hpp"
-                text = f"#pragma once\n#include <stdexcept>\n#include <rclcpp/rclcpp.hpp>\n#include <rclcpp_lifecycle/lifecycle_node.hpp>\n#include <{inner}>\n"
+                headers = ("stdexcept", "rclcpp/rclcpp.hpp", "rclcpp_lifecycle/lifecycle_node.hpp", inner)
+                text = "#pragma once\n" + "".join(f"#include <{header}>\n" for header in headers)
                 texts |= {inner: body, f"{package.name}/{name}.hpp": text}
                 texts.setdefault(f"{name}.hpp", text)
         return cls(texts, tuple(problems))

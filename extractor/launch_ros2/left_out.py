@@ -1,0 +1,55 @@
+"""Actions that a Python launch file makes and gives to nobody: a variable holds them that is not read again.
+
+What a comment of the file mentions was taken out on purpose.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from rosarch.extractor.launch.model import ActionLeftOut, Place
+
+_STARTING = "Node LifecycleNode ComposableNodeContainer LoadComposableNodes IncludeLaunchDescription ExecuteProcess GroupAction TimerAction"
+_OTHER = "DeclareLaunchArgument OpaqueFunction RegisterEventHandler EmitEvent SetEnvironmentVariable SetParameter PushRosNamespace"
+_ACTIONS = frozenset(f"{_STARTING} {_OTHER}".split())
+_Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def left_out(tree: ast.Module, text: str, path: str) -> Iterator[ActionLeftOut]:
+    """All such actions of a file, those of functions in functions too."""
+    described = any(isinstance(node, ast.Name) and node.id == "LaunchDescription" for node in ast.walk(tree))
+    comments = " ".join(re.findall(r"#[^\n]*", text))
+    for function in ast.walk(tree) if described else ():
+        if isinstance(function, _Function) and not _lets_others_look(function):
+            yield from _of_function(function, comments, path)
+
+
+def _lets_others_look(function: _Function) -> bool:
+    """Whether what a function has in its variables may be read by name."""
+    return any(isinstance(node, ast.Name) and node.id in ("locals", "vars", "eval", "exec") for node in ast.walk(function))
+
+
+def _of_function(function: _Function, comments: str, path: str) -> Iterator[ActionLeftOut]:
+    names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
+    read = Counter(node.id for node in names if isinstance(node.ctx, ast.Load))
+    declared = {name for node in ast.walk(function) if isinstance(node, (ast.Global, ast.Nonlocal)) for name in node.names}
+    for statement in _statements(function):
+        match statement:
+            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=action) | ast.Attribute(attr=action)) as made):
+                if action in _ACTIONS and not read[name] and name not in declared and not re.search(rf"\b{re.escape(name)}\b", comments):
+                    yield ActionLeftOut(action, name, Place(path, made.lineno, made.col_offset + 1))
+            case ast.Expr(value=ast.Call(func=ast.Name(id=action)) as made) if action in _ACTIONS:
+                yield ActionLeftOut(action, "", Place(path, made.lineno, made.col_offset + 1))
+
+
+def _statements(function: _Function) -> Iterator[ast.stmt]:
+    stack: list[ast.AST] = list(reversed(function.body))
+    while stack:
+        node = stack.pop()
+        if isinstance(node, ast.stmt):
+            yield node
+        if not isinstance(node, (*_Function.__args__, ast.ClassDef, ast.Lambda)):
+            stack.extend(reversed(list(ast.iter_child_nodes(node))))
