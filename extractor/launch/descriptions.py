@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from dataclasses import replace
 
 from rosarch.extractor.urdf.command import XacroCall, run
-from rosarch.extractor.urdf.document import DocumentError, parse
+from rosarch.extractor.urdf.document import DocumentError, Element, parse
 from rosarch.extractor.urdf.plugins import SimulatorPlugin, plugins
 from rosarch.extractor.urdf.writer import write
 
@@ -36,19 +37,34 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
     if expansion.document is None:
         return None, ()
+    _note_meshes(state, expansion.document.root)
     return write(expansion.document, call.file), plugins(expansion.document.root)
 
 
 def plugins_of_file(state: State, path: str, text: str) -> tuple[SimulatorPlugin, ...]:
     """The plugins of a file with the content `text`; none, with a report, when it is no document."""
-    if "<plugin" not in text:
+    if "<plugin" not in text and "<mesh" not in text:
         return ()
     state.spend(len(text))
     try:
-        return plugins(state.files.parsed(path, parse).root)
+        root = state.files.parsed(path, parse).root
+        _note_meshes(state, root)
+        return plugins(root)
     except DocumentError as error:
         state.problems.setdefault(Problem("urdf", path, error.message, error.place, fatal=False, conditions=state.scope.conditions))
         return ()
+
+
+def _note_meshes(state: State, root: Element) -> None:
+    """Note the files that meshes of links name in packages: `package://robot/meshes/base.stl`."""
+    for element in root.elements():
+        name = element.attributes.get("filename", "") if element.tag == "mesh" else ""
+        package, _, path = name.removeprefix("package://").partition("/")
+        if name.startswith("package://") and path and is_known(name):
+            folder = state.files.packages.find(package)
+            if folder is not None:
+                state.meshes[(os.path.normpath(f"{folder}/{path}"), element.place)] = None
+        _note_meshes(state, element)
 
 
 def note_worlds(state: State, texts: Iterable[str], scope: Scope) -> None:

@@ -52,6 +52,7 @@ class State:
         self.params: dict[str, list[ParamSetting]] = {}
         self.unread: list[ParamSetting] = []
         self.worlds: dict[str, World] = {}
+        self.meshes: dict[tuple[str, Place], None] = {}
         self.commands: dict[Place, None] = {}
         self.includes: list[Include] = []
         self.declared: list[ArgumentDeclared] = []
