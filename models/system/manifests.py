@@ -64,6 +64,7 @@ def declared(root: Path) -> tuple[Declared, ...]:
     """The manifests below `root`. Those that ignore markers hide are there, but nobody builds them: they need nothing."""
     from rosarch.extractor.workspace.manifests import find_manifests
 
+    root = Path(os.path.abspath(root))  # launch files are compared with it by their absolute paths
     paths = find_manifests(root, [], ignored=True)
     folders = {os.path.dirname(path) for path in paths}
     built = set(find_manifests(root, []))

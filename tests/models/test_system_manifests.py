@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.models.system.manifests import Declared, declared, manifest_rows
 
@@ -79,6 +81,12 @@ def test_what_stands_in_a_comment_only_is_set_aside(tmp_path: Path) -> None:
     package(tmp_path, "robot", "<depend>lamp</depend>\n<!-- <depend>lamp</depend> <run_depend>store</run_depend> -->", **{"a.launch": node})
     composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
     assert manifest_rows(composition, declared(tmp_path), tmp_path, ())["package_set_aside"] == {("robot", "store")}
+
+
+def test_the_folder_may_be_named_from_where_one_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = package(tmp_path, "robot")
+    monkeypatch.chdir(tmp_path)
+    assert [one.folder for one in declared(Path())] == [str(folder)]
 
 
 def test_a_package_that_is_not_built_needs_nothing(tmp_path: Path) -> None:
