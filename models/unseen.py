@@ -14,6 +14,7 @@ _REASONS = {
     "base": "the base class {} was not seen",
     "call": "the call of {} was not understood",
     "import": "{} imports a module whose name is not known",
+    "member": "a method of {} is called whose name is not known",
     "source": "the source was not analysed: {}",
     "lost": "a function was not understood: {}",
     "macro": "the macro {} stands in a class of nodes and was not seen",
