@@ -88,7 +88,8 @@ class StateVariable:
 class Transition:
     """An assignment to a state variable; `field` is the part that is assigned, `trigger` has port ids and kinds of activities.
 
-    `timed_by` are the places of the timed loops and timers among the triggers, as those of `Periodic` and `OneShot`.
+    `timed_by` are the places of the timed loops and timers among the triggers, as those of `Periodic` and `OneShot`. `meaning` is the value
+    with locals replaced by what they stand for, where that differs.
     """
 
     variable: str
@@ -98,6 +99,7 @@ class Transition:
     value: str | None
     at: Place
     timed_by: tuple[Place, ...] = ()
+    meaning: str | None = None
 
 
 @dataclass(frozen=True)
@@ -348,9 +350,11 @@ def _transitions(
         elsewhere[assignment].add(ports.get(port, ""))
     for assignment, variable, root in relations["transition"]:
         how, target, value = parts.get(assignment, ("call", "", ""))
-        written = _value(how, texts.get(assignment), texts.get(target), texts.get(value))
-        for way in _told_apart(guards.ways(root, assignment, written or "")):
-            change = _Change(assignment, variable, way.guard, way.value or None, way.called)
+        written = _value(how, texts.get(assignment), texts.get(target), texts.get(value)) or ""
+        meant = _value(how, texts.get(assignment), texts.get(target), guards.meaning(value)) or ""
+        for way in _told_apart(guards.ways(root, assignment, meant)):
+            shown = written if way.value == meant else way.value
+            change = _Change(assignment, variable, way.guard, shown or None, way.value or None, way.called)
             found[change].update(set(triggers.get(root, ())) - elsewhere[assignment])
             timed[change].update(timers.get(root, ()))
     result = []
@@ -359,7 +363,9 @@ def _transitions(
         if change.assignment in places and change.variable in names:
             name, at = names[change.variable], places[change.assignment]
             field = _field(texts.get(target, ""), name)
-            made = Transition(name, field, tuple(sorted(causes)), change.guard, change.value, at, tuple(sorted(timed[change])))
+            meaning = None if change.meaning == change.value else change.meaning
+            timed_by = tuple(sorted(timed[change]))
+            made = Transition(name, field, tuple(sorted(causes)), change.guard, change.value, at, timed_by, meaning)
             result.append((change.called or at, made))
     result.sort(key=lambda row: (row[1].at, row[1].variable, row[0], formula.text(row[1].guard) or "", row[1].trigger))
     return tuple(transition for _, transition in result)
@@ -373,6 +379,7 @@ class _Change:
     variable: str
     guard: Formula
     value: str | None
+    meaning: str | None
     called: Place | None
 
 

@@ -385,7 +385,7 @@ def _behavior_json(behavior: Behavior, asked: Collection[str]) -> dict[str, Any]
         "transitions": [
             {"variable": t.variable, **({} if t.field is None else {"field": t.field}), "trigger": list(t.trigger),
              **({"timed_by": [str(place) for place in t.timed_by]} if t.timed_by else {}),
-             **_guard_json("guard", t.guard), "value": t.value, "at": str(t.at)}
+             **_guard_json("guard", t.guard), "value": t.value, **({"value_normal": t.meaning} if t.meaning else {}), "at": str(t.at)}
             for t in behavior.transitions
         ],
         "reactive_deferred": [vars(deferred) for deferred in behavior.deferred],

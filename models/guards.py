@@ -15,6 +15,9 @@ from rosarch.models.places import Place
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
 
+LOCAL = "local_"
+"""Begins what a local is called that has the name of a state variable."""
+
 MOST_STEPS = 20_000
 """For one guard: among functions that call each other in circles the ways multiply. What lies beyond is taken as possible."""
 
@@ -81,6 +84,9 @@ class Guards:
         self._locals: dict[str, list[tuple[str, str]]] = defaultdict(list)
         for node, name, value in sorted(relations["settled_local"]):
             self._locals[node].append((name, value))
+        shadowing = sorted(relations.get("shadows_state", ()))
+        shadows = {name for _, name in shadowing}
+        self._meant = _apart_from_state(self._texts, shadowing, self._locals)
         self._tests: dict[str, list[tuple[str, str]]] = defaultdict(list)
         for node, written, function in sorted(relations.get("test_written", ())):
             self._tests[node].append((written, function))
@@ -92,11 +98,11 @@ class Guards:
             self._entries[function].append((call, block))
         self._given: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
         for call, function, name, argument in sorted(relations.get("argument_given", ()), reverse=True):
-            if argument in self._texts:
-                self._given[call, function][name] = self._texts[argument]
+            if argument in self._meant:
+                self._given[call, function] |= dict.fromkeys(_names(name, shadows), self._meant[argument])
         self._own: dict[str, set[str]] = defaultdict(set)
         for function, name in relations.get("own_name", ()):
-            self._own[function].add(name)
+            self._own[function].update(_names(name, shadows))
         self._cases: dict[str, list[str]] = defaultdict(list)
         for chooser, value in sorted(relations["switch_case"]):
             self._cases[chooser].append(value)
@@ -146,6 +152,10 @@ class Guards:
                 found += self._ways(root, before, called, (*path, function))
         return found
 
+    def meaning(self, node: str) -> str | None:
+        """What an expression that is assigned stands for, None where its text is not known."""
+        return expanded(node, self._meant, self._locals) if node in self._meant else None
+
     def created(self, node: str, through: Iterable[str]) -> Formula:
         """When `node` is evaluated, from the start of the program, or of what runs later; `through`: the calls that enter its function."""
         blocks = self._blocks.get(node, ())
@@ -180,7 +190,7 @@ class Guards:
 
     def _step(self, root: str, row: Row, path: tuple[str, ...]) -> Formula:
         before, chooser, sense, value = row
-        if before == root:
+        if before == root and sense != "case":  # a call there may choose what it enters
             return TRUE
         if sense == "always" and before != _function(path[-1]) and not self._runs(root, before):
             return FALSE  # a call that this activity does not make
@@ -191,8 +201,10 @@ class Guards:
 
     def _condition(self, chooser: str, sense: str, value: str) -> Formula:
         text = self._texts.get(chooser)
-        if chooser in self._silent or text is None or sense not in ("true", "false", "case", "default"):
+        if chooser in self._silent or sense not in ("true", "false", "case", "default"):
             return TRUE
+        if text is None:
+            return condition(f"called({self._places.get(value, value)})", True) if sense == "case" else TRUE
         place = self._places.get(chooser)
         meaning = self._meaning(chooser, ())
         if sense == "case":
@@ -206,7 +218,7 @@ class Guards:
 
     def _meaning(self, node: str, within: tuple[str, ...]) -> str:
         """The text of a condition with its local variables, and its calls of tests, replaced by what they stand for."""
-        found = expanded(node, self._texts, self._locals)
+        found = expanded(node, self._meant, self._locals)
         for written, function in self._tests.get(node, ()):
             if function not in within and (returned := self._told(function, (*within, function))) is not None:
                 found = replaced(found, written, returned)
@@ -233,6 +245,22 @@ class Guards:
         value = self._texts.get(label, "?")
         chosen = f"({meaning})" if loosest(meaning) else meaning
         return condition(f"{text} == {value}", holds, place, meaning=f"{chosen} == {value}")
+
+
+def _apart_from_state(
+    texts: Mapping[str, str], shadowing: Iterable[Row], settled: Mapping[str, Iterable[tuple[str, str]]]
+) -> Mapping[str, str]:
+    """The texts in which locals that are called like state variables are called otherwise, unless what they stand for is known."""
+    found = dict(texts)
+    for node, name in shadowing:
+        if node in found and name not in {local for local, _ in settled.get(node, ())}:
+            found[node] = replaced(found[node], name, LOCAL + name)
+    return found
+
+
+def _names(name: str, shadows: Collection[str]) -> tuple[str, ...]:
+    """What a local is called: another thing, too, where a state variable has its name."""
+    return (name, LOCAL + name) if name in shadows else (name,)
 
 
 def _function(block: str) -> str:

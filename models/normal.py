@@ -55,7 +55,11 @@ def with_values(source: str, values: Mapping[str, str]) -> str:
 
 
 def _bracketed(value: str) -> str:
-    return f"({value})" if loosest(value) else value
+    return f"({value})" if loosest(value) or _compares(value) else value
+
+
+def _compares(value: str) -> bool:
+    return any(sign in value for sign in "<>=") and isinstance(parse_condition(value), Comparison)
 
 
 def truth_of(source: str) -> bool | None:
@@ -144,7 +148,7 @@ def _operand(operand: Operand, holds: bool) -> str:
 
 
 def _comparison(parsed: Comparison, holds: bool) -> str:
-    left, right = (f"({side})" if loosest(side) in _LOOSE else side for side in (parsed.left, parsed.right))
+    left, right = (f"({side})" if loosest(side) in _LOOSE or _compares(side) else side for side in (parsed.left, parsed.right))
     if parsed.op == "==":
         return f"{left} {'==' if holds else '!='} {right}"
     source = f"{left} {parsed.op} {right}"

@@ -23,8 +23,8 @@ _MOST_ROUNDS = 1000
 _MOST_COURSES = 100
 _CHANGED = r"\s*(?:=(?!=)|\+\+|--|[-+*/%]=|\.|->|\[)"  # behind a name that is no plain value
 _TEXTS = {
-    "transitions": ("guard", "guard_normal", "value"), "reactive": ("when", "when_normal"), "one_shot": ("when", "when_normal"),
-    "periodic": ("conditional", "conditional_normal"), "state_variables": ("initial",),
+    "transitions": ("guard", "guard_normal", "value", "value_normal"), "reactive": ("when", "when_normal"),
+    "one_shot": ("when", "when_normal"), "periodic": ("conditional", "conditional_normal"), "state_variables": ("initial",),
 }  # fmt: skip
 
 

@@ -24,6 +24,7 @@ from rosarch.extractor.cxx.recover import hide, split
 from rosarch.extractor.cxx.unit import Span
 
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*|new|delete)$")
+_MAPS = frozenset({"map", "unordered_map"})
 _VALUES = frozenset({kinds.STRING, kinds.INTEGER, kinds.FLOATING, kinds.BOOLEAN, kinds.CHARACTER, kinds.NULLPTR, kinds.INIT_LIST})
 _MEMBER_NAME = re.compile(r"(?:\.|->|::)\s*(?:template\s+)?(~?\w+)\s*$")
 _BUILTIN = re.compile(r"(unsigned |signed |long |short )*(int|bool|float|double|char|long|short|unsigned)")
@@ -205,6 +206,8 @@ def _lower_operator(body: Body, tree: Tree, target: Cursor, name: str, operator:
     if operator in ("->", "*") and len(parts) == 1:
         operator = "*"
     expr, lowered = operator_with_operands(body, tree, "op", operator, _arguments(body, parts))
+    if operator == "[]" and len(parts) == 2 and libclang.spelling(libclang.semantic_parent(target)) in _MAPS:
+        body.unit.add("expr_text", lowered[1], body.unit.text(body.unit.span_of(parts[1])))  # a key may choose what is called
     if target.kind in kinds.FUNCTIONS:
         function = declare_function(body.unit, target)
         if "@" in function or operator == "()":  # the workspace's own operators, and called function objects

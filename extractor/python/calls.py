@@ -149,7 +149,10 @@ def _callee_value(body: Body, node: ast.Call, functions: Sequence[Function], cla
         return lower(body, node.func) if isinstance(symbol, Variable) else None
     if isinstance(node.func, ast.Attribute):
         return lower(body, node.func) if _names_field(body, node.func) else None
-    return lower(body, node.func) if not functions and not classes else None
+    if len(functions) > 1 and isinstance(node.func, ast.Subscript):  # one of several: the index is a condition
+        table, index = lower(body, node.func.value), lower(body, node.func.slice, text=True)
+        return body.operator(node.func, "[]", table, index)
+    return lower(body, node.func) if (len(functions) > 1 and isinstance(node.func, ast.Call)) or (not functions and not classes) else None
 
 
 def _arguments(body: Body, node: ast.Call, functions: Sequence[Function], skipped: int) -> tuple[list[tuple[int, str]], list[str]]:

@@ -92,7 +92,7 @@ def function_use(body: Body, node: ast.AST, functions: Sequence[Function], owner
         body.facts.add("function_use", expr, body.facts.function(function))
     if owner is not None:
         body.facts.add("function_object", expr, owner)
-    return expr
+    return body.written(expr, node)
 
 
 def class_use(body: Body, node: ast.AST, classes: Sequence[Class]) -> str:
@@ -323,7 +323,11 @@ def _dict(body: Body, node: ast.expr) -> str:
     pairs = []
     for key, value in zip(node.keys, node.values, strict=True):
         entry = lower(body, value)
-        pairs.append(body.operator(key, ":", lower(body, key), entry) if key is not None else entry)
+        if key is not None:
+            chosen = any(isinstance(found, FunctionValue) for found in body.inference.values(value, body.scope))
+            pairs.append(body.operator(key, ":", lower(body, key, text=chosen), entry))
+        else:
+            pairs.append(entry)
     return body.operator(node, "{}", *pairs, form="list")
 
 

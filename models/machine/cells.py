@@ -15,6 +15,7 @@ from rosarch.models.machine.conditions import (
     Disjunction,
     Negation,
     Operand,
+    boolean_sides,
     choice,
     compact,
     constant,
@@ -236,7 +237,7 @@ class Domains:
 
     def assigned(self, row: Mapping[str, Any]) -> str | None:
         """What a row gives its variable; of what may be done several times in a row that is known of constants only."""
-        text: str | None = row.get("value")
+        text: str | None = row.get("value_normal") or row.get("value")
         return None if text is not None and constant(text) is None and not self._repeated.isdisjoint(str(row.get("at")).split()) else text
 
     def _read_condition(self, condition: Condition, owner: str) -> None:
@@ -244,6 +245,9 @@ class Domains:
             self._read_numbers(atom, owner)
             if isinstance(atom, Operand):
                 self._draft(atom.text, owner).tested = True
+            elif sides := boolean_sides(atom):
+                for side in sides:
+                    self._read_condition(side, owner)
             elif atom.op == "==":
                 self._read_equality(atom.left, atom.right, owner)
             else:

@@ -95,6 +95,14 @@ def parse_condition(text: str) -> Condition:
     return _disjunction(tokens, 0, len(tokens), text)
 
 
+def boolean_sides(condition: Comparison) -> tuple[Condition, Condition] | None:
+    """Both sides of an equality one of which is a condition itself: `(n > 3) == ready`."""
+    if condition.op != "==":
+        return None
+    sides = parse_condition(condition.left), parse_condition(condition.right)
+    return None if all(isinstance(side, Operand | Truth) for side in sides) else sides
+
+
 def choice(text: str) -> tuple[str, str, str] | None:
     """Of `a ? b : c`, or `b if a else c`, the condition and what is chosen between; nothing when it is no such choice."""
     text = strip(text)
@@ -270,7 +278,32 @@ def _relations(tokens: Sequence[_Token], start: int, end: int) -> list[int]:
     return _top_level(tokens, start, end, lambda token: token.text in _RELATIONS)
 
 
+def _membership(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition | None:
+    """`x in (A, B)` of Python, or `x not in ...`: one of several, where these are written out."""
+    found = next((index for index in range(start + 1, end - 1) if tokens[index].text == "in" and _is_value(tokens[index - 1])), None)
+    if found is None or tokens[found + 1].text not in _BRACKETS or tokens[found + 1].closing != end - 1:
+        return None
+    opposite = tokens[found - 1].text == "not"
+    last = found - opposite
+    first = _text(tokens, start, last, text)
+    cuts = _top_level(tokens, found + 2, end - 1, lambda token: token.text == ",")
+    spans = zip([found + 2, *(cut + 1 for cut in cuts)], [*cuts, end - 1], strict=True)
+    members = [_text(tokens, begin, stop, text) for begin, stop in spans if begin < stop]
+    if not first or not members or _relations(tokens, start, last):
+        return None
+    parts = tuple(_normal("==", first, member) for member in members)
+    inner = parts[0] if len(parts) == 1 else Disjunction(parts)
+    return negated(inner) if opposite else inner
+
+
+def _is_value(token: _Token) -> bool:
+    """Whether something ends with a token that may be a member: in C++ `in` may be a name."""
+    return token.kind in ("name", "number", "text") or token.text in _BRACKETS.values()
+
+
 def _comparison(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition:
+    if (member := _membership(tokens, start, end, text)) is not None:
+        return member
     found = _relations(tokens, start, end)
     whole = _text(tokens, start, end, text)
     if not found:

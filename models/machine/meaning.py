@@ -16,6 +16,7 @@ from rosarch.models.machine.conditions import (
     Negation,
     Operand,
     Truth,
+    boolean_sides,
     choice,
     compact,
     constant,
@@ -81,6 +82,9 @@ class Meaning:
         if isinstance(condition, Comparison):
             if found := self._counted(condition.op, condition.left, condition.right, owner):
                 return found
+            if sides := boolean_sides(condition):
+                one, other = (self.formula(side, owner) for side in sides)
+                return Any((conjunction((one, other)), conjunction((negation(one), negation(other)))))
             return self._equality(condition, owner) if condition.op == "==" else self._order(condition, owner)
         parts = tuple(self.formula(part, owner) for part in condition.parts)
         return conjunction(parts) if isinstance(condition, Conjunction) else Any(parts)

@@ -76,8 +76,9 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
                 found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("periodic") or ()):
         guard = meaning.conjuncts(condition_of(row, "conditional"), "")
-        if sent := sent_in_loop(row):
-            step = Step(Row("periodic", index, _place(row)), guard, (), tuple(sent), done_at=_last_condition(row.get("conditional_tree")))
+        for sometimes, sent in _sent_in_round(document, row, certain=bool(guard)):
+            place = _last_condition(row.get("conditional_tree"))
+            step = Step(Row("periodic", index, _place(row)), guard, (), sent, sometimes, done_at=place)
             trees[step] = row.get("conditional_tree")
             found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
@@ -94,6 +95,17 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     later = _done_later(document)
     ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees) for trigger, steps in found.items()}
     return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
+
+
+def _sent_in_round(document: Document, row: Mapping[str, Any], *, certain: bool) -> Iterator[tuple[bool, tuple[str, ...]]]:
+    """What a row of a timed loop or timer sends, that of each round apart from that of some rounds of which no condition tells which."""
+    traits = document.get("traits")
+    always = {port for place, port in (traits or {}).get("round_always", ()) if place == _place(row)}
+    sent = sent_in_loop(row)
+    for sometimes in (False, True):
+        ports = tuple(port for port in sent if (not certain and traits is not None and port not in always) is sometimes)
+        if ports:
+            yield sometimes, ports
 
 
 def names_of_messages(document: Document, triggers: Sequence[str]) -> frozenset[str]:

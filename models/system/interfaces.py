@@ -112,7 +112,8 @@ def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
     for rhythm in rhythms(document):
         source = writer.placed(places[rhythm.trigger]) if rhythm.trigger in places else f"{component}#{rhythm.trigger}"
         sink = f"{component}#{rhythm.output}"
-        writer.add("interface_rhythm", source, sink, rhythm.parameter, rhythm.factor, rhythm.rounds, rhythm.sends)
+        name = "interface_rhythm_beside" if rhythm.parameter and not rhythm.factor else "interface_rhythm"
+        writer.add(name, component, source, sink, rhythm.parameter, rhythm.rounds, rhythm.sends)
     for used in used_up(document):
         sink, port = f"{component}#{used.output}", f"{component}#{used.port}"
         writer.add("interface_uses_up", component, writer.placed(places[used.trigger]), sink, port, "each" if used.each else "some")

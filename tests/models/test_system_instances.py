@@ -341,3 +341,49 @@ def test_texts_are_followed_through_what_they_decide(tmp_path: Path) -> None:
     (node,) = (node for node in system.nodes if node.name == "/cart/local/grid")
     types = {(port.name, port.type) for port in node.ports if port.name in ("/cart/laser/scan", "/cart/cloud")}
     assert types == {("/cart/laser/scan", "std_msgs/Bool"), ("/cart/cloud", "std_msgs/String")}
+
+
+ECHO = """#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+class Echo : public rclcpp::Node {
+public:
+  Echo() : rclcpp::Node("echo") {
+    prefix_ = declare_parameter<std::string>("prefix", "");
+    out_ = create_publisher<std_msgs::msg::String>("out", 1);
+    in_ = create_subscription<std_msgs::msg::String>("in", 1, [this](std_msgs::msg::String::SharedPtr m) {
+      if (prefix_.empty()) return;
+      out_->publish(*m);
+    });
+  }
+private:
+  std::string prefix_;
+  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr out_;
+  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr in_;
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Echo>());
+}
+"""
+ECHOES = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='grid', executable='grid', name='loud', parameters=[{'prefix': 'x'}]),
+        Node(package='grid', executable='grid', name='quiet'),
+    ])
+"""
+
+
+def test_a_text_decides_what_a_callback_does(tmp_path: Path) -> None:
+    files = {"package.xml": SOURCES_MANIFEST, "CMakeLists.txt": SOURCES_CMAKE, "src/grid.cpp": ECHO, "main.launch.py": ECHOES}
+    for name, text in files.items():
+        (tmp_path / "grid" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "grid" / name).write_text(text)
+    where = Surroundings(tmp_path, (tmp_path,), {})
+    analysis = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1))
+    models = {model.title: model for model in analysis.models}
+    found = {node.name: [reaction.must for reaction in models[node.component].behavior.reactive] for node in analysis.systems[0].nodes}
+    assert found == {"/loud": [True], "/quiet": []}

@@ -59,6 +59,19 @@ TIMED = Periodic("timer", 20.0, None, ("p1",), Place("base/src/base.cpp", 9, 1),
 TAKES = Transition("Base::new_", None, ("periodic",), formula.condition("new_", True), "false", Place("base/src/base.cpp", 31, 5), timed_by=(TIMED.at,))
 SETS = Transition("Base::new_", None, ("p2",), formula.TRUE, "true", Place("base/src/base.cpp", 30, 5))
 TAKING = replace(MODEL, traits=(), behavior=replace(NOTHING, periodic=(TIMED,), state_variables=(NEW,), transitions=(SETS, TAKES)))
+WINDOW = StateVariable("Base::w_", "std::deque<float>", None, None, None, AT)
+ADDS = Transition("Base::w_", None, ("p2",), formula.TRUE, "w_.push_back(x)", Place("base/src/base.cpp", 40, 5))
+DROPS = Transition("Base::w_", None, ("p2",), formula.condition("w_.size() > size_", True), "w_.pop_front()", Place("base/src/base.cpp", 41, 5))
+SLIDING = replace(
+    MODEL,
+    traits=(Trait("keeps_value_of", ("size_", "~size")),),
+    behavior=replace(
+        NOTHING,
+        reactive=(Reactive("p2", "p1", (Place("base/src/base.cpp", 43, 5),), False, formula.condition("w_.size() >= size_", True)),),
+        state_variables=(WINDOW,),
+        transitions=(ADDS, DROPS),
+    ),
+)
 FOUND = LibraryComponent(
     "tools", "mux", "gazebo_plugin",
     (
@@ -120,11 +133,16 @@ def test_behavior_of_a_model() -> None:
         ("robot/base#robot/base#p2 p1 1", "robot/base", "robot/base#p2", sent, "partly"),
     }
     assert rows["interface_way_needs"] == {(f"robot/base#{loop} p1 1", "x", "true", "no")}
-    assert rows["interface_rhythm"] == {("robot/base#p2", sent, "", 0, 3, 1)}
+    assert rows["interface_rhythm"] == {("robot/base", "robot/base#p2", sent, "", 3, 1)}
 
 
 def test_what_a_timer_sends_once_for_what_came() -> None:
     assert model_rows(TAKING)["interface_uses_up"] == {("robot/base", "base/src/base.cpp:9:1", "robot/base#p1", "robot/base#p2", "each")}
+
+
+def test_a_rhythm_whatever_a_parameter_is() -> None:
+    rows = model_rows(SLIDING)
+    assert rows["interface_rhythm_beside"] == {("robot/base", "robot/base#p2", "robot/base#p1", "~size", 1, 1)}
 
 
 def test_of_managed_nodes_nothing_is_sent_for_certain() -> None:
@@ -167,7 +185,7 @@ def test_a_component_of_the_library() -> None:
 def test_rows_are_those_of_the_schema() -> None:
     declared = load_declarations(rules_folder() / "system_schema.dl")
     filled: Rows = {}
-    for rows in (model_rows(MODEL), model_rows(TAKING), model_rows(replace(MODEL, configuration="key")), library_rows(FOUND)):
+    for rows in (model_rows(MODEL), model_rows(TAKING), model_rows(SLIDING), model_rows(replace(MODEL, configuration="key")), library_rows(FOUND)):
         for name, found in rows.items():
             filled.setdefault(name, set()).update(found)
     assert set(filled) <= set(declared)

@@ -95,11 +95,11 @@ int main(int argc, char** argv)
   ros::spin();
 }
 // expect: periodic rate 4.0 None data [handler_ && !stopped_]
-// expect: reactive command -> done may [commands_.find(m.data) != commands_.end()]
+// expect: reactive command -> done may [commands_.find(m.data) != commands_.end() && m.data == 2]
 // expect: reactive value -> alarm may [m->data > limit]
 // expect: state Node::stopped_ = false
 // expect: config Port::handler_ = handler None
 // expect: config Node::commands_ = None None
 // expect: config Node::listeners_ = None None
-// expect: transition Node::stopped_ . None on command [commands_.find(m.data) != commands_.end()] := true
+// expect: transition Node::stopped_ . None on command [commands_.find(m.data) != commands_.end() && m.data == 1] := true
 // expect: transition Node::stopped_ . None on timer [] := true
