@@ -104,6 +104,7 @@ TRAITS = {
     "starts_in_constructor": ("place", "place", "text"),
     "spins_again": ("place", "text"),
     "runs_too_little": ("place", "text"),
+    "sleeps_for_ever": ("place",),
     "plugin_named": ("place", "text", "text", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     "keeps_value_of": ("text", "text"),
