@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rosarch.extractor.limits import deep_recursion
 from rosarch.models.formula import FALSE, TRUE, Condition, Formula, both, condition, either, loosest
 from rosarch.models.machine.conditions import constant
 from rosarch.models.normal import WORD, expanded, folded, normal_text, replaced, truth_of, with_values
@@ -128,7 +129,8 @@ class Guards:
         """
         self._left = MOST_STEPS
         blocks = [block for block in self._blocks.get(node, ()) if self._runs(root, block)]
-        found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), ())]
+        with deep_recursion():
+            found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), ())]
         if blocks and not found:
             return []
         return [way for way in found if way.guard.alternatives] or [Way(TRUE, value)]
@@ -161,7 +163,8 @@ class Guards:
         blocks = self._blocks.get(node, ())
         entries = [self.created(call, ()) for call in through if call in self._blocks]
         self._left = MOST_STEPS
-        found = either(self._of(CREATION + _function(block) if entries else CREATION, block, ()) for block in blocks)
+        with deep_recursion():
+            found = either(self._of(CREATION + _function(block) if entries else CREATION, block, ()) for block in blocks)
         if entries:
             found = both(either(entries), found)
         return found if found.alternatives else TRUE

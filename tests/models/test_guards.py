@@ -35,6 +35,14 @@ def test_ways_through_circles_of_calls_are_not_all_walked(at_most: Callable[[flo
         assert Guards(relations, {}).guard("callback", "send") == TRUE
 
 
+def test_decisions_one_after_the_other() -> None:
+    """A function with a thousand of them is no circle."""
+    steps = [(f"f B{number}", f"f B{number + 1}", f"choice{number}", "true", "") for number in range(1000)]
+    relations = dict.fromkeys(EMPTY, ()) | {"node_block": [("send", "f B0")], "guard_step": [*steps, ("f B1000", "f", "", "", "")]}
+    relations["activity_enters"] = [("callback", "f")]
+    assert Guards(relations, {}).guard("callback", "send") == TRUE
+
+
 @pytest.mark.parametrize(
     ("condition", "holds"),
     [
