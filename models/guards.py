@@ -9,7 +9,7 @@ from typing import Any
 
 from rosarch.extractor.limits import deep_recursion
 from rosarch.models.formula import FALSE, TRUE, Condition, Formula, both, condition, either, loosest
-from rosarch.models.machine.conditions import constant
+from rosarch.models.machine.conditions import choice, constant
 from rosarch.models.normal import WORD, expanded, folded, normal_text, replaced, truth_of, with_values
 from rosarch.models.places import Place
 
@@ -46,7 +46,7 @@ class Way:
 
     def given(self, values: Mapping[str, str], fixed: Collection[str], called: Place | None) -> Way:
         """The same, seen from the caller: the words of conditions stay, what they mean is told; a constant is what an expression is."""
-        constants = {name: value for name, value in values.items() if constant(value) is not None}
+        constants = {name: value for name, value in values.items() if _is_constant(value)}
         guard = either(_given(conjunction, values) for conjunction in self.guard.alternatives) if values else self.guard
         return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), called)
 
@@ -64,6 +64,14 @@ def _given(items: Iterable[Condition], values: Mapping[str, str]) -> Formula:
         elif truth != item.holds:
             return FALSE
     return found
+
+
+def _is_constant(value: str) -> bool:
+    """Whether a value is a constant, or a condition chooses between two."""
+    if constant(value) is not None:
+        return True
+    chosen = choice(value)
+    return chosen is not None and all(constant(part) is not None for part in chosen[1:])
 
 
 class Guards:

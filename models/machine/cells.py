@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,6 +17,7 @@ from rosarch.models.machine.conditions import (
     Operand,
     boolean_sides,
     choice,
+    chosen_sides,
     compact,
     constant,
     number,
@@ -26,17 +27,12 @@ from rosarch.models.machine.conditions import (
 from rosarch.models.machine.counting import WIDE, Arithmetic, Counting, arithmetic, calculated, counting, step, stepped, whole, width
 from rosarch.models.machine.limits import MOST_LIMITS, are_ranges, is_path, range_of, ranges
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
+from rosarch.models.machine.pointers import asked_object, begins_null, is_nothing, may_be_null
 
 Document = Mapping[str, Any]
 EMPTY = ".empty()"
 _PATH = re.compile(r"\*?((?:::)?[A-Za-z_][\w:]*(?:\.\w+)*)((?:\.(?:empty|size|length)\(\))?)")
-_OPTIONAL = re.compile(r"(boost::)?optional<")
-_EMPTIED = re.compile(r"^\{\}$|(?:\.|->)reset\((?:nullptr|NULL)?\)$")
-_REPLACED = re.compile(r"(?:\.|->)reset\((.+)\)$")
-_OBJECT = re.compile(r"new\b|&|(\w+::)*(make_shared|make_unique|allocate_shared|make_optional)\b")
 _QUALIFIERS = re.compile(r"\b(const|volatile|static|mutable|std::)\s*|std::atomic<(.*)>|\batomic<(.*)>|\batomic_(?=bool)")
-_POINTER = re.compile(r"\*\s*$|Ptr\b|_ptr\b|::ConstPtr\b|^(boost::)?optional<")
-_HOLDS = re.compile(r"(?:\.|->)(?:has_value|is_initialized|get)\(\)$")  # what an optional, or a pointer, is asked for
 _INTEGER = re.compile(r"(unsigned|signed|short|long|int|char|u?int\d+_t|size_t|std::size_t|float|double)( (int|char|long|double|short))*")
 _SIZES = (".size()", ".length()")
 _LENGTH = re.compile(r"^len\((.*)\)$")
@@ -65,7 +61,7 @@ class Cell:
         if self.counting:
             number = whole(text)
             return None if number is None else self.counting.name(number)
-        if NULL in self.subject.values and _POINTER.search(self.type) and _EMPTIED.search(strip(text)):
+        if NULL in self.subject.values and is_nothing(self.type, text):
             return NULL
         return value_in(text, self.subject.values)
 
@@ -98,21 +94,6 @@ def nonzero(values: Iterable[str]) -> frozenset[str] | None:
     known = frozenset(values)
     zeros = known & {NULL, "0", "false"}
     return known - zeros if zeros else None
-
-
-def is_something(cell: Cell, value: str, messages: Collection[str]) -> bool:
-    """Whether what a pointer or an optional is given is certainly an object; `messages` are what messages are called there."""
-    text = strip(value)
-    if match := _REPLACED.search(text):
-        text = strip(match[1])
-    if text in messages or _OBJECT.match(text):
-        return True
-    held = re.search(r"(\w+)>$", cell.type) if _OPTIONAL.match(cell.type) else None
-    if held is None:
-        return False
-    part = re.match(r"(\w+)(?:\.|->)[\w.]+$", text)  # a field of a message is no optional
-    made = rf"\*|(\w+::)*{held[1].rstrip('_')}\s*[({{]|.*(\.|->)emplace\("
-    return re.match(made, text) is not None or (part is not None and part[1] in messages)
 
 
 @dataclass
@@ -148,7 +129,7 @@ class Locator:
 
     def locate(self, text: str, owner: str) -> Place | None:
         """The variable and the field of it, seen from a member of the class `owner`; nothing for what is no state variable."""
-        match = _PATH.fullmatch(_LENGTH.sub(r"\1.size()", _HOLDS.sub("", compact(text)).replace("->", ".")))
+        match = _PATH.fullmatch(_LENGTH.sub(r"\1.size()", asked_object(compact(text)).replace("->", ".")))
         if not match:
             return None
         parts = match.group(1).split(".")
@@ -245,7 +226,7 @@ class Domains:
             self._read_numbers(atom, owner)
             if isinstance(atom, Operand):
                 self._draft(atom.text, owner).tested = True
-            elif sides := boolean_sides(atom):
+            elif sides := chosen_sides(atom) or boolean_sides(atom):
                 for side in sides:
                     self._read_condition(side, owner)
             elif atom.op == "==":
@@ -433,7 +414,7 @@ class Domains:
             alone = suffix == "" or sum(place[0] == name for place in self._drafts) == 1
             return constant(str(text)) if alone else None
         if text is None and suffix == "":
-            if "Ptr" in type_ or "_ptr<" in type_ or _OPTIONAL.match(type_):
+            if begins_null(type_):
                 return NULL
             if name.startswith("::"):  # storage that is zero before the program starts
                 return "false" if type_ == "bool" else "0" if _INTEGER.fullmatch(type_) else NULL if type_.endswith("*") else None
@@ -445,7 +426,7 @@ class Domains:
         if type_ == "bool" or place[1].endswith(EMPTY) or (type_ == "" and plain and (draft.constants or draft.tested)):
             return BOOLEAN
         constants = dict(draft.constants)
-        if _POINTER.search(type_):
+        if may_be_null(type_):
             return (NULL, OTHER) if constants or draft.tested else ()
         if draft.tested and (_INTEGER.fullmatch(type_) or constants):
             constants["0"] = None

@@ -95,12 +95,34 @@ def parse_condition(text: str) -> Condition:
     return _disjunction(tokens, 0, len(tokens), text)
 
 
+def as_truth(text: str) -> str:
+    """A value of truth values with `||` for `|` and `&&` for `&`, which are the same there."""
+    tokens = _tokens(text) or []
+    signs = _top_level(tokens, 0, len(tokens), lambda token: token.text in ("|", "&"))
+    for index in reversed([index for index in signs if 0 < index < len(tokens) - 1]):
+        token = tokens[index]
+        text = text[: token.start] + token.text * 2 + text[token.end :]
+    return text
+
+
 def boolean_sides(condition: Comparison) -> tuple[Condition, Condition] | None:
     """Both sides of an equality one of which is a condition itself: `(n > 3) == ready`."""
     if condition.op != "==":
         return None
     sides = parse_condition(condition.left), parse_condition(condition.right)
     return None if all(isinstance(side, Operand | Truth) for side in sides) else sides
+
+
+def chosen_sides(condition: Comparison) -> tuple[Condition, Condition] | None:
+    """`(c ? a : b) == x` as `c && a == x` or `!c && b == x`, the two ways in which it may hold."""
+    for side, other, is_left in ((condition.left, condition.right, True), (condition.right, condition.left, False)):
+        if "?" not in side and " if " not in side:
+            continue
+        if found := choice(side):
+            asked = parse_condition(found[0])
+            parts = [_normal(condition.op, part, other) if is_left else _normal(condition.op, other, part) for part in found[1:]]
+            return Conjunction((asked, parts[0])), Conjunction((negated(asked), parts[1]))
+    return None
 
 
 def choice(text: str) -> tuple[str, str, str] | None:

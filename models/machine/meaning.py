@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, is_something, nonzero, part_text
+from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
     Comparison,
@@ -16,8 +16,10 @@ from rosarch.models.machine.conditions import (
     Negation,
     Operand,
     Truth,
+    as_truth,
     boolean_sides,
     choice,
+    chosen_sides,
     compact,
     constant,
     number,
@@ -39,6 +41,7 @@ from rosarch.models.machine.logic import (
     conjunction,
     negation,
 )
+from rosarch.models.machine.pointers import is_something
 
 _INCREMENT = re.compile(r"(?P<name>.+?)\s*(?P<sign>[-+])\s*(?P<step>\d+)")
 _FILLING = re.compile(r"\.(push|push_back|push_front|emplace|emplace_back|emplace_front|insert|append)\(")
@@ -82,6 +85,8 @@ class Meaning:
         if isinstance(condition, Comparison):
             if found := self._counted(condition.op, condition.left, condition.right, owner):
                 return found
+            if choices := chosen_sides(condition):
+                return Any(tuple(self.formula(part, owner) for part in choices))
             if sides := boolean_sides(condition):
                 one, other = (self.formula(side, owner) for side in sides)
                 return Any((conjunction((one, other)), conjunction((negation(one), negation(other)))))
@@ -221,14 +226,14 @@ class Meaning:
         if cell.suffix.endswith(EMPTY):
             return self._filled(cell, value)
         if cell.subject.values == BOOLEAN:
-            holds = self.formula(parse_condition(value), owner)
+            holds = self.formula(parse_condition(as_truth(value)), owner)
             return ((holds, "true"), (negation(holds), "false"))
         source = self._domains.cell(self._domains.locator.locate(value, owner))
         if source:
             return self._copied(cell, source.subject)
         if are_ranges(cell.subject.values):
             return self._copied(cell, self._domains.input(value)) if is_path(compact(value)) else self._unknown(cell)
-        if is_something(cell, value, messages):
+        if is_something(cell.type, value, messages):
             return ((TRUE, OTHER),)
         return self._stepped(cell, value, owner) or self._copied(cell, self._domains.input(value))
 

@@ -331,3 +331,19 @@ def test_an_empty_document() -> None:
 
 def test_the_same_document_gives_the_same_machine() -> None:
     assert build_machine(DOOR) == build_machine(DOOR)
+
+
+def test_a_value_that_a_condition_chooses_is_compared_by_its_ways() -> None:
+    machine = modes(("set", "!((m.on ? Mode::B : Mode::A) == mode_)", "m.on ? Mode::B : Mode::A"), ("off", None, "Mode::A"))
+    assert arrows(machine) == {"A set[m.on] B", "B set[!m.on] A", "B off A"}
+
+
+def test_truth_values_are_joined_bit_by_bit_as_well() -> None:
+    rows = [("N::stopped_", "stop", None, "stopped_ | m.data"), ("N::stopped_", "reset", "stopped_", "false")]
+    machine = build_machine(document(variables=[("N::stopped_", "bool", "false")], transitions=rows))
+    assert arrows(machine) == {"false stop[m.data] true", "true reset false"}
+
+
+def test_membership_is_a_choice_of_equalities() -> None:
+    machine = modes(("go", "mode in (Mode::A, Mode::C)", "Mode::B"), ("back", "mode_ not in [Mode::A]", "Mode::A"))
+    assert "B back A" in arrows(machine)

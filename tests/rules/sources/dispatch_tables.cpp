@@ -1,6 +1,6 @@
 // Handlers in a map that the constructor fills; in another one a callback exchanges a handler, so that it is not known which is called.
 //
-// expect: 3 = count : { entered_by_choice(_, _, Index, _), expr_text(Index, "state_") }
+// expect: entered_by_choice(_, F, Index, _), expr_text(Index, "state_"), function_name(F, "Machine::done")
 // expect: port_flow([_, _, "/begin"], [_, _, "/cmd"], "control", _)
 // expect: 0 = count : { entered_by_choice(_, _, Index, Key), expr_text(Index, "other_"), expr_text(Key, _) }
 // expect: chosen_call(C, _), location(C, _, 34, _)

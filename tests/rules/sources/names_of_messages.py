@@ -9,6 +9,7 @@ from std_msgs.msg import String
 class Listener:
     def __init__(self):
         self.last = None
+        self.pub = rospy.Publisher("last", String, queue_size=1)
         rospy.Subscriber("a", String, self.on_a)
         rospy.Subscriber("b", String, self.on_b)
         rospy.Subscriber("c", String, self.on_c)
@@ -26,8 +27,8 @@ class Listener:
         self.last = changed
 
     def other(self):
-        shared = None
-        self.last = shared
+        shared = String("other")
+        self.pub.publish(shared)
 
 
 rospy.init_node("listener")

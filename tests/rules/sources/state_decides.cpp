@@ -28,13 +28,14 @@
 // expect: transition list_ on /settled
 // expect: transition names_ on /in
 // expect-only: transition
-// expect: Count = count : { settled_local(E, Name, Value) }, Count = 6
+// expect: Count = count : { settled_local(E, Name, Value) }, Count = 7
 // expect: settled_local(E, "settled", Value)
 // expect: settled_local(E, "first", Value)
 // expect: settled_local(E, "second", Value)
 // expect: settled_local(E, "size", Value)
 // expect: settled_local(E, "local", Value)
 // expect: settled_local(E, "scaled", Value)
+// expect: settled_local(E, "deep", Value)
 // expect: Count = count : { stable_condition(E) }, Count = 1
 // expect: N = count : { _result(_, _) }, N = 16
 // expect-not: _generic(_, _); _belongs_to(_, _, _)
