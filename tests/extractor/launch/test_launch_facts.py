@@ -246,6 +246,7 @@ def generate_launch_description():
     here = os.path.dirname(__file__)
     viewer = Node(package="rviz2", executable="rviz2", name="viewer", arguments=["-d", os.path.join(here, "demo.rviz")])
     arm = os.path.join(here, "arm.launch.xml")
+    forgotten = Node(package="here", executable="forgotten")
     arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]
     return LaunchDescription([*arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
                                                       composable_node_descriptions=[inner],
