@@ -227,8 +227,8 @@ class Domains:
             if isinstance(atom, Operand):
                 self._draft(atom.text, owner).tested = True
             elif sides := chosen_sides(atom) or boolean_sides(atom):
-                for side in sides:
-                    self._read_condition(side, owner)
+                for part in sides:
+                    self._read_condition(part, owner)
             elif atom.op == "==":
                 self._read_equality(atom.left, atom.right, owner)
             else:

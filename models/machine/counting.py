@@ -22,7 +22,7 @@ _AFTER = {"++": "(n-1)", "--": "(n+1)", None: "n"}
 _REST = re.compile(r"\(?n(?:[+-]\d+)?\)?%(\d+)|\(\(n[+-]1\)(?:[+-]\d+)?\)%(\d+)|\(n[+-]1\)%(\d+)")
 _ADDS_ONE = re.compile(r"(.+?)(?:\.|->)(?:push|push_back|push_front|emplace|emplace_back|emplace_front|append|appendleft)\(")
 _TAKES_ONE = re.compile(r"(.+?)(?:\.|->)(?:pop|pop_back|pop_front|popleft)\(")
-COMPARE: dict[str, Callable[[int, int], bool]] = {
+COMPARE: dict[str, Callable[[float, float], bool]] = {
     "==": operator.eq, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
 }  # fmt: skip
 
