@@ -35,6 +35,8 @@ TRAITS = {
     "looks_up_frame": ("place", "text", "text", "text"),
     "answers_most": ("port", "port", "text"),
     "round_sends": ("place", "port", "text"),
+    "answers_least": ("port", "port", "text"),
+    "round_least": ("place", "port", "text"),
     "round_always": ("place", "port"),
     "sent_untimed": ("port",),
     "sent_otherwise": ("port",),

@@ -21,6 +21,8 @@ COUNTS = (
     "sent_otherwise",
     "synchronised",
     "answers_surely",
+    "answers_least",
+    "round_least",
     "names_message",
 )  # `tests/rules/sources/flows_*.cpp` and `answers_*.cpp` have them
 MODES = (
