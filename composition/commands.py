@@ -13,6 +13,7 @@ from rosarch.composition.model import Command, Model, Queue, Variable
 from rosarch.composition.reactions import Effect, alternatives, effects
 from rosarch.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.elapsed import LONG
+from rosarch.models.machine.limits import below_zero
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import OFF, START
@@ -326,6 +327,7 @@ def _taken_for_granted(
     for subject, values in effect.choices.items():
         text = _told(subject, values)
         from_outside = topic is not None and not topic.senders and component.is_content(trigger, subject.text)
+        from_outside = from_outside and not (component.is_unsigned(trigger) and all(map(below_zero, values)))
         if not (topic and builder.inputs.content(topic.name, subject) is not None):
             (inputs if from_outside and not subject.hidden else assumes).append(text)
     assumes += [f"{component.variables[key].text} is {value} then" for key, value in effect.before.items() if key in component.measured]

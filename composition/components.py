@@ -95,6 +95,11 @@ class Component:
         names = names_of_messages(self.document, [trigger])
         return self.document.get("traits") is None or re.split(r"->|\.", text.strip().lstrip("(*"))[0].rstrip(")") in names
 
+    def is_unsigned(self, trigger: str) -> bool:
+        """Whether the only field of the message that a trigger is has no value below zero."""
+        types = {str(port["id"]): str(port.get("type")) for port in self.document.get("ports") or ()}
+        return re.fullmatch(r"std_msgs/(UInt(8|16|32|64)|Byte|Bool|Char)", types.get(trigger, "").replace("/msg/", "/")) is not None
+
     @cached_property
     def together(self) -> Mapping[str, frozenset[str]]:
         """For each port whose messages are handed over together with those of others, these."""

@@ -51,6 +51,12 @@ def holds(op: str, value: str, limit: float) -> bool | None:
     return None
 
 
+def below_zero(value: str) -> bool:
+    """Whether such a name, or a number, stands for numbers below zero alone."""
+    least, most = _ends(value) if value[:1] in "<>" or " .. " in value or number(value) is not None else (0.0, 0.0)
+    return least < 0 and most <= 0
+
+
 def _text(limit: float) -> str:
     return str(constant(repr(limit)))
 
