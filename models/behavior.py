@@ -11,6 +11,7 @@ from typing import Any
 from rosarch.models import formula
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards, Way
+from rosarch.models.machine.conditions import constant
 from rosarch.models.numbers import calculated, frequency
 from rosarch.models.places import Place
 from rosarch.models.switches import Switched, sent_while_starting, switched_things
@@ -353,7 +354,7 @@ def _transitions(
         written = _value(how, texts.get(assignment), texts.get(target), texts.get(value)) or ""
         meant = _value(how, texts.get(assignment), texts.get(target), guards.meaning(value)) or ""
         for way in _told_apart(guards.ways(root, assignment, meant)):
-            shown = written if way.value == meant else way.value
+            shown = written if way.value == meant or constant(way.value) is None else way.value
             change = _Change(assignment, variable, way.guard, shown or None, way.value or None, way.called)
             found[change].update(set(triggers.get(root, ())) - elsewhere[assignment])
             timed[change].update(timers.get(root, ()))

@@ -159,6 +159,8 @@ def test_packages_elsewhere(ws: Path, tmp_path: Path, rosarch: Callable) -> None
     (other / "package.xml").write_text("<package><name>other</name></package>")
     (other / "part.launch").write_text('<launch><node pkg="talker" type="talker" name="again"/></launch>')
     (ws / "talker" / "robot.launch").write_text('<launch><include file="$(find other)/part.launch"/></launch>')
+    manifest = ws / "talker" / "package.xml"
+    manifest.write_text(manifest.read_text().replace("</package>", "<exec_depend>other</exec_depend></package>"))
     alone = rosarch("check", ws)
     assert alone.out.splitlines()[-1] == "checked 1 system with 0 nodes"
     found = rosarch("check", ws, "--package-path", tmp_path / "underlay")
