@@ -81,7 +81,7 @@ def _doubts(system: System, cone: Cone) -> Iterator[str]:
         yield f"{node} is started only if {system.conditions[node]}"
     for (node, _), steps in cone.steps.items():
         if system.nodes[node].is_ambiguous(steps):
-            yield f"{node} calls a function several times in one reaction, so that the order of what it does is not known"
+            yield f"{node} calls a function, or asks for a value, several times in one reaction, so that what it does is not known"
 
 
 def _reaches(builder: _Builder, topic: str) -> bool:

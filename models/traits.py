@@ -113,6 +113,7 @@ TRAITS = {
     "names_number": ("text", "text"),
     "repeated": ("place",),
     "names_message": ("port", "text"),
+    "unsteady_name": ("text",),
     "registers_tree_node": ("text",),
     "port_for_plugin": ("port", "text", "text"),
     "plugin_derives": ("text",),

@@ -375,6 +375,8 @@ class Inference:
             return frozenset({ModuleValue(imported[1], self.program.module(imported[1]))})
         container = taken_from(node)
         result = set(self.part(container, (None,), scope) if container is not None else NOTHING)
+        if container is not None and len(node.args) > 1:  # what is given when nothing is there
+            result |= self.values(node.args[1], scope)
         for value in self.callee_values(node, scope):
             match value:
                 case ClassValue(cls):

@@ -31,7 +31,7 @@ from rosarch.models.machine.pointers import asked_object, begins_null, is_nothin
 
 Document = Mapping[str, Any]
 EMPTY = ".empty()"
-_PATH = re.compile(r"\*?((?:::)?[A-Za-z_][\w:]*(?:\.\w+)*)((?:\.(?:empty|size|length)\(\))?)")
+_PATH = re.compile(r"((?:::)?[A-Za-z_][\w:]*(?:\.\w+)*)((?:\.(?:empty|size|length)\(\))?)")
 _QUALIFIERS = re.compile(r"\b(const|volatile|static|mutable|std::)\s*|std::atomic<(.*)>|\batomic<(.*)>|\batomic_(?=bool)")
 _INTEGER = re.compile(r"(unsigned|signed|short|long|int|char|u?int\d+_t|size_t|std::size_t|float|double)( (int|char|long|double|short))*")
 _SIZES = (".size()", ".length()")
@@ -90,10 +90,15 @@ def _nearest(value: str, values: Sequence[str]) -> str | None:
 
 
 def nonzero(values: Iterable[str]) -> frozenset[str] | None:
-    """The values that count as true; None where no value counts as false."""
+    """The values that count as true; None where no value counts as false, or one is a name of which that is not known."""
     known = frozenset(values)
-    zeros = known & {NULL, "0", "false"}
-    return known - zeros if zeros else None
+    zeros = known & {NULL, "0", "false", "''", '""'}
+    return known - zeros if zeros and not any(map(is_name, known - zeros)) else None
+
+
+def is_name(value: str) -> bool:
+    """Whether a value is the name of a constant: which number it is, it does not tell."""
+    return value.isidentifier() and value not in (NULL, OTHER, *BOOLEAN)
 
 
 @dataclass

@@ -99,6 +99,8 @@ def as_truth(text: str) -> str:
     """A value of truth values with `||` for `|` and `&&` for `&`, which are the same there."""
     tokens = _tokens(text) or []
     signs = _top_level(tokens, 0, len(tokens), lambda token: token.text in ("|", "&"))
+    if any(token.text in ("not", "~", "^") for token in tokens):
+        return text  # which bind otherwise
     for index in reversed([index for index in signs if 0 < index < len(tokens) - 1]):
         token = tokens[index]
         text = text[: token.start] + token.text * 2 + text[token.end :]
@@ -309,6 +311,8 @@ def _membership(tokens: Sequence[_Token], start: int, end: int, text: str) -> Co
     last = found - opposite
     first = _text(tokens, start, last, text)
     cuts = _top_level(tokens, found + 2, end - 1, lambda token: token.text == ",")
+    if not cuts and tokens[found + 1].text == "(":
+        return None  # a text in brackets, or what is calculated
     spans = zip([found + 2, *(cut + 1 for cut in cuts)], [*cuts, end - 1], strict=True)
     members = [_text(tokens, begin, stop, text) for begin, stop in spans if begin < stop]
     if not first or not members or _relations(tokens, start, last):

@@ -242,8 +242,10 @@ def counting(
             return Counting(0, modulus - 1, modulus=modulus) if modulus <= MOST_VALUES else None
     far = [abs(limit) + sum(left.numbers) for left, limit in asked]
     far += [max(step.numbers, default=0) for step in steps if "%" in step.text]
-    least, most = min([*starts, *(-number for number in far if min(starts) < 0)], default=0), max([*starts, *far])
-    if any(_falls(step, number) for step in steps for number in (most, first)):
+    falls = any(_falls(step, number) for step in steps for number in (max([*starts, *far]), first))
+    negative = [-number for number in far] if min(starts) < 0 or (falls and width.signed and not sized) else []
+    least, most = min([*starts, *negative]), max([*starts, *far])
+    if falls:
         least = min(least, 0)
         most += 1  # a sliding window has one more for a moment
     if most - least >= MOST_VALUES:

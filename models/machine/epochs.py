@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -27,13 +27,17 @@ class _Guard:
         return any(self.at[place].isdisjoint(other.at[place]) for place in shared)
 
 
-def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any]) -> list[Step]:
-    """The steps of a reaction, in order, with the epochs in which their guards test variables; `trees` are those of their guards."""
+def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Collection[str] = ()) -> list[Step]:
+    """The steps of a reaction, in order, with the epochs in which their guards test variables; `trees` are those of their guards.
+
+    What is called by an `unsteady` name need not be the same where it is asked again.
+    """
     guards = [_guard(trees.get(step)) for step in steps]
+    again = _asked_again(guards, unsteady)
     found = []
     for number, step in enumerate(steps):
         epochs: dict[str, int] = {}
-        unclear = False
+        unclear = any(not again.isdisjoint(_words(leaf[1])) for leaves in guards[number].at.values() for leaf in leaves)
         for subject in {subject for conjunct in step.guard for subject in subjects(conjunct) if subject.cell}:
             before = [
                 guards[index]
@@ -45,6 +49,21 @@ def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any]) -> list[Step]:
             unclear |= len(told) > 1
         found.append(replace(step, epochs=tuple(sorted(item for item in epochs.items() if item[1])), unclear=unclear))
     return found
+
+
+def _asked_again(guards: Iterable[_Guard], names: Collection[str]) -> frozenset[str]:
+    """Those of the names that conditions at several places ask for."""
+    places: dict[str, set[str]] = {}
+    for guard in guards if names else ():
+        for place, leaves in guard.at.items():
+            for name in {word for leaf in leaves for word in _words(leaf[1])}.intersection(names):
+                places.setdefault(name, set()).add(place)
+    return frozenset(name for name, found in places.items() if len(found) > 1)
+
+
+def _words(text: str) -> list[str]:
+    """The names that stand by themselves in a condition."""
+    return re.findall(r"(?<![\w.>:])[A-Za-z_]\w*", text)
 
 
 def _places(guard: _Guard, text: str) -> set[str]:

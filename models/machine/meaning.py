@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
+from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, is_name, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
     Comparison,
@@ -56,6 +56,11 @@ class Assignment:
 
     cell: Cell
     table: Table
+
+
+def _may_be_same(value: str, other: str) -> bool:
+    """Whether one is a name and the other a number."""
+    return (is_name(value) and number(other) is not None) or (is_name(other) and number(value) is not None)
 
 
 class Meaning:
@@ -153,7 +158,11 @@ class Meaning:
             return self._same(one, two, condition) if (cell or other) and alike else self._compared(condition)
         subject = cell.subject if cell else self._domains.input(condition.left)
         known = cell.value_of(condition.right) if cell else value
-        return Is(subject, frozenset({known})) if known in subject.values and known != OTHER else self._compared(condition)
+        if known not in subject.values or known == OTHER:
+            return self._compared(condition)
+        unlike = frozenset(v for v in subject.values if _may_be_same(v, str(known)))  # a name may stand for that number
+        same = Is(subject, frozenset({str(known)}))
+        return Any((same, All((Is(subject, unlike), self._compared(condition))))) if unlike else same
 
     def _same(self, one: Subject, two: Subject, condition: Comparison) -> Formula:
         """Two operands are equal."""

@@ -93,7 +93,8 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             for trigger in _triggers(way, loops):
                 found.setdefault(trigger, []).append(own)
     later = _done_later(document)
-    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees) for trigger, steps in found.items()}
+    unsteady = {str(name) for (name,) in (document.get("traits") or {}).get("unsteady_name", ())}
+    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees, unsteady) for trigger, steps in found.items()}
     return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
 
 

@@ -24,6 +24,7 @@ COUNTS = (
     "answers_least",
     "round_least",
     "names_message",
+    "unsteady_name",
 )  # `tests/rules/sources/flows_*.cpp` and `answers_*.cpp` have them
 MODES = (
     "begins_in",

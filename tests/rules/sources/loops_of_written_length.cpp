@@ -9,7 +9,7 @@
 // expect: answers_most([_, _, "/in"], [_, _, "/long"], "many")
 // expect: answers_most([_, _, "/in"], [_, _, "/odd"], "4")
 // expect: round_least(_, [_, _, "/beat"], "5")
-// expect: 3 = count : { answers_least(_, _, _); round_least(_, _, _) }
+// expect: 2 = count : { answers_least(_, _, _) }
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 
