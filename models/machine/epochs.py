@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rosarch.models.machine.conditions import compact
 from rosarch.models.machine.logic import subjects
 from rosarch.models.machine.steps import Step
 
@@ -21,6 +22,10 @@ class _Guard:
     at: Mapping[str, frozenset[Leaf]]
     alone: bool
 
+    def texts(self, place: str | None = None) -> Iterator[str]:
+        """The conditions, of all places or one."""
+        return (compact(leaf[1]) for at, leaves in self.at.items() if place in (None, at) for leaf in leaves)
+
     def excludes(self, other: _Guard) -> bool:
         """Whether one and the same test leads to one step or to the other."""
         shared = self.at.keys() & other.at.keys() if self.alone and other.alone else ()
@@ -33,11 +38,11 @@ def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Coll
     What is called by an `unsteady` name need not be the same where it is asked again.
     """
     guards = [_guard(trees.get(step)) for step in steps]
-    again = _asked_again(guards, unsteady)
+    again = _asked_again(steps, guards, unsteady) if unsteady else []
     found = []
     for number, step in enumerate(steps):
         epochs: dict[str, int] = {}
-        unclear = any(not again.isdisjoint(_words(leaf[1])) for leaves in guards[number].at.values() for leaf in leaves)
+        unclear = any(each.search(text) for each in again for text in guards[number].texts())
         for subject in {subject for conjunct in step.guard for subject in subjects(conjunct) if subject.cell}:
             before = [
                 guards[index]
@@ -51,19 +56,19 @@ def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Coll
     return found
 
 
-def _asked_again(guards: Iterable[_Guard], names: Collection[str]) -> frozenset[str]:
-    """Those of the names that conditions at several places ask for."""
-    places: dict[str, set[str]] = {}
-    for guard in guards if names else ():
-        for place, leaves in guard.at.items():
-            for name in {word for leaf in leaves for word in _words(leaf[1])}.intersection(names):
-                places.setdefault(name, set()).add(place)
-    return frozenset(name for name, found in places.items() if len(found) > 1)
+def _asked_again(steps: Sequence[Step], guards: Sequence[_Guard], names: Collection[str]) -> list[re.Pattern[str]]:
+    """What conditions at several places ask for, of that which has one of the names in it."""
+    asked = {s.text for step in steps for conjunct in step.guard for s in subjects(conjunct) if not s.cell}
+    sides = {side for text in asked for side in re.split(r"[<>=!]=?", compact(text))}
+    found = []
+    for side in sorted(side for side in sides if not set(_WORD.findall(side)).isdisjoint(names)):
+        pattern = re.compile(rf"(?<![\w.>]){re.escape(side)}(?!\w)")
+        if len({place for guard in guards for place in guard.at if any(map(pattern.search, guard.texts(place)))}) > 1:
+            found.append(pattern)
+    return found
 
 
-def _words(text: str) -> list[str]:
-    """The names that stand by themselves in a condition."""
-    return re.findall(r"(?<![\w.>:])[A-Za-z_]\w*", text)
+_WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*")
 
 
 def _places(guard: _Guard, text: str) -> set[str]:

@@ -74,7 +74,7 @@ GUARD = (
 ros::Publisher early, nested, otherwise, skipped;
 bool ready = false, wanted = false, fine = false, odd = false;
 void onIn(const std_msgs::Bool& m) {
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; i += 1) {
     if (odd) continue;
     skipped.publish(m);
   }

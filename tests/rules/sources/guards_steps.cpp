@@ -1,10 +1,10 @@
 // Under which conditions something is sent: of every decision on the way its sense, and of ended loops none.
 //
 // expect: N = count : { guard_step(_, _, _, "exception", _) }, N = 1
-// expect: N = count : { guard_step(_, _, _, "ended", _) }, N = 1
+// expect: N = count : { guard_step(_, _, _, "ended", _) }, N = 2
 // expect: N = count : { guard_step(_, _, _, "case", _) }, N = 1
 // expect: N = count : { guard_step(_, _, _, "default", _) }, N = 1
-// expect: N = count : { guard_step(_, _, _, "true", _) }, N = 3
+// expect: N = count : { guard_step(_, _, _, "true", _) }, N = 2
 // expect: N = count : { guard_step(_, _, _, "false", _) }, N = 1
 // expect: N = count : { guard_step(_, _, _, "always", _) }, N = 16
 // expect: reactive /mode -> /one may if "message.data == 1"
