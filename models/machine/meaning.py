@@ -323,4 +323,3 @@ class Meaning:
             return [(here, values[0])]
         hidden = Subject(f"next {cell.subject.key} of {'|'.join(values)}", f"next {cell.subject.text}", tuple(values), hidden=True)
         return [(conjunction((here, Is(hidden, frozenset({value})))), value) for value in values]
-

@@ -200,7 +200,10 @@ def test_what_is_sent_once_for_what_came(document: dict[str, Any], each: bool) -
         _flag(("true", None, "p1"), ("false", "new_ && ok()", "periodic")),  # sent again as long as not ok
         _flag(("true", None, "p1"), ("false", "stop", "p1")),  # nothing takes it away
         _flag(("true", None, "p3"), ("false", "new_", "periodic")),  # a service sets it
-        {**_flag(("true", None, "p1"), ("false", "new_", "periodic")), "traits": {"changed_at_once": [["N::new_", "n.cpp:10", "n.cpp:11"]]}},
+        {
+            **_flag(("true", None, "p1"), ("false", "new_", "periodic")),
+            "traits": {"changed_at_once": [["N::new_", "n.cpp:10", "n.cpp:11"]]},
+        },
     ],
 )
 def test_what_may_be_sent_more_often_than_something_came(document: dict[str, Any]) -> None:

@@ -56,12 +56,16 @@ MODEL = ComponentModel(
 )  # fmt: skip
 NEW = StateVariable("Base::new_", "bool", "false", None, None, AT)
 TIMED = Periodic("timer", 20.0, None, ("p1",), Place("base/src/base.cpp", 9, 1), formula.condition("new_", True))
-TAKES = Transition("Base::new_", None, ("periodic",), formula.condition("new_", True), "false", Place("base/src/base.cpp", 31, 5), timed_by=(TIMED.at,))
+TAKES = Transition(
+    "Base::new_", None, ("periodic",), formula.condition("new_", True), "false", Place("base/src/base.cpp", 31, 5), timed_by=(TIMED.at,)
+)
 SETS = Transition("Base::new_", None, ("p2",), formula.TRUE, "true", Place("base/src/base.cpp", 30, 5))
 TAKING = replace(MODEL, traits=(), behavior=replace(NOTHING, periodic=(TIMED,), state_variables=(NEW,), transitions=(SETS, TAKES)))
 WINDOW = StateVariable("Base::w_", "std::deque<float>", None, None, None, AT)
 ADDS = Transition("Base::w_", None, ("p2",), formula.TRUE, "w_.push_back(x)", Place("base/src/base.cpp", 40, 5))
-DROPS = Transition("Base::w_", None, ("p2",), formula.condition("w_.size() > size_", True), "w_.pop_front()", Place("base/src/base.cpp", 41, 5))
+DROPS = Transition(
+    "Base::w_", None, ("p2",), formula.condition("w_.size() > size_", True), "w_.pop_front()", Place("base/src/base.cpp", 41, 5)
+)
 SLIDING = replace(
     MODEL,
     traits=(Trait("keeps_value_of", ("size_", "~size")),),
@@ -185,7 +189,13 @@ def test_a_component_of_the_library() -> None:
 def test_rows_are_those_of_the_schema() -> None:
     declared = load_declarations(rules_folder() / "system_schema.dl")
     filled: Rows = {}
-    for rows in (model_rows(MODEL), model_rows(TAKING), model_rows(SLIDING), model_rows(replace(MODEL, configuration="key")), library_rows(FOUND)):
+    for rows in (
+        model_rows(MODEL),
+        model_rows(TAKING),
+        model_rows(SLIDING),
+        model_rows(replace(MODEL, configuration="key")),
+        library_rows(FOUND),
+    ):
         for name, found in rows.items():
             filled.setdefault(name, set()).update(found)
     assert set(filled) <= set(declared)

@@ -17,14 +17,15 @@ class State(Enum):
     MOVING = 1
     DONE = 2
 
+
 class Machine:
     def __init__(self):
         self.state = State.IDLE
         self.handlers = {State.IDLE: self.idle, State.MOVING: self.moving, State.DONE: self.done}
-        self.cmd = rospy.Publisher('cmd', String, queue_size=1)
-        self.end = rospy.Publisher('end', Empty, queue_size=1)
+        self.cmd = rospy.Publisher("cmd", String, queue_size=1)
+        self.end = rospy.Publisher("end", Empty, queue_size=1)
         self.steps = 0
-        rospy.Subscriber('begin', Empty, self.begin)
+        rospy.Subscriber("begin", Empty, self.begin)
 
     def begin(self, msg):
         if self.state == State.IDLE:
@@ -35,7 +36,7 @@ class Machine:
         pass
 
     def moving(self):
-        self.cmd.publish('step')
+        self.cmd.publish("step")
         self.steps += 1
         if self.steps == 5:
             self.state = State.DONE
@@ -50,6 +51,7 @@ class Machine:
             self.handlers[self.state]()
             rate.sleep()
 
-if __name__ == '__main__':
-    rospy.init_node('machine')
+
+if __name__ == "__main__":
+    rospy.init_node("machine")
     Machine().run()

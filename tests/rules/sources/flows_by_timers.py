@@ -14,13 +14,13 @@ from std_msgs.msg import Empty
 
 class Arm:
     def __init__(self):
-        self.arrived = rospy.Publisher('arrived', Empty, queue_size=1)
-        self.done = rospy.Publisher('done', Empty, queue_size=1)
-        self.after = rospy.Publisher('after', Empty, queue_size=1)
-        self.worked = rospy.Publisher('worked', Empty, queue_size=1)
-        rospy.Subscriber('home', Empty, self.on_home)
-        rospy.Subscriber('later', Empty, self.on_later)
-        rospy.Subscriber('go', Empty, self.on_go)
+        self.arrived = rospy.Publisher("arrived", Empty, queue_size=1)
+        self.done = rospy.Publisher("done", Empty, queue_size=1)
+        self.after = rospy.Publisher("after", Empty, queue_size=1)
+        self.worked = rospy.Publisher("worked", Empty, queue_size=1)
+        rospy.Subscriber("home", Empty, self.on_home)
+        rospy.Subscriber("later", Empty, self.on_later)
+        rospy.Subscriber("go", Empty, self.on_go)
 
     def on_home(self, message):
         self.timer = threading.Timer(5.0, self.at_home)
@@ -46,6 +46,6 @@ class Arm:
         self.worked.publish()
 
 
-rospy.init_node('arm')
+rospy.init_node("arm")
 Arm()
 rospy.spin()

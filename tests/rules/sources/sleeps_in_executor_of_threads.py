@@ -1,4 +1,5 @@
 """A rate of rclpy in a callback of an executor with several threads."""
+
 # expect: 0 = count : { sleeps_for_ever(_) }
 # expect: subscriber level
 import rclpy
@@ -9,9 +10,9 @@ from std_msgs.msg import Int32
 
 class Level(Node):
     def __init__(self):
-        super().__init__('level')
+        super().__init__("level")
         self.rate = self.create_rate(5)
-        self.sub = self.create_subscription(Int32, 'level', self.heard, 10)
+        self.sub = self.create_subscription(Int32, "level", self.heard, 10)
 
     def heard(self, msg):
         self.rate.sleep()

@@ -1,4 +1,5 @@
 """A program of rospy that subscribes, and ends: nothing in it waits."""
+
 # expect: 2 = count : { runs_too_little(_, "ends") }
 import rospy
 from std_msgs.msg import Int32
@@ -6,8 +7,8 @@ from std_msgs.msg import Int32
 
 class Level:
     def __init__(self):
-        self.pub = rospy.Publisher('half', Int32, queue_size=1)
-        self.sub = rospy.Subscriber('level', Int32, self.heard)
+        self.pub = rospy.Publisher("half", Int32, queue_size=1)
+        self.sub = rospy.Subscriber("level", Int32, self.heard)
         self.timer = rospy.Timer(rospy.Duration(1), self.tick)
 
     def heard(self, msg):
@@ -19,10 +20,10 @@ class Level:
 
 
 def main():
-    rospy.init_node('level')
+    rospy.init_node("level")
     level = Level()
-    rospy.loginfo('ready %s', level)
+    rospy.loginfo("ready %s", level)
 
 
-if __name__ == '__main__':
+if __name__ == "__main__":
     main()
