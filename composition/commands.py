@@ -15,6 +15,7 @@ from rosarch.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.elapsed import LONG
 from rosarch.models.machine.limits import below_zero
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
+from rosarch.models.machine.reactions import is_ambiguous
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import OFF, START
 
@@ -80,7 +81,7 @@ def _doubts(system: System, cone: Cone) -> Iterator[str]:
     for node in sorted({node for node, _ in (*cone.variables, *cone.steps)} & set(system.conditions)):
         yield f"{node} is started only if {system.conditions[node]}"
     for (node, _), steps in cone.steps.items():
-        if system.nodes[node].is_ambiguous(steps):
+        if is_ambiguous(steps, system.nodes[node].document):
             yield f"{node} calls a function, or asks for a value, several times in one reaction, so that what it does is not known"
 
 
@@ -222,9 +223,14 @@ def _runs_if(builder: _Builder, end: End) -> tuple[str, ...]:
         return (f"{node} takes what arrives ({component.unheard[trigger]})",)
     if builder.system.inlet(end) or trigger in component.queues or trigger == START:
         return ()
-    if trigger == "timer" and component.runs_once_when_set:
+    if _runs_when_set(component, trigger):
         return ()
     return (f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} runs then",)
+
+
+def _runs_when_set(component: Component, trigger: str) -> bool:
+    """Whether a trigger is that of timers that run once, of which it is known when they do."""
+    return trigger == "timer" and component.runs_once_when_set
 
 
 def _nothing_done(builder: _Builder, end: End, obligation: int | None) -> Iterator[Command]:
@@ -245,7 +251,7 @@ def _nothing_done(builder: _Builder, end: End, obligation: int | None) -> Iterat
     if obligation is not None and trigger in component.unsteady:
         rests = f"{component.label(trigger)} of {node} does not run then ({component.unsteady[trigger]})"
         yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
-    if obligation is not None and trigger in _OWN and not (trigger == "timer" and component.runs_once_when_set):
+    if obligation is not None and trigger in _OWN and not _runs_when_set(component, trigger):
         rests = f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} does not run then"
         yield Command(node, cause, (), obligation=obligation, assumes=(rests,))
     if trigger in component.answered and not builder.system.is_answered(end):

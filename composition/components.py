@@ -15,15 +15,15 @@ from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger, names_of_messages
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import START, gated, gates, starting
-from rosarch.models.rhythm import with_constants, with_numbers
+from rosarch.models.rhythm import with_numbers_told
+
+_FIELD = re.compile(r"\(?\*?(?P<message>\w+)\)?(?:->|\.)(?P<path>[\w.>\[\]-]+)")
 
 
 def content_path(text: str, members: Collection[str]) -> str | None:
     """The field that an operand such as `msg->header.seq` is about; None when it begins with a member of the component."""
-    match = re.fullmatch(r"\(?\*?(\w+)\)?(?:->|\.)([\w.>\[\]-]+)", text.strip())
-    if match is None or match.group(1) in members:
-        return None
-    return match.group(2).replace("->", ".")
+    match = _FIELD.fullmatch(text.strip())
+    return match["path"].replace("->", ".") if match and match["message"] not in members else None
 
 
 @dataclass(frozen=True)
@@ -90,10 +90,10 @@ class Component:
 
     def is_content(self, trigger: str, text: str) -> bool:
         """Whether an operand is a field of the message that a trigger is; where the model does not tell, of something that is no member."""
-        if content_path(text, self.members) is None:
+        match = _FIELD.fullmatch(text.strip())
+        if match is None or match["message"] in self.members:
             return False
-        names = names_of_messages(self.document, [trigger])
-        return self.document.get("traits") is None or re.split(r"->|\.", text.strip().lstrip("(*"))[0].rstrip(")") in names
+        return self.document.get("traits") is None or match["message"] in names_of_messages(self.document, [trigger])
 
     def is_unsigned(self, trigger: str) -> bool:
         """Whether the only field of the message that a trigger is has no value below zero."""
@@ -169,14 +169,6 @@ class Component:
         """The ports that nothing is ever sent through."""
         return frozenset(port for (port,) in self._traits("sends_nothing"))
 
-    def is_ambiguous(self, steps: Iterable[Step]) -> bool:
-        """Whether the order of some of these steps, all of one reaction, is not known, or that of their tests."""
-        steps = list(steps)
-        if any(step.unclear for step in steps):
-            return True
-        places = {place for step in steps for place in step.row.at.split()}
-        return any(places.issuperset(pair) for pair in self._traits("several_orders"))
-
     def _traits(self, name: str) -> list[tuple[str, ...]]:
         """What the rules say of the component for the sake of systems, in the order of the rules."""
         return [tuple(map(str, row)) for row in (self.document.get("traits") or {}).get(name, ())]
@@ -213,8 +205,7 @@ def component(document: Document, settings: Settings | None = None) -> Component
     """The component that a document in the format of `rosarch analyze -o` describes, as it is with these settings."""
     known = {name: settings[parameter] for name, parameter in _keeping(document) if parameter in (settings or {})} if settings else {}
     numbers = {name: number for name, (_, text) in known.items() if (number := whole(text)) is not None}
-    document = with_numbers(with_constants(document), numbers)
-    document = {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
+    document = with_numbers_told(document, numbers)
     domains = Domains(document, counts=True)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}

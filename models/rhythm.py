@@ -6,7 +6,7 @@ What a rhythm is comes of running the reaction itself, from its first state on, 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,7 +15,7 @@ from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import Comparison, Negation, Operand, constant, parse_condition, strip
 from rosarch.models.machine.counting import whole
 from rosarch.models.machine.logic import TRUE
-from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses
+from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses, is_ambiguous
 from rosarch.models.machine.steps import Step
 
 _TRIED = (2, 3, 4, 5, 7)  # values of a parameter, from which is seen what it does
@@ -67,15 +67,43 @@ def _name(text: str) -> str:
     return re.sub(r"^(this->|self\.)", "", strip(text).replace(" ", ""))
 
 
-def rhythms(document: Document) -> Iterator[Rhythm]:
+class Reactions:
+    """A component's reactions as they are run here: the steps of each trigger, and cells with the one value that they surely begin with."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = with_numbers_told(document)
+        domains = Domains(self.document, counts=True)
+        doubtful = {name for name, *_ in (document.get("traits") or {}).get("changed_at_once", ())}
+        doubtful |= {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
+        self.cells = [cell for cell in domains.cells.values() if len(cell.initial) == 1 and cell.variable not in doubtful]
+        self.triggers = component_steps(self.document, domains) if self.cells else {}
+
+    def place(self, trigger: str) -> str:
+        """The port, or the place of the loop or timer, that a trigger is; "" where several are one trigger."""
+        if trigger.partition(" ")[0] != PERIODIC:
+            return trigger
+        places = {str(row["at"]) for row in self.document["periodic"]}
+        return trigger.partition(" ")[2] or (places.pop() if len(places) == 1 else "")
+
+    def are_told(self, steps: Sequence[Step], trigger: str) -> bool:
+        """Whether it is known what these steps of a trigger do, one after the other, and a timer's change nothing but by it."""
+        if is_ambiguous(steps, self.document):
+            return False
+        rows = [self.document["transitions"][step.row.index] for step in steps if step.row.kind == "transitions"]
+        return trigger.partition(" ")[0] != PERIODIC or all(set(row.get("timed_by") or ()) == {self.place(trigger)} for row in rows)
+
+
+def rhythms(reactions: Reactions) -> Iterator[Rhythm]:
     """The rhythms of a component's reactions to messages, and of its loops and timers."""
-    traits: Mapping[str, Any] = document.get("traits") or {}
-    document = with_constants(document)
-    fixed = list(_fixed(document))
+    document = reactions.document
+    fixed = list(_fixed(reactions))
     yield from fixed
     known = {(rhythm.trigger, rhythm.output) for rhythm in fixed}
-    for name, parameter in traits.get("keeps_value_of", ()):
-        found = [{(r.trigger, r.output): r for r in _fixed(with_numbers(document, {name: value}))} for value in _TRIED]
+    for name, parameter in (document.get("traits") or {}).get("keeps_value_of", ()):
+        tried = [with_numbers(document, {name: value}) for value in _TRIED]
+        if tried[0] == document:
+            continue  # nothing that is run here asks for it
+        found = [{(r.trigger, r.output): r for r in _fixed(Reactions(each))} for each in tried]
         for key, first in found[0].items():
             same = [rhythms_[key] for rhythms_ in found if key in rhythms_]
             if key in known or len(same) < len(_TRIED) or len({rhythm.sends for rhythm in same}) > 1:
@@ -84,6 +112,12 @@ def rhythms(document: Document) -> Iterator[Rhythm]:
                 more = {rhythm.rounds - factor * value for rhythm, value in zip(same, _TRIED, strict=True)}
                 if len(more) == 1:
                     yield replace(first, parameter=parameter, factor=factor, rounds=more.pop())
+
+
+def with_numbers_told(document: Document, numbers: Mapping[str, int] | None = None) -> Document:
+    """The document as reactions are run by it: with the numbers that constants and these names are, and the loops whose place is known."""
+    document = with_numbers(with_constants(document), numbers or {})
+    return {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
 
 
 def with_constants(document: Document) -> Document:
@@ -109,26 +143,20 @@ def with_numbers(document: Document, numbers: Mapping[str, int]) -> Document:
     return {**document, **{key: [changed(row, fields) for row in document.get(key) or ()] for key, fields in _TEXTS.items()}}
 
 
-def _fixed(document: Document) -> Iterator[Rhythm]:
-    document = {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
-    domains = Domains(document, counts=True)
-    first = {cell.subject.key: cell.initial[0] for cell in domains.cells.values() if len(cell.initial) == 1}
-    if not first:
-        return
-    triggers = component_steps(document, domains)
-    traits = document.get("traits") or {}
-    doubtful = {name for name, *_ in traits.get("changed_at_once", ())}
-    first = {key: value for key, value in first.items() if not any(key == name or key.startswith(f"{name}.") for name in doubtful)}
-    changed = {(trigger, a.cell.subject.key) for trigger, steps in triggers.items() for step in steps for a in step.assignments}
-    for trigger, steps in triggers.items():
-        place = _place(trigger, document)
+def _fixed(reactions: Reactions) -> Iterator[Rhythm]:
+    first = {cell.subject.key: cell.initial[0] for cell in reactions.cells}
+    changed = {(trigger, a.cell.subject.key) for trigger, steps in reactions.triggers.items() for step in steps for a in step.assignments}
+    for trigger, steps in reactions.triggers.items():
+        place = reactions.place(trigger)
         shared = {key for other, key in changed if other != trigger}
-        for output in sorted({port for step in steps for port in step.outputs}) if place else ():
+        for output in _outputs(steps) if place else ():
             own = _needed([replace(step, outputs=(output,) if output in step.outputs else ()) for step in steps])
-            if not _told_in_order(own, traits.get("several_orders", ())) or not _of_one_timer(own, trigger, place, document):
-                continue
-            if found := _rounds(own, first, shared):
+            if reactions.are_told(own, trigger) and (found := _rounds(own, first, shared)):
                 yield Rhythm(place, output, "", 0, *found)
+
+
+def _outputs(steps: Sequence[Step]) -> list[str]:
+    return sorted({port for step in steps for port in step.outputs})
 
 
 @dataclass(frozen=True)
@@ -144,31 +172,31 @@ class Used:
     each: bool
 
 
-def used_up(document: Document) -> Iterator[Used]:
+def used_up(reactions: Reactions) -> Iterator[Used]:
     """What loops and timers send once for what came: a flag, or a message that is kept, which they take away."""
-    document = with_constants({**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]})
-    timed = {str(port["id"]) for port in document.get("ports") or () if port.get("kind") == "subscriber"}
-    domains = Domains(document, counts=True)
-    traits = document.get("traits") or {}
-    doubtful = {name for name, *_ in traits.get("changed_at_once", ())}
-    cells = [cell for cell in domains.cells.values() if not cell.counting and len(cell.initial) == 1 and cell.variable not in doubtful]
-    triggers = component_steps(document, domains) if cells else {}
-    for trigger, steps in triggers.items():
-        place = _place(trigger, document) if trigger.partition(" ")[0] == PERIODIC else ""
-        if not place or not _told_in_order(steps, traits.get("several_orders", ())) or not _of_one_timer(steps, trigger, place, document):
-            continue
-        for cell in cells:
-            others = {other: own for other, own in triggers.items() if other != trigger and _assigns(own, cell)}
-            for output in sorted({port for step in steps for port in step.outputs}) if others and _assigns(steps, cell) else ():
-                try:
-                    taken = _taken(steps, cell, output)
-                    ports = {other: _sets(own, cell, taken[0]) for other, own in others.items()} if taken else {}
-                except TooManyCases:
-                    continue
-                setting = {other: how for other, how in ports.items() if how}
-                if taken and setting and timed.issuperset(setting):
-                    for port, how in sorted(setting.items()):
-                        yield Used(place, output, port, how == "each" and taken[1] and len(ports) == 1)
+    heard = {str(port["id"]) for port in reactions.document.get("ports") or () if port.get("kind") == "subscriber"}
+    timed = [trigger for trigger in reactions.triggers if trigger.partition(" ")[0] == PERIODIC and reactions.place(trigger)]
+    for trigger in timed:
+        steps = reactions.triggers[trigger]
+        for cell in reactions.cells if reactions.are_told(steps, trigger) else ():
+            others = {other: own for other, own in reactions.triggers.items() if other != trigger and _assigns(own, cell)}
+            if cell.counting or not _assigns(steps, cell) or not all(reactions.are_told(own, other) for other, own in others.items()):
+                continue
+            for output in _outputs(steps):
+                found = list(_used(reactions.place(trigger), steps, cell, output, others))
+                yield from found if heard.issuperset(used.port for used in found) else ()
+
+
+def _used(place: str, steps: list[Step], cell: Cell, output: str, others: Mapping[str, list[Step]]) -> Iterator[Used]:
+    """What these steps use up of what others, by trigger, leave in a cell."""
+    try:
+        taken = _taken(steps, cell, output)
+        ports = {other: _sets(own, cell, taken[0]) for other, own in others.items()} if taken else {}
+    except TooManyCases:
+        return
+    for port, how in sorted(ports.items()):
+        if taken and how:
+            yield Used(place, output, port, how == "each" and taken[1] and len(ports) == 1)
 
 
 def _assigns(steps: list[Step], cell: Cell) -> bool:
@@ -195,25 +223,6 @@ def _sets(steps: list[Step], cell: Cell, values: frozenset[str]) -> str:
     found = (courses(steps, [cell.subject.key], (value,), _MOST_COURSES) for value in cell.subject.values)
     ends = [course.values[0] in values for own in found for course in own]
     return "each" if all(ends) else "at times" if any(ends) else ""
-
-
-def _place(trigger: str, document: Document) -> str:
-    """The port, or the place of the loop or timer, that a trigger is; "" where several are one trigger."""
-    if trigger.partition(" ")[0] != PERIODIC:
-        return trigger
-    places = {str(row["at"]) for row in document["periodic"]}
-    return trigger.partition(" ")[2] or (places.pop() if len(places) == 1 else "")
-
-
-def _told_in_order(steps: list[Step], unclear: list[list[str]]) -> bool:
-    places = {place for step in steps for place in step.row.at.split()}
-    return not any(places.issuperset(pair) for pair in unclear)
-
-
-def _of_one_timer(steps: list[Step], trigger: str, place: str, document: Document) -> bool:
-    """Whether all that changes in these steps of a timer is changed by it."""
-    rows = [document["transitions"][step.row.index] for step in steps if step.row.kind == "transitions"]
-    return trigger.partition(" ")[0] != PERIODIC or all(set(row.get("timed_by") or ()) == {place} for row in rows)
 
 
 def _needed(steps: list[Step]) -> list[Step]:

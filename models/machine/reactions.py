@@ -116,6 +116,15 @@ def names_of_messages(document: Document, triggers: Sequence[str]) -> frozenset[
     return frozenset.intersection(*names) if names else frozenset()
 
 
+def is_ambiguous(steps: Iterable[Step], document: Document) -> bool:
+    """Whether the order of some of these steps, all of one reaction, is not known, or that of their tests."""
+    steps = list(steps)
+    if any(step.unclear for step in steps):
+        return True
+    places = {place for step in steps for place in step.row.at.split()}
+    return any(places.issuperset(pair) for pair in (document.get("traits") or {}).get("several_orders", ()))
+
+
 def _done_later(document: Document) -> Mapping[str, frozenset[str]]:
     """For each place what is done after it although its line is not below."""
     found: dict[str, frozenset[str]] = {}

@@ -9,7 +9,7 @@ from typing import Any
 from rosarch.library import LibraryComponent
 from rosarch.models.component import MANAGED, ComponentModel, parameter_json, port_json, to_json, traits_json
 from rosarch.models.places import Place
-from rosarch.models.rhythm import rhythms, used_up, way_needs
+from rosarch.models.rhythm import Reactions, rhythms, used_up, way_needs
 from rosarch.models.traits import TRAITS
 
 Rows = dict[str, set[tuple[Any, ...]]]
@@ -108,13 +108,13 @@ def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
     places = {str(loop.at): loop.at for loop in model.behavior.periodic}
     if managed:
         return
-    document = {**to_json(model), "traits": traits_json(model)}
-    for rhythm in rhythms(document):
+    reactions = Reactions({**to_json(model), "traits": traits_json(model)})
+    for rhythm in rhythms(reactions):
         source = writer.placed(places[rhythm.trigger]) if rhythm.trigger in places else f"{component}#{rhythm.trigger}"
         sink = f"{component}#{rhythm.output}"
         name = "interface_rhythm_beside" if rhythm.parameter and not rhythm.factor else "interface_rhythm"
         writer.add(name, component, source, sink, rhythm.parameter, rhythm.rounds, rhythm.sends)
-    for used in used_up(document):
+    for used in used_up(reactions):
         sink, port = f"{component}#{used.output}", f"{component}#{used.port}"
         writer.add("interface_uses_up", component, writer.placed(places[used.trigger]), sink, port, "each" if used.each else "some")
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from rosarch.models import formula
-from rosarch.models.rhythm import Rhythm, Used, rhythms, used_up, way_needs, with_numbers
+from rosarch.models.rhythm import Reactions, Rhythm, Used, rhythms, used_up, way_needs, with_numbers
 
 
 def _counting(
@@ -38,7 +38,7 @@ def _counting(
     ],
 )  # fmt: skip
 def test_a_counter_gives_a_rhythm(document: dict[str, Any], rounds: int, sends: int) -> None:
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "", 0, rounds, sends)]
+    assert list(rhythms(Reactions(document))) == [Rhythm("p1", "p2", "", 0, rounds, sends)]
 
 
 @pytest.mark.parametrize(
@@ -58,13 +58,13 @@ def test_a_counter_gives_a_rhythm(document: dict[str, Any], rounds: int, sends: 
     ids=["more", "start", "condition", "value", "loop", "threads", "orders", "large", "ring", "nothing"],
 )
 def test_no_rhythm_is_told_of_what_hangs_on_more(document: dict[str, Any]) -> None:
-    assert list(rhythms(document)) == []
+    assert list(rhythms(Reactions(document))) == []
 
 
 def test_others_that_count_too_leave_no_rhythm() -> None:
     document = _counting("0", "++n_ % 10 == 0", ("++n_", None))
     reset = {"variable": "N::n_", "trigger": ["p3"], "value": "0", "guard": None, "at": "n.cpp:30"}
-    assert list(rhythms({**document, "transitions": [*document["transitions"], reset]})) == []
+    assert list(rhythms(Reactions({**document, "transitions": [*document["transitions"], reset]}))) == []
 
 
 def test_a_timer_counts_behind_where_it_is_made() -> None:
@@ -74,16 +74,16 @@ def test_a_timer_counts_behind_where_it_is_made() -> None:
     sent = {"mechanism": "timer", "hz": 20.0, "publishes": ["p2"], "at": "n.cpp:5", "conditional": "++n_ >= 4", "conditional_tree": tree}
     variable = {"name": "N::n_", "type": "int", "initial": "0", "at": "n.h:3"}
     document = {"state_variables": [variable], "transitions": [counted, again], "periodic": [sent]}
-    assert list(rhythms(document)) == [Rhythm("n.cpp:5", "p2", "", 0, 4, 1)]
+    assert list(rhythms(Reactions(document))) == [Rhythm("n.cpp:5", "p2", "", 0, 4, 1)]
     other = {**counted, "timed_by": ["n.cpp:6"]}
-    assert list(rhythms({**document, "transitions": [other, again]})) == []
+    assert list(rhythms(Reactions({**document, "transitions": [other, again]}))) == []
 
 
 def test_a_rhythm_that_a_parameter_gives() -> None:
     document = _counting("skip_", "--n_ == 0", ("--n_", None), ("skip_", "--n_ == 0"), traits={"keeps_value_of": [["skip_", "~skip"]]})
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "~skip", 1, 0, 1)]
+    assert list(rhythms(Reactions(document))) == [Rhythm("p1", "p2", "~skip", 1, 0, 1)]
     document = _counting("0", "++n_ > skip_", ("++n_", None), ("0", "++n_ > skip_"), traits={"keeps_value_of": [["skip_", "~skip"]]})
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "~skip", 1, 1, 1)]
+    assert list(rhythms(Reactions(document))) == [Rhythm("p1", "p2", "~skip", 1, 1, 1)]
 
 
 def test_names_that_stand_for_numbers() -> None:
@@ -103,7 +103,7 @@ def test_ways_that_parameters_open() -> None:
 
 def test_constants_have_names() -> None:
     document = _counting("0", "++n_ >= MOST", ("++n_", None), ("0", "++n_ >= MOST"), traits={"names_number": [["MOST", "6"]]})
-    assert list(rhythms(document)) == [Rhythm("p1", "p2", "", 0, 6, 1)]
+    assert list(rhythms(Reactions(document))) == [Rhythm("p1", "p2", "", 0, 6, 1)]
 
 
 @pytest.mark.parametrize(
@@ -120,12 +120,12 @@ def test_constants_have_names() -> None:
     ],
 )
 def test_a_counter_of_few_bits_begins_anew(type_: str, guard: str, told: bool) -> None:
-    assert bool(list(rhythms(_counting("0", guard, ("++n_", None), type_=type_)))) is told
+    assert bool(list(rhythms(Reactions(_counting("0", guard, ("++n_", None), type_=type_))))) is told
 
 
 def test_an_unsigned_counter_is_never_below_zero() -> None:
-    assert list(rhythms(_counting("1", "--n_ < 1", ("--n_", None), type_="int"))) == [Rhythm("p1", "p2", "", 0, 1, 1)]
-    assert list(rhythms(_counting("1", "--n_ < 1", ("--n_", None), type_="unsigned int"))) == []
+    assert list(rhythms(Reactions(_counting("1", "--n_ < 1", ("--n_", None), type_="int")))) == [Rhythm("p1", "p2", "", 0, 1, 1)]
+    assert list(rhythms(Reactions(_counting("1", "--n_ < 1", ("--n_", None), type_="unsigned int")))) == []
 
 
 def _timed(variable: dict[str, Any], sent: str, *changes: tuple[str, str | None]) -> dict[str, Any]:
@@ -153,19 +153,19 @@ def _timed(variable: dict[str, Any], sent: str, *changes: tuple[str, str | None]
 def test_a_state_that_a_timer_alone_changes_gives_a_rhythm(
     variable: dict[str, Any], sent: str, changes: list[tuple[str, str | None]], rounds: int, sends: int
 ) -> None:
-    assert list(rhythms(_timed(variable, sent, *changes))) == [Rhythm("n.cpp:5", "p2", "", 0, rounds, sends)]
+    assert list(rhythms(Reactions(_timed(variable, sent, *changes)))) == [Rhythm("n.cpp:5", "p2", "", 0, rounds, sends)]
 
 
 def test_a_state_that_may_begin_as_either_gives_no_rhythm() -> None:
     variable = {"name": "N::on_", "type": "bool", "initial": None, "at": "n.h:3"}
-    assert list(rhythms(_timed(variable, "on_", ("false", "on_")))) == []
+    assert list(rhythms(Reactions(_timed(variable, "on_", ("false", "on_"))))) == []
 
 
 def test_a_sliding_window_sends_for_each_once_it_is_full() -> None:
     window = ("w_.push_back(x)", None), ("w_.pop_front()", "w_.size() > size_")
     document = _timed({"name": "N::w_", "type": "std::deque<float>", "initial": None, "at": "n.h:3"}, "!(w_.size() < size_)", *window)
     document = {**document, "traits": {"keeps_value_of": [["size_", "size"]]}}
-    assert list(rhythms(document)) == [Rhythm("n.cpp:5", "p2", "size", 0, 1, 1)]
+    assert list(rhythms(Reactions(document))) == [Rhythm("n.cpp:5", "p2", "size", 0, 1, 1)]
 
 
 def _flag(*changes: tuple[str, str | None, str], guard: str = "new_") -> dict[str, Any]:
@@ -191,7 +191,7 @@ def _flag(*changes: tuple[str, str | None, str], guard: str = "new_") -> dict[st
     ],
 )
 def test_what_is_sent_once_for_what_came(document: dict[str, Any], each: bool) -> None:
-    assert list(used_up(document)) == [Used("n.cpp:5", "p2", "p1", each)]
+    assert list(used_up(Reactions(document))) == [Used("n.cpp:5", "p2", "p1", each)]
 
 
 @pytest.mark.parametrize(
@@ -207,4 +207,15 @@ def test_what_is_sent_once_for_what_came(document: dict[str, Any], each: bool) -
     ],
 )
 def test_what_may_be_sent_more_often_than_something_came(document: dict[str, Any]) -> None:
-    assert list(used_up(document)) == []
+    assert list(used_up(Reactions(document))) == []
+
+
+def test_nothing_is_claimed_of_what_is_not_clear() -> None:
+    document = _timed({"name": "N::on_", "type": "bool", "initial": "false", "at": "n.h:3"}, "on_", ("!on_", None))
+    (variable,) = document["state_variables"]
+    assert list(rhythms(Reactions({**document, "state_variables": [{**variable, "from_param": "on"}]}))) == []
+    tree = {"all": [{"condition": "on_", "holds": True, "at": place} for place in ("n.cpp:9", "n.cpp:20")]}
+    again = _timed({**variable, "initial": "true"}, "on_", ("false", "on_"))
+    assert list(rhythms(Reactions({**again, "periodic": [{**again["periodic"][0], "conditional_tree": tree}]}))) == []
+    kept = _flag(("true", None, "p1"), ("false", "new_", "periodic"))
+    assert list(used_up(Reactions({**kept, "traits": {"several_orders": [["n.cpp:10", "n.cpp:10"]]}}))) == []
