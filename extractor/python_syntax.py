@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import warnings
+from collections.abc import Callable, Iterable, Iterator
 
 from rosarch.extractor.files import LARGEST_PARSED
 
@@ -64,3 +65,16 @@ def import_call(node: ast.Call, package: str) -> tuple[str, str] | None:
             whole = absolute_name(inner, len(name) - len(inner), package)
             return whole, whole
     return None
+
+
+FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+
+
+def nodes_within(body: Iterable[ast.AST], is_closed: Callable[[ast.AST], bool]) -> Iterator[ast.AST]:
+    """The nodes of a body in the order of the source, without those inside of what is closed."""
+    stack: list[ast.AST] = list(reversed(list(body)))
+    while stack:
+        node = stack.pop()
+        yield node
+        if not is_closed(node):
+            stack.extend(reversed(list(ast.iter_child_nodes(node))))

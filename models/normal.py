@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from rosarch.models.formula import TRUE, Formula, both, condition, either, loosest, text
 from rosarch.models.formula import Condition as Item
 from rosarch.models.machine.conditions import (
+    NULL,
     Comparison,
     Condition,
     Conjunction,
@@ -16,10 +17,10 @@ from rosarch.models.machine.conditions import (
     Operand,
     Truth,
     constant,
+    is_name,
     negated,
     parse_condition,
 )
-from rosarch.models.machine.logic import BOOLEAN
 
 DEEPEST = 4  # definitions of variables within definitions of variables
 LONGEST = 1000  # characters that a condition may grow to
@@ -89,8 +90,8 @@ def _truth(parsed: Condition) -> bool | None:
 
 
 def _is_name(known: str) -> bool:
-    """Whether a constant is a name: which number or text that is, it does not tell."""
-    return known.isidentifier() and known not in BOOLEAN
+    """Whether it is a name, also that of null, which may be zero."""
+    return is_name(known) or known == NULL
 
 
 def folded(source: str) -> str:

@@ -6,27 +6,23 @@ on: an element that is refused costs that element, a value that is absent stays 
 
 from __future__ import annotations
 
-import difflib
 import itertools
-import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor import tracing
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
 from rosarch.extractor.xml_reader import XmlError
 
 from . import elements, nodes
 from .descriptions import note_worlds
 from .files import Files
-from .meant import file_meant, files_meant
+from .meant import files_meant, meshes_meant
 from .model import (
     ArgumentDeclared,
     Composition,
     Condition,
-    FileNamed,
     Include,
     LaunchError,
     NodeStart,
@@ -219,31 +215,6 @@ class _Composer:
         return inner
 
 
-def _meshes(state: State) -> Iterator[Reference]:
-    """The files that robot descriptions name: those to be installed, and those that are not there where one is called nearly so.
-
-    Sources are often without their meshes, which are large.
-    """
-    named = {path for path, _ in state.meshes}
-    for path, place in state.meshes:
-        tracing.probe(path)
-        meant = file_meant("mesh", path, place, state.files.packages, there=os.path.exists(path))
-        if not meant.absent:
-            yield meant
-        elif _called_nearly_so(path, named):
-            yield FileNamed("mesh", path, True, place)
-
-
-def _called_nearly_so(path: str, named: set[str]) -> bool:
-    folder, name = os.path.split(path)
-    tracing.listed(folder)
-    try:
-        others = [other for other in os.listdir(folder) if f"{folder}/{other}" not in named]
-    except OSError:
-        return False
-    return bool(difflib.get_close_matches(name.lower(), [other.lower() for other in others], 1, 0.85))
-
-
 def finished(state: State, references: Iterable[Reference]) -> Composition:
     """The result, with unknown parts of texts as the source writes them."""
     shown = state.unknowns.render
@@ -264,7 +235,7 @@ def finished(state: State, references: Iterable[Reference]) -> Composition:
         worlds=tuple(state.worlds.values()),
         views=views_of(state, nodes),
         commands=tuple(state.commands),
-        references=(*references, *_meshes(state)),
+        references=(*references, *meshes_meant(state.meshes, state.files.packages)),
     )
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from rosarch.extractor import tracing
 
-from .model import Composition, FileMeant, Place
+from .model import Composition, FileMeant, FileNamed, Place
 from .packages import PackagePath
 
 _NAMED = re.compile(r"(?<![\w./~-])/[^\s'\",;:=\[\]{}()$]+\.\w+(?![\w$(])")
@@ -42,16 +43,41 @@ def file_meant(role: str, path: str, place: Place, packages: PackagePath, *, the
     return FileMeant(role, path, absent, place, beside(path) if absent else None, made)
 
 
+def meshes_meant(meshes: Collection[tuple[str, Place]], packages: PackagePath) -> Iterator[FileMeant | FileNamed]:
+    """The files that robot descriptions name: those to be installed, and those that are not there where one is called nearly so.
+
+    Sources are often without their meshes, which are large.
+    """
+    named = {path for path, _ in meshes}
+    others: dict[str, list[str]] = {}
+    for path, place in meshes:
+        tracing.probe(path)
+        meant = file_meant("mesh", path, place, packages, there=os.path.exists(path))
+        if not meant.absent:
+            yield meant
+            continue
+        folder, name = os.path.split(path)
+        if folder not in others:
+            others[folder] = [other.lower() for other in _listed(folder) if f"{folder}/{other}" not in named]
+        if difflib.get_close_matches(name.lower(), others[folder], 1, 0.85):
+            yield FileNamed("mesh", path, True, place)
+
+
+def _listed(folder: str) -> list[str]:
+    """The names in a folder, none where there is no such folder."""
+    tracing.listed(folder)
+    try:
+        return sorted(os.listdir(folder))
+    except OSError:
+        return []
+
+
 def beside(path: str) -> str | None:
     """A file of the same kind in the folder of one that is not there: of those kinds that are written by hand."""
     folder, kind = os.path.dirname(path), os.path.splitext(path)[1]
     if kind not in _WRITTEN:
         return None
-    tracing.listed(folder)
-    try:
-        names = sorted(name for name in os.listdir(folder) if name.endswith(kind))
-    except OSError:
-        return None
+    names = [name for name in _listed(folder) if name.endswith(kind)]
     return os.path.join(folder, names[0]) if names else None
 
 

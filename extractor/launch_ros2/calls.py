@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.formulas import Test
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
+from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
 
 from .argument_types import refused
 from .decisions import is_certain
@@ -396,14 +397,8 @@ def _bound(function: Function, arguments: list[Any], named: dict[str, Any]) -> I
 @lru_cache(maxsize=4096)
 def _is_generator(node: ast.AST) -> bool:
     """Whether a function yields; what functions within it yield is theirs."""
-    stack = list(ast.iter_child_nodes(node))
-    while stack:
-        inner = stack.pop()
-        if isinstance(inner, (ast.Yield, ast.YieldFrom)):
-            return True
-        if not isinstance(inner, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
-            stack.extend(ast.iter_child_nodes(inner))
-    return False
+    inside = nodes_within(ast.iter_child_nodes(node), lambda inner: isinstance(inner, (*FUNCTIONS, ast.ClassDef)))
+    return any(isinstance(inner, (ast.Yield, ast.YieldFrom)) for inner in inside)
 
 
 def _text_of(node: ast.AST) -> str:

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from rosarch.extractor.launch.model import ActionLeftOut, Place
+from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
 
 _STARTING = "Node LifecycleNode ComposableNodeContainer LoadComposableNodes IncludeLaunchDescription ExecuteProcess GroupAction TimerAction"
 _OTHER = "DeclareLaunchArgument OpaqueFunction RegisterEventHandler EmitEvent SetEnvironmentVariable SetParameter PushRosNamespace"
@@ -36,20 +37,10 @@ def _of_function(function: _Function, comments: str, path: str) -> Iterator[Acti
     names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
     read = Counter(node.id for node in names if isinstance(node.ctx, ast.Load))
     declared = {name for node in ast.walk(function) if isinstance(node, (ast.Global, ast.Nonlocal)) for name in node.names}
-    for statement in _statements(function):
+    for statement in nodes_within(function.body, lambda node: isinstance(node, (*FUNCTIONS, ast.ClassDef))):
         match statement:
             case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=action) | ast.Attribute(attr=action)) as made):
                 if action in _ACTIONS and not read[name] and name not in declared and not re.search(rf"\b{re.escape(name)}\b", comments):
                     yield ActionLeftOut(action, name, Place(path, made.lineno, made.col_offset + 1))
             case ast.Expr(value=ast.Call(func=ast.Name(id=action)) as made) if action in _ACTIONS:
                 yield ActionLeftOut(action, "", Place(path, made.lineno, made.col_offset + 1))
-
-
-def _statements(function: _Function) -> Iterator[ast.stmt]:
-    stack: list[ast.AST] = list(reversed(function.body))
-    while stack:
-        node = stack.pop()
-        if isinstance(node, ast.stmt):
-            yield node
-        if not isinstance(node, (*_Function.__args__, ast.ClassDef, ast.Lambda)):
-            stack.extend(reversed(list(ast.iter_child_nodes(node))))

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from rosarch.extractor.launch.model import Place, SubstitutionUsed, TextTested
+from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
 
 _Found = TextTested | SubstitutionUsed
 _Function = ast.FunctionDef | ast.AsyncFunctionDef
@@ -34,13 +35,8 @@ def _functions(body: list[ast.stmt], outer: _Names, path: str) -> Iterator[_Foun
 
 
 def _within(body: list[ast.stmt]) -> Iterator[ast.AST]:
-    """The nodes of a body, functions in it not entered."""
-    stack: list[ast.AST] = list(reversed(body))
-    while stack:
-        node = stack.pop()
-        yield node
-        if not isinstance(node, (*_Function.__args__, ast.Lambda)) and not _is_print(node):
-            stack.extend(reversed(list(ast.iter_child_nodes(node))))
+    """The nodes of a body, functions in it, and what is only shown, not entered."""
+    return nodes_within(body, lambda node: isinstance(node, FUNCTIONS) or _is_print(node))
 
 
 def _is_print(node: ast.AST) -> bool:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache, partial
 from pathlib import Path
 
 from rosarch.extractor.files import LARGEST_PARSED, read_file
@@ -45,7 +46,7 @@ class Promised:
 
 def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
     """The classes that CMake and exported descriptions name for libraries of the package whose sources are known."""
-    known: dict[str, tuple[frozenset[Registration], bool]] = {}
+    registered = cache(partial(_registered, workspace, package))
     exported = {path for _, path in package.plugin_exports}
     for plugin in package.plugins:
         name, target, written = plugin.name, None, ""
@@ -54,21 +55,19 @@ def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
         elif plugin.declared_at in exported and not plugin.in_python:
             name, target = plugin.cxx_class.removeprefix("::"), _library_at(package, plugin.library)
             if target is None and plugin.library and not _files_at(package, plugin.library):
-                target, written = _registering(workspace, package, name), plugin.library
+                target, written = _registering(package, name, registered), plugin.library
         if target is not None and target.kind in LIBRARY_KINDS:
-            if target.name not in known:
-                known[target.name] = _registered(workspace, package, target)
-            found, is_open = known[target.name]
+            found, is_open = registered(target)
             names = sorted({one.cxx_class for one in found})
             bases = sorted({one.base for one in found if one.cxx_class == name})
             base = plugin.base.removeprefix("::")
             yield Promised(name, target.name, plugin.declared_at, plugin.line, tuple(names), is_open, base, tuple(bases), written)
 
 
-def _registering(workspace: Workspace, package: Package, name: str) -> Target | None:
-    """The one library of the package that registers a class."""
+def _registering(package: Package, name: str, registered: Callable[[Target], tuple[frozenset[Registration], bool]]) -> Target | None:
+    """The one library of the package that registers a class; `registered` tells what each does."""
     libraries = [target for target in package.targets if target.kind in LIBRARY_KINDS]
-    found = [target for target in libraries if name in {one.cxx_class for one in _registered(workspace, package, target)[0]}]
+    found = [target for target in libraries if name in {one.cxx_class for one in registered(target)[0]}]
     return found[0] if len(found) == 1 else None
 
 

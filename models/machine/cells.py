@@ -20,6 +20,7 @@ from rosarch.models.machine.conditions import (
     chosen_sides,
     compact,
     constant,
+    is_name,
     number,
     parse_condition,
     strip,
@@ -93,12 +94,7 @@ def nonzero(values: Iterable[str]) -> frozenset[str] | None:
     """The values that count as true; None where no value counts as false, or one is a name of which that is not known."""
     known = frozenset(values)
     zeros = known & {NULL, "0", "false", "''", '""'}
-    return known - zeros if zeros and not any(map(is_name, known - zeros)) else None
-
-
-def is_name(value: str) -> bool:
-    """Whether a value is the name of a constant: which number it is, it does not tell."""
-    return value.isidentifier() and value not in (NULL, OTHER, *BOOLEAN)
+    return known - zeros if zeros and not any(map(is_name, known - zeros - {OTHER})) else None
 
 
 @dataclass

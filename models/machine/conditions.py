@@ -200,6 +200,11 @@ def constant(text: str) -> str | None:
     return None
 
 
+def is_name(known: str) -> bool:
+    """Whether a constant is a name: which number or text that is, it does not tell."""
+    return known.isidentifier() and known not in ("true", "false", NULL)
+
+
 def number(text: str) -> float | None:
     """The value of a literal number."""
     match = re.fullmatch(r"([-+]?)\s*(0[xX][0-9a-fA-F]+|((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?))[fFuUlL]*", text.strip())

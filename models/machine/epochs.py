@@ -11,6 +11,7 @@ from rosarch.models.machine.conditions import compact
 from rosarch.models.machine.logic import subjects
 from rosarch.models.machine.steps import Step
 
+_WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*")
 Leaf = tuple[str, str, bool]
 """A condition: its place, its text, and whether it holds."""
 
@@ -66,9 +67,6 @@ def _asked_again(steps: Sequence[Step], guards: Sequence[_Guard], names: Collect
         if len({place for guard in guards for place in guard.at if any(map(pattern.search, guard.texts(place)))}) > 1:
             found.append(pattern)
     return found
-
-
-_WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*")
 
 
 def _places(guard: _Guard, text: str) -> set[str]:

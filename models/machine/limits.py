@@ -39,7 +39,7 @@ def range_of(size: float, values: Sequence[str]) -> str:
     return next(value for value in values if _has(value, size))
 
 
-def holds(op: str, value: str, limit: float) -> bool | None:
+def compares(op: str, value: str, limit: float) -> bool | None:
     """Whether what lies in a range compares so with a limit; None where some does and some does not."""
     least, most = _ends(value)
     if least == most:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, is_name, nonzero, part_text
+from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
     Comparison,
@@ -22,12 +22,12 @@ from rosarch.models.machine.conditions import (
     chosen_sides,
     compact,
     constant,
+    is_name,
     number,
     parse_condition,
 )
 from rosarch.models.machine.counting import calculated, stepped
-from rosarch.models.machine.limits import are_ranges, is_path
-from rosarch.models.machine.limits import holds as limits_hold
+from rosarch.models.machine.limits import are_ranges, compares, is_path
 from rosarch.models.machine.logic import (
     BOOLEAN,
     FALSE,
@@ -160,7 +160,7 @@ class Meaning:
         known = cell.value_of(condition.right) if cell else value
         if known not in subject.values or known == OTHER:
             return self._compared(condition)
-        unlike = frozenset(v for v in subject.values if _may_be_same(v, str(known)))  # a name may stand for that number
+        unlike = frozenset(v for v in subject.values if v != OTHER and _may_be_same(v, str(known)))  # a name may stand for that number
         same = Is(subject, frozenset({str(known)}))
         return Any((same, All((Is(subject, unlike), self._compared(condition))))) if unlike else same
 
@@ -179,7 +179,7 @@ class Meaning:
         limit = number(condition.right)
         subject = cell.subject if cell else self._domains.input(condition.left)
         if limit is not None and are_ranges(subject.values):
-            truths = {value: limits_hold(condition.op, value, limit) for value in subject.values}
+            truths = {value: compares(condition.op, value, limit) for value in subject.values}
             if None not in truths.values():
                 return Is(subject, frozenset(value for value, truth in truths.items() if truth))
         if cell is None or limit is None or cell.counting:
