@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -15,27 +16,36 @@ import pytest
 from rosarch.datalog.whole import whole_folder, write_whole
 
 
-@pytest.fixture
-def full() -> Iterator[None]:
-    """No file can be larger than 100 bytes, as on a disk that is full."""
+@contextmanager
+def full_disk() -> Iterator[None]:
+    """No file can be larger than 100 bytes, as on a disk that is full: for this process, so for what is done within and no longer."""
     before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (100, before[1]))
-    yield
-    resource.setrlimit(resource.RLIMIT_FSIZE, before)
-    signal.signal(signal.SIGXFSZ, handler)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, before[1]))
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        signal.signal(signal.SIGXFSZ, handler)
 
 
 def _content(folder: Path) -> dict[str, str]:
     return {str(path.relative_to(folder)): path.read_text() if path.is_file() else "" for path in folder.rglob("*")}
 
 
-def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path: Path, full: None) -> None:
+def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path: Path) -> None:
     (tmp_path / "old").mkdir()
     for path in (tmp_path / "new" / "deep" / "file", tmp_path / "old" / "file"):
-        with pytest.raises(OSError, match="File too large") as raised:
+        with pytest.raises(OSError, match="File too large") as raised, full_disk():
             write_whole(path, b"x" * 101)
         assert raised.value.filename == str(path)
     assert _content(tmp_path) == {"old": ""}
+
+
+def test_the_disk_is_full_for_no_other_test() -> None:
+    before = resource.getrlimit(resource.RLIMIT_FSIZE), signal.getsignal(signal.SIGXFSZ)
+    with pytest.raises(KeyError), full_disk():
+        raise KeyError
+    assert (resource.getrlimit(resource.RLIMIT_FSIZE), signal.getsignal(signal.SIGXFSZ)) == before
 
 
 def test_a_folder_gets_all_of_its_files(tmp_path: Path) -> None:
@@ -62,12 +72,12 @@ def test_what_a_killed_run_left_is_removed_by_the_next(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("there", [(), ("out",), ("out", "out/a")])
-def test_a_folder_whose_last_file_cannot_be_written_gets_none(tmp_path: Path, full: None, there: tuple[str, ...]) -> None:
+def test_a_folder_whose_last_file_cannot_be_written_gets_none(tmp_path: Path, there: tuple[str, ...]) -> None:
     for name in there:
         (tmp_path / name).mkdir()
         (tmp_path / name / "file").write_text("before")
     before = _content(tmp_path)
-    with pytest.raises(OSError, match="File too large") as raised, whole_folder(tmp_path / "out") as folder:
+    with pytest.raises(OSError, match="File too large") as raised, full_disk(), whole_folder(tmp_path / "out") as folder:
         write_whole(folder / "a" / "file", b"after")
         write_whole(folder / "b" / "file", b"x" * 101)
     assert raised.value.filename == str(tmp_path / "out" / "b" / "file")
