@@ -5,7 +5,7 @@
 
 `edits` derives all rows of the components at PATH (sources, or better facts) as `rosarch watch` does, edits one rule, and derives again:
 once so that no row changes, and once so that the rule is gone. Rules of rosarch's are edited in a copy. By default an own rule and
-`core/reactive.dl` are edited. `experiment` runs three variants on all systems of TRUTH, facts being extracted before. Prints Markdown
+`core/behavior/reactive.dl` are edited. `experiment` runs three variants on all systems of TRUTH, facts being extracted before. Prints Markdown
 tables, of several runs the median. Processor time is of all processes.
 """
 
@@ -128,7 +128,7 @@ def main() -> None:
         each.add_argument("--runs", metavar="N", type=int, default=1)
     arguments = parser.parse_args()
     if arguments.command == "edits":
-        measure_edits(arguments.paths, arguments.rule or ["own", "core/reactive.dl"], arguments.runs)
+        measure_edits(arguments.paths, arguments.rule or ["own", "core/behavior/reactive.dl"], arguments.runs)
     else:
         measure_experiment(arguments.truth, arguments.systems, arguments.runs)
 

@@ -81,7 +81,7 @@ def test_explain(rosarch: Run, workspace: Path) -> None:
     done = rosarch("explain", workspace, "port([_, publisher, chatter])", "--depth", "1")
     lines = done.out.splitlines()
     assert done.code == 0
-    assert lines[0].startswith("port([") and " rules/core/ports.dl:" in lines[0]
+    assert lines[0].startswith("port([") and " rules/core/ports/ports.dl:" in lines[0]
     assert lines[1].startswith("├─ port_site(") and lines[1].endswith(", ...")
     assert '  talker/talker.cpp:8: ros::Publisher pub = nh.advertise<std_msgs::String>("chatter", 10);' in lines
     assert len(rosarch("explain", workspace, "port([_, publisher, chatter])", "--depth", "0").out) > len(done.out)
@@ -167,5 +167,5 @@ def test_rules_doc_and_list(rosarch: Run, tmp_path: Path) -> None:
     assert "\n### port\n\n`port(port: Port)` · output, line " in text
     assert rosarch("rules", "doc").out == text
     done = rosarch("rules", "list", "port_t*")
-    assert done.out.startswith("output   port_type(port: Port, type: symbol)  rules/core/ports.dl:")
+    assert done.out.startswith("output   port_type(port: Port, type: symbol)  rules/core/ports/ports.dl:")
     assert rosarch("rules", "list", "zzzz").err == "rosarch: error: no relation zzzz\n"

@@ -327,7 +327,7 @@ def test_state_machines_lead_to_the_source(reader: Reader) -> None:
     expect(page.get_by_role("dialog")).to_contain_text("docking.cpp:51")
     page.get_by_role("button", name="Close").click()
     page.get_by_role("button", name="Why: publisher ~state").click()
-    expect(page.get_by_role("dialog").locator(".proof-tree").first).to_contain_text("rules/core/ports.dl")
+    expect(page.get_by_role("dialog").locator(".proof-tree").first).to_contain_text("rules/core/ports/ports.dl")
     page.locator("dialog .proof > summary").nth(1).press("Enter")
     expect(page.get_by_role("dialog")).to_contain_text("api_port(")
     page.keyboard.press("Escape")

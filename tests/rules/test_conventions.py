@@ -127,7 +127,7 @@ def owners() -> dict[str, set[str]]:
 
 def test_the_core_names_no_ros_library() -> None:
     """What roscpp calls things is said in api/ only."""
-    for path in sorted((RULES / "core").glob("*.dl")):
+    for path in sorted((RULES / "core").rglob("*.dl")):
         code = re.sub(r"//[^\n]*", "", path.read_text(encoding="utf-8"))
         assert re.findall(r'"[^"\n]*\b(?:ros|roscpp|tf|tf2_ros|nodelet|actionlib|std|boost)::[^"\n]*"', code) == [], path.name
 

@@ -1,6 +1,6 @@
 """Sources of `sources/` that say in comments what is expected of them: one extraction for all, each a component of its own.
 
-A file `<rule file>_<what>.cpp` (or `.py`), or a package of `packages/`, is about that file of `rules/core`, or about checks of the systems that the
+A file `<subject>_<what>.cpp` (or `.py`), or a package of `packages/`, is about that subject of `rules/core`, or about checks of the systems that the
 launch files of the package start. Those of `hints/` are told hints.
 """
 
