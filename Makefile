@@ -5,10 +5,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-PACKAGES := cli composition corpus datalog expectations experiments extractor library models observation reports rules simulation verification
-SOURCES := $(PACKAGES) tests benchmarks
-
-COMPILE := $(BIN)/python -m rosarch.models.compile_rules
+COMPILE := $(BIN)/python -m rosarch.rule_programs.compile
 
 .PHONY: demo test lint format facts clean
 
@@ -20,17 +17,14 @@ test: $(VENV)/.installed-dev
 	@$(COMPILE)
 	$(BIN)/python -m pytest -n auto --dist worksteal $(ARGS)
 
-# mypy looks for folders that are called as the packages are: rosarch.cli is cli/
 lint: $(VENV)/.installed-dev
-	$(BIN)/ruff check $(SOURCES)
-	$(BIN)/ruff format --check $(SOURCES)
-	@mkdir -p $(VENV)/typed/rosarch
-	@for package in $(PACKAGES); do ln -sfn "$(CURDIR)/$$package" "$(VENV)/typed/rosarch/$$package"; done
-	MYPYPATH=$(VENV)/typed $(BIN)/mypy --package rosarch
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
 
 format: $(VENV)/.installed-dev
-	$(BIN)/ruff check --fix $(SOURCES)
-	$(BIN)/ruff format $(SOURCES)
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
 
 facts: $(VENV)/.installed
 	rm -f examples/facts/*.txt
@@ -51,5 +45,6 @@ $(VENV)/.installed: pyproject.toml | $(BIN)/python
 
 $(VENV)/.installed-dev: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	@rm -rf $(VENV)/typed && mkdir $(VENV)/typed && ln -s ../.. $(VENV)/typed/rosarch # where mypy and editors look for rosarch.cli
 	@$(COMPILE)
 	@touch $@ $(VENV)/.installed

@@ -1,4 +1,4 @@
-"""The build: what pyproject.toml says, and the rules compiled, so that whoever installs a wheel need not do it."""
+"""The build: the folders that are packages, and the rules compiled, so that whoever installs a wheel need not do it."""
 
 import os
 import subprocess
@@ -6,8 +6,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from setuptools import setup
+from setuptools import find_packages, setup
 from setuptools.command.build_py import build_py
+
+NO_PACKAGES = ["benchmarks", "build", "docs", "examples", "tests"]
+FOUND = [name for name in find_packages() if name.partition(".")[0] not in NO_PACKAGES]
 
 
 class BuildWithRules(build_py):
@@ -20,7 +23,12 @@ class BuildWithRules(build_py):
                 required = os.environ.get("PYTHONPATH")  # what the build requires, as pip tells it
                 path = os.pathsep.join(filter(None, [str(Path(self.build_lib).absolute()), required]))
                 variables = {"PYTHONPATH": path, "ROSARCH_CACHE_DIR": cache}
-                subprocess.run([sys.executable, "-m", "rosarch.models.compile_rules"], env=os.environ | variables, check=True)
+                subprocess.run([sys.executable, "-m", "rosarch.rule_programs.compile"], env=os.environ | variables, check=True)
 
 
-setup(cmdclass={"build_py": BuildWithRules})
+setup(
+    # each folder with an __init__.py is a package of this name below rosarch: cli/ is rosarch.cli
+    packages=[f"rosarch.{name}" for name in FOUND],
+    package_dir={f"rosarch.{name}": name for name in FOUND if "." not in name},
+    cmdclass={"build_py": BuildWithRules},
+)

@@ -20,12 +20,12 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosarch.base.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, parsed_unit
 from rosarch.extractor.messages import Interfaces
 from rosarch.extractor.pipeline import compile_units
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.workspace import components, discover
 from rosarch.extractor.workspace.compile_commands import read_compile_commands
 

@@ -22,12 +22,12 @@ from typing import Any
 
 import yaml
 
+from rosarch.analysis.systems.analysis import analyze_systems
+from rosarch.analysis.systems.launches import given
+from rosarch.analysis.systems.reading import Reading
+from rosarch.analysis.systems.requests import Surroundings, parse_request
 from rosarch.cli.inputs import extraction_cache
-from rosarch.models.findings import Finding
-from rosarch.models.system.analysis import analyze_systems
-from rosarch.models.system.launches import given
-from rosarch.models.system.reading import Reading
-from rosarch.models.system.requests import Surroundings, parse_request
+from rosarch.findings.model import Finding
 
 
 @dataclass(frozen=True)

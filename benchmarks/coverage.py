@@ -25,10 +25,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.limits import LIMITS
+from rosarch.base.limits import LIMITS
+from rosarch.base.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.pipeline import ComponentFacts, extract
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.models.rule_sets import component_program
+from rosarch.rule_programs.sets import component_program
 
 SITE = re.compile(r"(?:\.|->)\s*(?:template\s+)?(advertise|subscribe|advertiseService|serviceClient)\s*[<(](?!\s*\))")
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)

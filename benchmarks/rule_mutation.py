@@ -15,26 +15,25 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 
+from rosarch.base.places import Place
+from rosarch.cli.commands.rules_test import systems_of
 from rosarch.cli.questions import Reading
-from rosarch.cli.rules_test import systems_of
 from rosarch.datalog import Program, Result
-from rosarch.datalog.mutation import Case, MutationTest, summary, survivors_text
-from rosarch.datalog.rows import Row
-from rosarch.datalog.rule_coverage import coverage
-from rosarch.expectations.alone import Alone
-from rosarch.expectations.cases import Case as Sources
-from rosarch.expectations.cases import find_cases
-from rosarch.expectations.mutation import model_cases, mutation_cases
-from rosarch.expectations.run import Running
-from rosarch.expectations.system_mutation import System, finding_cases
-from rosarch.models.checks import read_check
+from rosarch.datalog.inspection.mutation import Case, MutationTest, summary, survivors_text
+from rosarch.datalog.inspection.rows import Row
+from rosarch.datalog.inspection.rule_coverage import coverage
+from rosarch.evaluation.expectations.alone import Alone
+from rosarch.evaluation.expectations.cases import Case as Sources
+from rosarch.evaluation.expectations.cases import find_cases
+from rosarch.evaluation.expectations.mutation import model_cases, mutation_cases
+from rosarch.evaluation.expectations.run import Running
+from rosarch.evaluation.expectations.system_mutation import System, finding_cases
+from rosarch.findings.of_systems import findings
 from rosarch.models.component import ComponentModel, to_json
-from rosarch.models.findings import Check
-from rosarch.models.places import Place
-from rosarch.models.rule_mutation import drop_in_cases, judge_all, mutants_of, workspace_cases
-from rosarch.models.rule_sets import SHIPPED, component_program, rule_set, system_rules
 from rosarch.models.system.build import system_model, told_by
-from rosarch.models.system.findings import evidence_of, findings, shown_as
+from rosarch.rule_programs.checks import Check, evidence_of, read_check, shown_as
+from rosarch.rule_programs.mutation import drop_in_cases, judge_all, mutants_of, workspace_cases
+from rosarch.rule_programs.sets import SHIPPED, component_program, rule_set, system_rules
 
 TOP = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOP / "tests" / folder) for folder in ("rules", "models")]

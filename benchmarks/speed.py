@@ -107,7 +107,7 @@ def bare_parse(system: Path, scratch: Path) -> Run:
     """Have libclang parse all sources of a system, in as many processes as `rosarch`; `scratch` holds what is made for it, once."""
     from extract_speed import parse
 
-    from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+    from rosarch.base.pool import Failure, default_jobs, run_tasks
 
     work = _parses(system, scratch)
     start, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)

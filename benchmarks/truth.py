@@ -14,13 +14,13 @@ import sys
 import time
 from pathlib import Path
 
-from rosarch.experiments.run import Runner
-from rosarch.experiments.single import run_single, subjects_of
-from rosarch.experiments.subjects import Extracting
-from rosarch.experiments.truth import read_truth
-from rosarch.models.rule_sets import model_program
+from rosarch.evaluation.experiments.run import Runner
+from rosarch.evaluation.experiments.single import run_single, subjects_of
+from rosarch.evaluation.experiments.subjects import Extracting
+from rosarch.evaluation.experiments.truth import read_truth
 from rosarch.reports.json_models import write_document
 from rosarch.reports.scores import score_text
+from rosarch.rule_programs.sets import model_program
 
 
 def remove_models(folder: Path) -> None:

@@ -24,12 +24,12 @@ from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
-from rosarch.datalog.rederive import RuleHistory
-from rosarch.experiments.truth import read_truth
+from rosarch.datalog.engine.rederive import RuleHistory
+from rosarch.evaluation.experiments.truth import read_truth
 from rosarch.extractor.manifest import rules_folder
-from rosarch.models.live import LiveRules
-from rosarch.models.rule_sets import rule_history, rule_set
-from rosarch.models.selection import select
+from rosarch.extractor.selection import select
+from rosarch.rule_programs.live import LiveRules
+from rosarch.rule_programs.sets import rule_history, rule_set
 
 Result = TypeVar("Result")
 

@@ -19,13 +19,13 @@ from textual.widgets import DataTable, Footer, Input, OptionList, Static, Tree
 from textual.widgets.option_list import Option
 from textual.widgets.tree import TreeNode
 
+from rosarch.base.files import folder_reader
 from rosarch.cli.derivations import shorten
 from rosarch.datalog import DatalogError, Program, Proof, RowStore, SourceLines, explain
-from rosarch.datalog.proofs import AggregateValue, Premise
-from rosarch.datalog.queries import Table, table_cells
-from rosarch.datalog.relation_reference import Entry, reference
-from rosarch.datalog.show import show_row
-from rosarch.extractor.files import folder_reader
+from rosarch.datalog.inspection.proofs import AggregateValue, Premise
+from rosarch.datalog.inspection.queries import Table, table_cells
+from rosarch.datalog.inspection.relation_reference import Entry, reference
+from rosarch.datalog.language.show import show_row
 from rosarch.reports.printable import printable
 
 MOST_ROWS = 1000  # that are shown at once: a filter finds the others

@@ -16,9 +16,9 @@ from rosarch.cli.inputs import read_input
 from rosarch.cli.options import path_argument
 
 if TYPE_CHECKING:
-    from rosarch.models.configuration import Configuration
-    from rosarch.models.findings import Check
-    from rosarch.models.policy import Policy, Severities
+    from rosarch.findings.configuration import Configuration
+    from rosarch.findings.policy import Policy, Severities
+    from rosarch.rule_programs.checks import Check
 
 
 class FailOn(str, Enum):
@@ -63,13 +63,13 @@ Talkative = Annotated[bool, typer.Option("--verbose", "-v", help="Show notes in 
 
 def load_configuration(folder: Path, file: Path | None, checks: Iterable[Check]) -> Configuration:
     """The configuration in `file`, or of a workspace, with paths relative to the current folder; an empty one when there is none."""
-    from rosarch.models.configuration import NAME, Configuration
+    from rosarch.findings.configuration import NAME, Configuration
 
     path = file or folder / NAME
     if file is None and not os.path.exists(path):
         return Configuration()
-    from rosarch.models.configuration_reader import ConfigurationError, read_configuration
-    from rosarch.models.policy import identifiers
+    from rosarch.findings.configuration_reader import ConfigurationError, read_configuration
+    from rosarch.findings.policy import identifiers
 
     try:
         found = read_configuration(read_input(path), str(path), identifiers(checks))
@@ -96,7 +96,7 @@ def make_policy(
     exit_zero: bool = False,
 ) -> Policy:
     """What a workspace and its user want to be told; the options overrule the file."""
-    from rosarch.models.policy import Policy, identifiers
+    from rosarch.findings.policy import Policy, identifiers
 
     known = identifiers(checks)
     given = {"error": errors, "warning": warnings, "note": notes, "ignore": ignored}
@@ -107,8 +107,8 @@ def make_policy(
 
 def _names(option: str, texts: Iterable[str] | None, known: Collection[str]) -> Iterator[str]:
     """The ids and patterns of an option; each must mean a check."""
-    from rosarch.extractor.hints import hint
-    from rosarch.models.policy import unmatched
+    from rosarch.base.hints import hint
+    from rosarch.findings.policy import unmatched
 
     names = [name.strip() for text in texts or () for name in text.split(",")]
     for name in unmatched(names, known):

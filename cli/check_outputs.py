@@ -17,9 +17,10 @@ from rosarch.cli.terminal import emit, is_terminal
 
 if TYPE_CHECKING:
     from rosarch.extractor.suppressions import Suppression
-    from rosarch.models.baseline import Baseline
-    from rosarch.models.findings import Check, Finding
-    from rosarch.models.policy import Policy, Reported
+    from rosarch.findings.baseline import Baseline
+    from rosarch.findings.model import Finding
+    from rosarch.findings.policy import Policy, Reported
+    from rosarch.rule_programs.checks import Check
 
 _ALL = "text, json, sarif, junit, github or markdown"
 Formats = Annotated[str, typer.Option("--format", metavar="FORMAT", help=f"The form of the report on stdout: {_ALL}.")]
@@ -67,8 +68,8 @@ def judge(
     complete: bool = True,
 ) -> Reported:
     """What is reported of `findings`, see `apply_policy`. All of them are known as soon as a new baseline is written."""
-    from rosarch.models.baseline import baseline_text
-    from rosarch.models.policy import apply_policy
+    from rosarch.findings.baseline import baseline_text
+    from rosarch.findings.policy import apply_policy
 
     findings, suppressions, checks = tuple(findings), tuple(suppressions), tuple(checks)
     reported = apply_policy(findings, policy, suppressions, _load(baseline), checks=checks, complete=complete)
@@ -99,7 +100,7 @@ def write_reports(
 
 
 def _format(name: str, given: str) -> str:
-    from rosarch.extractor.hints import hint
+    from rosarch.base.hints import hint
     from rosarch.reports.findings import FORMATS
 
     if name not in FORMATS:
@@ -109,7 +110,7 @@ def _format(name: str, given: str) -> str:
 
 
 def _load(path: Path | None) -> Baseline | None:
-    from rosarch.models.baseline import BaselineError, read_baseline
+    from rosarch.findings.baseline import BaselineError, read_baseline
 
     try:
         return None if path is None else read_baseline(read_input(path), str(path))

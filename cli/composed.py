@@ -16,8 +16,8 @@ from rosarch.cli.systems import load_systems
 from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
-    from rosarch.composition.scenario import Scenario
-    from rosarch.composition.system import System
+    from rosarch.behavior.composition.scenario import Scenario
+    from rosarch.behavior.composition.system import System
 
 ScenarioFile = Annotated[
     Path | None,
@@ -29,9 +29,9 @@ ScenarioFile = Annotated[
 
 def load_composed(question: SystemQuestion) -> System:
     """The only system that the options or the configuration name, with the behaviour of its nodes."""
-    from rosarch.composition.system import composed
+    from rosarch.behavior.composition.system import composed
     from rosarch.models.component import switches_json, to_json, traits_json
-    from rosarch.models.rule_sets import system_rules
+    from rosarch.rule_programs.sets import system_rules
 
     rules, folder = question.rules(), question.folder
     analysis = load_systems(question.inputs(rules), load_configuration(folder, None, system_rules(rules).checks), required=True)
@@ -45,7 +45,7 @@ def load_composed(question: SystemQuestion) -> System:
 
 def load_scenario(file: Path | None, system: System) -> Scenario:
     """The scenario in a file, or one in which anything may come from outside."""
-    from rosarch.composition.scenario import Scenario, ScenarioError, read_scenario
+    from rosarch.behavior.composition.scenario import Scenario, ScenarioError, read_scenario
 
     if file is None:
         return Scenario()

@@ -29,7 +29,7 @@ Out = Annotated[
 
 def systems_of(question: SystemQuestion) -> Sequence[SystemModel]:
     """The systems to show, of the launch files in the configuration when none are named; what was not understood goes to stderr."""
-    from rosarch.models.rule_sets import system_rules
+    from rosarch.rule_programs.sets import system_rules
 
     rules = question.rules()
     with datalog_errors():

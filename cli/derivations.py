@@ -17,8 +17,8 @@ from rosarch.cli.terminal import progress, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program, RelationDecl, Result
-    from rosarch.models.rule_sets import RuleSet
-    from rosarch.models.selection import SelectedComponent
+    from rosarch.extractor.selection import SelectedComponent
+    from rosarch.rule_programs.sets import RuleSet
 
 Facts = Mapping[str, list[tuple[Any, ...]]]
 Component = Annotated[
@@ -31,8 +31,8 @@ Profiled = Annotated[bool, typer.Option("--profile", help="Tell on stderr which 
 def datalog_errors() -> Iterator[None]:
     """Errors in rules, checks, goals and queries are errors of the user's input."""
     from rosarch.datalog import DatalogError
-    from rosarch.models.checks import CheckError
-    from rosarch.models.variants import RuleSetError
+    from rosarch.rule_programs.checks import CheckError
+    from rosarch.rule_programs.variants import RuleSetError
 
     try:
         yield
@@ -42,7 +42,7 @@ def datalog_errors() -> Iterator[None]:
 
 def load_rules(rules: RuleSet, *, systems: bool = False) -> Program:
     """The rules of a component or of a system."""
-    from rosarch.models.rule_sets import component_program, system_rules
+    from rosarch.rule_programs.sets import component_program, system_rules
 
     return system_rules(rules).program if systems else component_program(rules)
 
@@ -71,7 +71,7 @@ def selected(
 ) -> Iterator[Sequence[SelectedComponent]]:
     """The components below DIR that the options leave; none is an error."""
     from rosarch.extractor.manifest import ManifestError
-    from rosarch.models.selection import SelectionError, select
+    from rosarch.extractor.selection import SelectionError, select
 
     check_engine(engine)
     variables = parse_defines(defines)
@@ -115,7 +115,7 @@ def evaluate(program: Program, component: SelectedComponent, engine: Engine, *, 
     """All relations of a component, and its facts; with a profile on stderr if asked for."""
     facts = facts_of(component, program)
     if not profiled:
-        from rosarch.extractor.limits import LIMITS
+        from rosarch.base.limits import LIMITS
 
         return program.evaluate(facts, engine=engine.value, keep="all", time_limit=LIMITS.evaluation), facts
     from rosarch.datalog import profile, profile_text
@@ -129,7 +129,7 @@ def chosen_relations(relations: Mapping[str, RelationDecl], names: Sequence[str]
     """The relations of `--relation`, or else those that files of the user's own put out."""
     for name in names:
         if name not in relations:
-            from rosarch.extractor.hints import hint
+            from rosarch.base.hints import hint
 
             raise InputError(f"--relation {name}: no such relation{hint(name, relations)}")
     own = {str(path) for path in files}

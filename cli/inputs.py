@@ -13,11 +13,11 @@ from rosarch.cli.options import Engine
 from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
-    from rosarch.extractor.cache import Cache
-    from rosarch.extractor.diagnostics import Diagnostic
-    from rosarch.models.analysis import Analysis
-    from rosarch.models.rule_choice import RuleSet
-    from rosarch.models.system.reading import Reading
+    from rosarch.analysis.components import Analysis
+    from rosarch.analysis.systems.reading import Reading
+    from rosarch.base.cache import Cache
+    from rosarch.base.diagnostics import Diagnostic
+    from rosarch.rule_programs.choice import RuleSet
 
 _NOT_DERIVED = ("component", "launch")
 """Kinds of diagnostics about a component or a system that the engine has derived nothing of."""
@@ -54,8 +54,8 @@ def check_input(path: Path) -> Path:
 
 def read_input(path: Path) -> str:
     """The text of a file that was given."""
-    from rosarch.extractor.diagnostics import why
-    from rosarch.extractor.files import read_file
+    from rosarch.base.diagnostics import why
+    from rosarch.base.files import read_file
 
     try:
         return read_file(path).decode("utf-8")
@@ -71,15 +71,15 @@ def extraction_cache(wanted: bool) -> Cache | None:
     """Where what was read from sources is kept: below `ROSARCH_CACHE_DIR` or the user's cache folder."""
     if not wanted:
         return None
+    from rosarch.base.cache import Cache
     from rosarch.datalog.cache import cache_folder
-    from rosarch.extractor.cache import Cache
 
     return Cache(cache_folder() / "units")
 
 
 def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic]) -> None:
     """Refuse input that gave nothing to work on: no package, an unknown package, only broken packages, rules that fail on all of it."""
-    from rosarch.extractor.diagnostics import shortened
+    from rosarch.base.diagnostics import shortened
 
     diagnostics = list(diagnostics)
     failed = [diagnostic for diagnostic in diagnostics if diagnostic.kind in _NOT_DERIVED]
@@ -114,11 +114,11 @@ def load_analysis(
     check_engine(engine)
     with progress() as report:
         from rosarch.extractor.stored import has_facts
-        from rosarch.models.rule_choice import SHIPPED
+        from rosarch.rule_programs.choice import SHIPPED
 
         if has_facts(folder):
             return _load_facts(folder, packages, rules or SHIPPED, engine, jobs, report)
-        from rosarch.models.system.reading import Reading
+        from rosarch.analysis.systems.reading import Reading
 
         reading = Reading(rules or SHIPPED, (), engine.value, jobs, timeout, defines, extraction_cache(cached), report)
         analysis = _analysis(folder, packages or None, component, reading)
@@ -128,10 +128,10 @@ def load_analysis(
 
 def _analysis(folder: Path, packages: Collection[str] | None, component: str | None, reading: Reading) -> Analysis:
     """The analysis of a folder of packages; as it was when nothing has changed since."""
-    from rosarch.extractor.memo import Memo
+    from rosarch.base.memo import Memo
 
     def find() -> Analysis:
-        from rosarch.models.analysis import analyze
+        from rosarch.analysis.components import analyze
 
         options: dict[str, Any] = {"engine": reading.engine, "jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines}
         options |= {"rules": reading.rules, "cache": reading.cache, "progress": reading.progress}
@@ -152,9 +152,9 @@ def _load_facts(
     jobs: int | None,
     report: Callable[[str, int, int], None] | None,
 ) -> Analysis:
-    from rosarch.extractor.hints import hint
+    from rosarch.analysis.components import analyze_facts
+    from rosarch.base.hints import hint
     from rosarch.extractor.manifest import ManifestError
-    from rosarch.models.analysis import analyze_facts
 
     try:
         analysis = analyze_facts(folder, rules=rules, engine=engine.value, jobs=jobs, progress=report)
@@ -172,7 +172,7 @@ def check_engine(engine: Engine) -> None:
         import shutil
 
         from rosarch.datalog import DatalogError
-        from rosarch.datalog.souffle import find_souffle
+        from rosarch.datalog.engine.souffle import find_souffle
 
         if shutil.which("souffle") is None:
             raise InputError("--engine souffle: there is no `souffle` on PATH; the embedded engine needs no installation")

@@ -10,8 +10,8 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import Any
 
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor.cache import hash_of
+from rosarch.base.cache import hash_of
+from rosarch.base.whole import write_whole
 
 _DOCUMENT, _STATE = "document.json", "state.json"
 _HEADERS = {

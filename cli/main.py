@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.commands import Commands
+from rosarch.cli.command_table import Commands
 from rosarch.cli.errors import run
 
 app = typer.Typer(
@@ -45,7 +45,7 @@ def root(
 ) -> None:
     """Print the help when no sub-command is named."""
     if memory:
-        from rosarch.extractor.limits import LIMITS
+        from rosarch.base.limits import LIMITS
 
         LIMITS.memory = memory << 20
     if context.invoked_subcommand is None:

@@ -17,10 +17,10 @@ from rosarch.cli.systems import load_surrounding
 from rosarch.cli.terminal import show_diagnostics
 
 if TYPE_CHECKING:
-    from rosarch.models.rule_sets import SystemRules
     from rosarch.models.system.rows import Rows
     from rosarch.observation.compare import Comparison
     from rosarch.observation.observed import Recorded, Watched
+    from rosarch.rule_programs.sets import SystemRules
 
 Bag = Annotated[
     Path | None,
@@ -66,8 +66,8 @@ def observe_and_compare(question: SystemQuestion, source: Source) -> tuple[Recor
 
 
 def _load(question: SystemQuestion) -> _System:
-    from rosarch.models.checks import shipped_checks
-    from rosarch.models.rule_sets import system_rules
+    from rosarch.rule_programs.checks import shipped_checks
+    from rosarch.rule_programs.sets import system_rules
 
     folder = check_folder(question.folder)
     rules = question.rules()

@@ -73,7 +73,7 @@ Defines = Annotated[
 
 
 def _limited(seconds: float) -> float:
-    from rosarch.extractor.limits import LIMITS
+    from rosarch.base.limits import LIMITS
 
     LIMITS.set_source_seconds(seconds)
     return seconds

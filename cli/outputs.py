@@ -22,7 +22,7 @@ def check_output(out: Path) -> None:
 @contextmanager
 def output_folder(out: Path) -> Iterator[Path]:
     """A folder whose files move to `out` in the end; when something fails, nothing there is new."""
-    from rosarch.datalog.whole import whole_folder
+    from rosarch.base.whole import whole_folder
 
     try:
         with whole_folder(out) as folder:
@@ -33,7 +33,7 @@ def output_folder(out: Path) -> Iterator[Path]:
 
 def write_files(out: Path, files: Iterable[tuple[str, str]]) -> None:
     """Write texts to files of a folder, by their names: all or none."""
-    from rosarch.datalog.whole import write_whole
+    from rosarch.base.whole import write_whole
 
     with output_folder(out) as folder:
         for name, text in files:
@@ -42,7 +42,7 @@ def write_files(out: Path, files: Iterable[tuple[str, str]]) -> None:
 
 def write_output(path: Path, text: str) -> None:
     """Write a file that was named; a device or a pipe, too."""
-    from rosarch.datalog.whole import write_whole
+    from rosarch.base.whole import write_whole
 
     try:
         write_whole(path, _encoded(text))

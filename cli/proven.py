@@ -13,19 +13,19 @@ from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
+    from rosarch.extractor.selection import SelectedComponent
     from rosarch.models.derivations import Derivations
-    from rosarch.models.rule_choice import RuleSet
-    from rosarch.models.selection import SelectedComponent
+    from rosarch.rule_programs.choice import RuleSet
 
 
 def prove_components(question: SystemQuestion, rules: RuleSet) -> Mapping[str, Derivations]:
     """By the names of components, in worker processes, or as they were; what takes too long is left out."""
-    from rosarch.datalog.clauses import rules_of
-    from rosarch.extractor.limits import LIMITS
-    from rosarch.extractor.pool import Failure, default_jobs, run_tasks
+    from rosarch.base.limits import LIMITS
+    from rosarch.base.pool import Failure, default_jobs, run_tasks
+    from rosarch.datalog.inspection.clauses import rules_of
+    from rosarch.extractor.selection import select
     from rosarch.models.derivations import Derivations, component_derivations
-    from rosarch.models.rule_sets import component_program
-    from rosarch.models.selection import select
+    from rosarch.rule_programs.sets import component_program
 
     program, engine, cache = component_program(rules), question.engine.value, extraction_cache(question.cached)
     found: dict[str, Derivations] = {}
@@ -68,7 +68,7 @@ def prove_components(question: SystemQuestion, rules: RuleSet) -> Mapping[str, D
 
 
 def _key(program: Program, engine: str, component: SelectedComponent) -> str | None:
-    from rosarch.extractor.cache import hash_of
-    from rosarch.models.cache import models_version
+    from rosarch.analysis.cache import models_version
+    from rosarch.base.cache import hash_of
 
     return hash_of(["proofs", models_version(), program.hash, engine, component.title, component.key]) if component.key else None

@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_type_hints
 
+from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.cli.derivations import Component, load_rules, selected
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import load_analysis
@@ -30,13 +31,12 @@ from rosarch.cli.options import (
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
 from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, Systems, load_surrounding
 from rosarch.cli.terminal import show_diagnostics
-from rosarch.extractor.limits import SOURCE_SECONDS
 
 if TYPE_CHECKING:
+    from rosarch.analysis.components import Analysis
     from rosarch.datalog import Program
-    from rosarch.models.analysis import Analysis
-    from rosarch.models.rule_choice import RuleSet
-    from rosarch.models.selection import SelectedComponent
+    from rosarch.extractor.selection import SelectedComponent
+    from rosarch.rule_programs.choice import RuleSet
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,9 +104,10 @@ class Question(Reading):
 
     def asked_by(self, text: str) -> tuple[RuleSet, Program]:
         """The rules that a query or row is about, and the program of them."""
-        from rosarch.models.flow_rules import rules_for
+        from rosarch.models.traits import FLOW_TRAITS
+        from rosarch.rule_programs.flows import rules_for
 
-        rules = rules_for(self.rules(), text, systems=self.systems)
+        rules = rules_for(self.rules(), text, FLOW_TRAITS, systems=self.systems)
         return rules, load_rules(rules, systems=self.systems)
 
     @contextmanager
@@ -121,7 +122,7 @@ class Question(Reading):
             return
         if self.packages or self.component:
             raise InputError("--launch asks about whole systems; --package and --component are about components")
-        from rosarch.models.selection import SelectedComponent
+        from rosarch.extractor.selection import SelectedComponent
 
         shared, found = load_surrounding(self.systems_in(self.folder, self.launches, rules))
         show_diagnostics(shared.diagnostics, self.verbose)

@@ -14,17 +14,17 @@ from rosarch.cli.questions import SystemQuestion
 from rosarch.cli.systems import tell_systems, text_reader
 
 if TYPE_CHECKING:
-    from rosarch.models.configuration import Configuration
-    from rosarch.models.policy import Reported
-    from rosarch.models.rule_choice import RuleSet
-    from rosarch.models.system.analysis import SystemAnalysis
+    from rosarch.analysis.systems.analysis import SystemAnalysis
+    from rosarch.findings.configuration import Configuration
+    from rosarch.findings.policy import Reported
     from rosarch.reports.html.document import Subject
+    from rosarch.rule_programs.choice import RuleSet
 
 
 def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, proofs: bool) -> Subject:
     """Analyse and check what a report is about; `chains` of cause and effect take longer than the rest."""
-    from rosarch.models.rule_sets import system_rules
     from rosarch.reports.html.document import Subject
+    from rosarch.rule_programs.sets import system_rules
 
     folder = check_sources(question.folder)
     rules = question.rules()
@@ -55,10 +55,10 @@ def _judged(
     question: SystemQuestion, rules: RuleSet, configuration: Configuration, composed: SystemAnalysis, read: Callable[[str], str | None]
 ) -> Reported:
     """The findings as the configuration wants them, those that comments suppress apart."""
+    from rosarch.analysis.systems.checked import checked
     from rosarch.extractor.suppressions import find_suppressions
-    from rosarch.models.policy import apply_policy
-    from rosarch.models.rule_sets import system_rules
-    from rosarch.models.system.checked import checked
+    from rosarch.findings.policy import apply_policy
+    from rosarch.rule_programs.sets import system_rules
 
     checks = system_rules(rules).checks
     comments = find_suppressions(checked(composed).files, read)

@@ -13,7 +13,7 @@ from rosarch.cli.options import parse_pairs, path_argument
 from rosarch.cli.terminal import show_note
 
 if TYPE_CHECKING:
-    from rosarch.models.rule_sets import RuleSet
+    from rosarch.rule_programs.sets import RuleSet
 
 Rules = Annotated[
     list[Path] | None,
@@ -45,11 +45,11 @@ Settings = Annotated[
 
 def parse_rules(own: Sequence[Path] | None = None, variants: Sequence[str] | None = None, options: Sequence[str] | None = None) -> RuleSet:
     """The rules that the options name, checked. What files of the user's own override is told on stderr."""
-    from rosarch.models.rule_choice import SHIPPED
+    from rosarch.rule_programs.choice import SHIPPED
 
     if not (own or variants or options):
         return SHIPPED
-    from rosarch.models.rule_sets import check_own, overridden, rule_set
+    from rosarch.rule_programs.sets import check_own, overridden, rule_set
 
     with datalog_errors():
         rules = rule_set(own or (), parse_pairs("--variant", variants), parse_pairs("--option", options))

@@ -11,23 +11,23 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, check_sources, extraction_cache
 from rosarch.cli.options import Engine, parse_environment
 from rosarch.cli.terminal import progress
-from rosarch.extractor.limits import SOURCE_SECONDS
 
 if TYPE_CHECKING:
-    from rosarch.extractor.memo import Memo
+    from rosarch.analysis.systems.analysis import SystemAnalysis
+    from rosarch.analysis.systems.checked import Checked
+    from rosarch.analysis.systems.influences import Told
+    from rosarch.analysis.systems.reading import Reading
+    from rosarch.analysis.systems.requests import Request, Surroundings
+    from rosarch.analysis.systems.shared import Launch, Surrounding
+    from rosarch.base.memo import Memo
     from rosarch.extractor.units import Progress
-    from rosarch.models.configuration import Configuration
-    from rosarch.models.rule_choice import RuleSet
-    from rosarch.models.system.analysis import SystemAnalysis
-    from rosarch.models.system.checked import Checked
-    from rosarch.models.system.reading import Reading
-    from rosarch.models.system.requests import Request, Surroundings
-    from rosarch.models.system.surrounding import Launch, Surrounding
-    from rosarch.models.system.told import Told
+    from rosarch.findings.configuration import Configuration
+    from rosarch.rule_programs.choice import RuleSet
 
 Launches = Annotated[
     list[str] | None,
@@ -102,7 +102,7 @@ def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked
     memo = _memo(inputs, where)
 
     def check() -> Checked:
-        from rosarch.models.system.checked import checked
+        from rosarch.analysis.systems.checked import checked
 
         return checked(_analyze(inputs, configuration, where, memo, required=True, alone=True))
 
@@ -117,7 +117,7 @@ def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked
 
 def load_surrounding(inputs: SystemInputs, configuration: Configuration | None = None) -> tuple[Surrounding, list[Launch]]:
     """The launches that the options name, or else the configuration, and what is known around them, for questions about the systems."""
-    from rosarch.models.system.surrounding import surrounding
+    from rosarch.analysis.systems.shared import surrounding
 
     with progress() as report:
         where = _surroundings(inputs, configuration)
@@ -130,7 +130,7 @@ def tell_systems(
     inputs: SystemInputs, configuration: Configuration, shorten: Callable[[str], str] | None
 ) -> tuple[SystemAnalysis, Mapping[str, Told]]:
     """The systems, how often their topics are sent on, by rules of data flow what influences what, and (see `tell`) why all that is so."""
-    from rosarch.models.system.told import tell
+    from rosarch.analysis.systems.influences import tell
 
     shared, launches = load_surrounding(inputs, configuration)
     with progress() as report:
@@ -142,13 +142,13 @@ def tell_systems(
 
 def text_reader(inputs: SystemInputs, configuration: Configuration | None = None) -> Callable[[str], str | None]:
     """Reads texts for reports on these systems: from where the analysis may read; None for what cannot be read."""
-    from rosarch.extractor.files import folder_reader
+    from rosarch.base.files import folder_reader
 
     return folder_reader(inputs.folder, *_readable(inputs, _surroundings(inputs, configuration)))
 
 
 def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:
-    from rosarch.extractor.boundary import confined, ros_package_path
+    from rosarch.base.boundary import confined, ros_package_path
 
     return confined([*_readable(inputs, where), *ros_package_path()])
 
@@ -171,8 +171,8 @@ def _analyze(
     required: bool,
     alone: bool = False,
 ) -> SystemAnalysis:
-    from rosarch.models.system.analysis import analyze_systems
-    from rosarch.models.system.launches import by_themselves, has_launch_files
+    from rosarch.analysis.systems.analysis import analyze_systems
+    from rosarch.analysis.systems.launches import by_themselves, has_launch_files
 
     with progress() as report:
         launches = _launches(inputs, configuration, where)
@@ -187,8 +187,8 @@ def _analyze(
 
 
 def _reading(inputs: SystemInputs, configuration: Configuration | None, report: Progress | None = None) -> Reading:
-    from rosarch.models.rule_choice import SHIPPED
-    from rosarch.models.system.reading import Reading
+    from rosarch.analysis.systems.reading import Reading
+    from rosarch.rule_programs.choice import SHIPPED
 
     library = tuple(map(check_folder, inputs.library or ()))
     cache = extraction_cache(inputs.cached)
@@ -198,15 +198,15 @@ def _reading(inputs: SystemInputs, configuration: Configuration | None, report: 
 
 def _memo(inputs: SystemInputs, where: Surroundings) -> Memo | None:
     """What is known of earlier runs; nothing of those of another program than rosarch's own engine, which may be another one now."""
-    from rosarch.extractor.memo import Memo
+    from rosarch.base.memo import Memo
 
     cache = extraction_cache(inputs.cached)
     return Memo(cache, where.variables()) if cache and inputs.engine is Engine.embedded else None
 
 
 def _launches(inputs: SystemInputs, configuration: Configuration | None, where: Surroundings) -> list[Launch]:
-    from rosarch.models.system.launches import given, unincluded
-    from rosarch.models.system.requests import LaunchWordError
+    from rosarch.analysis.systems.launches import given, unincluded
+    from rosarch.analysis.systems.requests import LaunchWordError
 
     requests = _requests(inputs, configuration)
     try:
@@ -216,7 +216,7 @@ def _launches(inputs: SystemInputs, configuration: Configuration | None, where: 
 
 
 def _requests(inputs: SystemInputs, configuration: Configuration | None) -> list[Request]:
-    from rosarch.models.system.requests import LaunchWordError, Request, parse_request
+    from rosarch.analysis.systems.requests import LaunchWordError, Request, parse_request
 
     if list(inputs.launches or ()) == [EVERY]:
         return []
@@ -229,12 +229,12 @@ def _requests(inputs: SystemInputs, configuration: Configuration | None) -> list
 
 
 def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> Surroundings:
-    from rosarch.models.system.requests import Surroundings
+    from rosarch.analysis.systems.requests import Surroundings
 
     check_sources(inputs.folder)
     check_engine(inputs.engine)
     environment = dict(os.environ)
-    from rosarch.extractor.boundary import ros_package_path
+    from rosarch.base.boundary import ros_package_path
 
     folders = ros_package_path()
     if configuration is not None:

@@ -17,9 +17,9 @@ from rosarch.cli.errors import BROKEN_PIPE, InputError
 if TYPE_CHECKING:
     from rich.progress import TaskID
 
-    from rosarch.extractor.diagnostics import Diagnostic
-    from rosarch.models.system.analysis import SystemAnalysis
-    from rosarch.models.system.checked import Checked
+    from rosarch.analysis.systems.analysis import SystemAnalysis
+    from rosarch.analysis.systems.checked import Checked
+    from rosarch.base.diagnostics import Diagnostic
 
 REFRESH_SECONDS = 0.1
 _reports: list[Callable[[str, int, int], None]] = []

@@ -13,38 +13,38 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .errors import DatalogError, Diagnostic, Location
-    from .facts import read_facts, write_facts
-    from .near_misses import WhyNot, why_not, why_not_text
-    from .overrides import Overridden
-    from .profiling import Profile, profile, profile_text
-    from .program import Attribute, Program, RelationDecl, Result, is_compiled, load_declarations, load_program, ship_program
-    from .proof_printer import Layout, proof_text
-    from .proofs import Proof
-    from .prover import explain, explain_all
-    from .queries import Table, query, table_text
-    from .relation_reference import reference, reference_text
-    from .rows import RowStore, row_store
-    from .rule_coverage import Coverage, coverage
-    from .rule_tests import run_rule_tests
-    from .source_lines import SourceLines
+    from rosarch.datalog.files.facts import read_facts, write_facts
+    from rosarch.datalog.inspection.near_misses import WhyNot, why_not, why_not_text
+    from rosarch.datalog.inspection.profiling import Profile, profile, profile_text
+    from rosarch.datalog.inspection.proof_printer import Layout, proof_text
+    from rosarch.datalog.inspection.proofs import Proof
+    from rosarch.datalog.inspection.prover import explain, explain_all
+    from rosarch.datalog.inspection.queries import Table, query, table_text
+    from rosarch.datalog.inspection.relation_reference import reference, reference_text
+    from rosarch.datalog.inspection.rows import RowStore, row_store
+    from rosarch.datalog.inspection.rule_coverage import Coverage, coverage
+    from rosarch.datalog.inspection.rule_tests import run_rule_tests
+    from rosarch.datalog.inspection.source_lines import SourceLines
+    from rosarch.datalog.language.errors import DatalogError, Diagnostic, Location
+    from rosarch.datalog.language.overrides import Overridden
+    from rosarch.datalog.program import Attribute, Program, RelationDecl, Result, is_compiled, load_declarations, load_program, ship_program
 
 _LATER = {
-    "errors": ("DatalogError", "Diagnostic", "Location"),
-    "facts": ("read_facts", "write_facts"),
-    "near_misses": ("WhyNot", "why_not", "why_not_text"),
-    "overrides": ("Overridden",),
+    "language.errors": ("DatalogError", "Diagnostic", "Location"),
+    "files.facts": ("read_facts", "write_facts"),
+    "inspection.near_misses": ("WhyNot", "why_not", "why_not_text"),
+    "language.overrides": ("Overridden",),
     "program": ("Attribute", "Program", "RelationDecl", "Result", "is_compiled", "load_declarations", "load_program", "ship_program"),
-    "profiling": ("Profile", "profile", "profile_text"),
-    "proof_printer": ("Layout", "proof_text"),
-    "proofs": ("Proof",),
-    "prover": ("explain", "explain_all"),
-    "queries": ("Table", "query", "table_text"),
-    "relation_reference": ("reference", "reference_text"),
-    "rows": ("RowStore", "row_store"),
-    "rule_coverage": ("Coverage", "coverage"),
-    "rule_tests": ("run_rule_tests",),
-    "source_lines": ("SourceLines",),
+    "inspection.profiling": ("Profile", "profile", "profile_text"),
+    "inspection.proof_printer": ("Layout", "proof_text"),
+    "inspection.proofs": ("Proof",),
+    "inspection.prover": ("explain", "explain_all"),
+    "inspection.queries": ("Table", "query", "table_text"),
+    "inspection.relation_reference": ("reference", "reference_text"),
+    "inspection.rows": ("RowStore", "row_store"),
+    "inspection.rule_coverage": ("Coverage", "coverage"),
+    "inspection.rule_tests": ("run_rule_tests",),
+    "inspection.source_lines": ("SourceLines",),
 }
 _MODULE_OF = {name: module for module, names in _LATER.items() for name in names}
 

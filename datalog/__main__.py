@@ -8,8 +8,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from .errors import DatalogError, Diagnostic
-from .program import Program, Result, load_program
+from rosarch.datalog.language.errors import DatalogError, Diagnostic
+from rosarch.datalog.program import Program, Result, load_program
 
 # Options of souffle that change how it runs, not what it computes.
 _WITHOUT_EFFECT = (
@@ -104,7 +104,7 @@ def _run(options: argparse.Namespace) -> None:
             raise DatalogError(f"no such folder of included files: `{folder}`")
     functors = {}
     if options.libraries:
-        from .user_functors import load_functors
+        from rosarch.datalog.engine.user_functors import load_functors
 
         functors = load_functors(options.libraries)
     program = load_program(
@@ -119,7 +119,7 @@ def _run(options: argparse.Namespace) -> None:
     if folder != "-" and Path(folder).exists() and not Path(folder).is_dir():
         raise DatalogError(f"not a folder for outputs: `{folder}`")
     facts = program.read_facts(Path(options.fact_dir or program.pragmas.get("fact-dir") or "."), strict=not options.no_warn)
-    from .outputs import OutputWriter
+    from rosarch.datalog.files.outputs import OutputWriter
 
     OutputWriter(program, _evaluate(program, facts, options), folder).write()
 
@@ -134,7 +134,7 @@ def _warn(program: Program, quiet: bool, as_errors: bool) -> None:
 def _evaluate(program: Program, facts: dict[str, list[tuple[object, ...]]], options: argparse.Namespace) -> Result:
     if options.profile is None:
         return program.evaluate(facts, engine=options.engine, limit_rows=options.limit_rows, time_limit=options.time_limit)
-    from .profiling import profile, profile_text
+    from rosarch.datalog.inspection.profiling import profile, profile_text
 
     found = profile(program, facts, keep=None)
     try:

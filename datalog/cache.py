@@ -12,8 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from .seal import sealed, unsealed
-from .whole import write_whole
+from rosarch.base.seal import sealed, unsealed
+from rosarch.base.whole import write_whole
 
 CACHE_VARIABLE = "ROSARCH_CACHE_DIR"
 
@@ -38,9 +38,10 @@ def engine_version() -> str:
 def engine_source() -> str:
     """A hash of the engine's own source."""
     found = hashlib.sha256()
-    for path in sorted(Path(__file__).parent.iterdir()):
+    here = Path(__file__).parent
+    for path in sorted(here.rglob("*")):
         if path.suffix in (".py", ".lark"):
-            found.update(path.name.encode())
+            found.update(path.relative_to(here).as_posix().encode())
             found.update(path.read_bytes())
     return found.hexdigest()
 

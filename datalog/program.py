@@ -11,21 +11,22 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import cache, engine
-from .errors import DatalogError, Diagnostic, Location, Report, did_you_mean, with_lines
-from .inputs import InputReader
-from .plan import Code
-from .preprocess import Reading
-from .row_text import Show, line_chunks
-from .runtime import names, ordered
-from .shipped import is_shipped, read_shipped, write_program
-from .types import Types, build_types
-from .user_functors import Functors, FunctorUse, bind, functor_uses
+from rosarch.datalog import cache
+from rosarch.datalog.engine import engine
+from rosarch.datalog.engine.plan import Code
+from rosarch.datalog.engine.runtime import names, ordered
+from rosarch.datalog.engine.shipped import is_shipped, read_shipped, write_program
+from rosarch.datalog.engine.user_functors import Functors, FunctorUse, bind, functor_uses
+from rosarch.datalog.files.inputs import InputReader
+from rosarch.datalog.files.row_text import Show, line_chunks
+from rosarch.datalog.language.errors import DatalogError, Diagnostic, Location, Report, did_you_mean, with_lines
+from rosarch.datalog.language.preprocess import Reading
+from rosarch.datalog.language.types import Types, build_types
 
 if TYPE_CHECKING:
-    from .overrides import Overridden
-    from .sources import Sources
-    from .syntax import Directive, Unit
+    from rosarch.datalog.language.overrides import Overridden
+    from rosarch.datalog.language.sources import Sources
+    from rosarch.datalog.language.syntax import Directive, Unit
 
 Row = tuple[Any, ...]
 _BASES = {"i": "number", "u": "unsigned", "f": "float", "s": "symbol", "r": "record", "+": "adt"}
@@ -147,7 +148,7 @@ class Program:
         """
         kept = self._kept(keep)
         if engine == "souffle":
-            from .souffle import evaluate_with_souffle
+            from rosarch.datalog.engine.souffle import evaluate_with_souffle
 
             rows: Mapping[str, Collection[Any]] = evaluate_with_souffle(self, self._given(facts), kept, time_limit)
         elif engine == "embedded":
@@ -174,7 +175,7 @@ class Program:
             with engine.collector_paused(), closing(kind(self.code, self._functions, self._given(facts), control)) as evaluation:
                 if not control.active:
                     return evaluation.run(kept)
-                from .watch import watching
+                from rosarch.datalog.engine.watch import watching
 
                 with watching(evaluation):
                     return evaluation.run(kept)
@@ -252,7 +253,7 @@ def load_program(
 
 def _compiled(paths: Sequence[Path], extra_source: str, reading: Reading, bits: int, on_demand: bool) -> tuple[Program, dict[str, str]]:
     """The program, and the hashes of its files."""
-    from .sources import EXTRA_SOURCE, TOO_DEEP, deepest, read_program  # a cached program does without
+    from rosarch.datalog.language.sources import EXTRA_SOURCE, TOO_DEEP, deepest, read_program  # a cached program does without
 
     unit, sources, report = read_program(paths, extra_source, reading)
     try:
@@ -302,9 +303,9 @@ def _cache_key(extra_source: str, reading: Reading, bits: int, on_demand: bool) 
 
 def compile_unit(unit: Unit, sources: Sources, report: Report, bits: int = 32, *, on_demand: bool = False) -> Program:
     """Check and compile a syntax tree."""
-    from .compile import compile_program
-    from .demand import compile_on_demand
-    from .preparation import prepare
+    from rosarch.datalog.engine.compile import compile_program
+    from rosarch.datalog.engine.demand import compile_on_demand
+    from rosarch.datalog.engine.preparation import prepare
 
     checked, _ = prepare(unit, report, bits)
     unit = checked.unit
@@ -356,8 +357,8 @@ def declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:
 def load_declarations(path: Path | str | Sequence[Path | str]) -> Mapping[str, RelationDecl]:
     """The relations declared in files and what they include, without checking or compiling their rules."""
     paths = [Path(path)] if isinstance(path, (str, Path)) else [Path(p) for p in path]
-    from .components import instantiate
-    from .sources import read_program
+    from rosarch.datalog.language.components import instantiate
+    from rosarch.datalog.language.sources import read_program
 
     unit, _, report = read_program(paths)
     unit = instantiate(unit, report)

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
-from rosarch.extractor.files import LARGEST_PARSED, read_file
-from rosarch.extractor.xml_reader import XmlError, read_tree
+from rosarch.base.files import LARGEST_PARSED, read_file
+from rosarch.base.xml_reader import XmlError, read_tree
 
 _EXPLICIT = frozenset({"Action", "Condition", "Control", "Decorator"})
 """Elements whose attribute ID names the node; elsewhere the element does."""

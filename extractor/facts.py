@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from pathlib import Path
 
+from rosarch.base.files import path_below
 from rosarch.datalog import RelationDecl, load_declarations, write_facts
-from rosarch.extractor.files import path_below
 from rosarch.extractor.manifest import FactsEntry, folder_digest, rules_folder
 
 Row = tuple[str | int, ...]

@@ -13,14 +13,14 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
+from rosarch.base.cache import rows_digest
+from rosarch.base.diagnostics import Diagnostic, why
+from rosarch.base.files import file_name, path_text
+from rosarch.base.hints import hint
 from rosarch.datalog import RelationDecl
-from rosarch.datalog.cells import read_number, show_cell
-from rosarch.datalog.domain import domain
-from rosarch.extractor.cache import rows_digest
-from rosarch.extractor.diagnostics import Diagnostic, why
+from rosarch.datalog.files.cells import read_number, show_cell
+from rosarch.datalog.language.domain import domain
 from rosarch.extractor.facts import schema, validate
-from rosarch.extractor.files import file_name, path_text
-from rosarch.extractor.hints import hint
 from rosarch.extractor.manifest import ManifestError, content_hash, require_unchanged
 from rosarch.extractor.stored import FIRST, Facts, StoredFacts
 

@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import rosarch.rules
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor.files import file_name, read_file
+from rosarch.base.files import file_name, read_file
+from rosarch.base.whole import write_whole
 
 if TYPE_CHECKING:
-    from rosarch.extractor.diagnostics import Diagnostic
+    from rosarch.base.diagnostics import Diagnostic
 
 NAME = "manifest.json"
 FORMAT = 1
@@ -145,7 +145,7 @@ def read_manifest(folder: Path) -> Manifest:
     changed since, or when a source that is still there has changed.
     """
     path = folder / NAME
-    from rosarch.extractor.diagnostics import Diagnostic
+    from rosarch.base.diagnostics import Diagnostic
 
     try:
         data: dict[str, Any] = json.loads(read_file(path).decode("utf-8"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import re
 
-from rosarch.extractor.files import read_file
+from rosarch.base.files import read_file
 
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")

@@ -13,25 +13,25 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from rosarch.datalog.scratch import scratch_folder
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor import tracing
-from rosarch.extractor.boundary import confined, ros_package_path
-from rosarch.extractor.cache import Cache, hash_of
+from rosarch.base import tracing
+from rosarch.base.boundary import confined, ros_package_path
+from rosarch.base.cache import Cache, hash_of
+from rosarch.base.files import path_text
+from rosarch.base.limits import SOURCE_SECONDS
+from rosarch.base.memo import Memo
+from rosarch.base.pool import Failure
+from rosarch.base.scratch import scratch_folder
+from rosarch.base.whole import write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit
 from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.cxx.units import UnitReader
 from rosarch.extractor.facts import Rows, write_component
 from rosarch.extractor.facts_text import facts_text
-from rosarch.extractor.files import path_text
-from rosarch.extractor.limits import SOURCE_SECONDS
 from rosarch.extractor.manifest import write_manifest
-from rosarch.extractor.memo import Memo
 from rosarch.extractor.messages import Interfaces, MessageClass
 from rosarch.extractor.messages.closed import closed_packages
 from rosarch.extractor.messages.known_fields import KnownFields
-from rosarch.extractor.pool import Failure
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.sources import Sources, diagnostics
 from rosarch.extractor.unit_index import UnitIndex

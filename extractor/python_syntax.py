@@ -6,9 +6,8 @@ import ast
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 
-from rosarch.extractor.files import LARGEST_PARSED
-
-from .python_fstrings import with_older_fstrings
+from rosarch.base.files import LARGEST_PARSED
+from rosarch.extractor.python_fstrings import with_older_fstrings
 
 
 def parse_python(text: str | bytes) -> ast.Module:

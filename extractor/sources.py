@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
+from rosarch.base.diagnostics import Diagnostic, source_diagnostic
+from rosarch.base.pool import Failure, default_jobs
 from rosarch.extractor.cxx.translation_unit import CompileUnit
 from rosarch.extractor.cxx.units import UnitReader, odd_source
-from rosarch.extractor.diagnostics import Diagnostic, source_diagnostic
-from rosarch.extractor.pool import Failure, default_jobs
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.unit_store import UnitStore
 from rosarch.extractor.units import Progress, Reading, UnitFile, read_units

@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.base.diagnostics import Diagnostic
 from rosarch.extractor.manifest import entries_below, facts_folder, read_manifest
 
 FIRST = "rosarch facts"

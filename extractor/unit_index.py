@@ -11,10 +11,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
-from rosarch.extractor import tracing
-from rosarch.extractor.boundary import folders
-from rosarch.extractor.cache import Cache, extractor_version, hash_of
+from rosarch.base import tracing
+from rosarch.base.boundary import folders
+from rosarch.base.cache import Cache, hash_of
 from rosarch.extractor.units import AnyUnit, Reading, UnitFile
+from rosarch.extractor.version import extractor_version
 
 Unit = TypeVar("Unit", bound=AnyUnit)
 

@@ -15,9 +15,9 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from rosarch.datalog.seal import below_seal, sealed
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor.cache import Cache
+from rosarch.base.cache import Cache
+from rosarch.base.seal import below_seal, sealed
+from rosarch.base.whole import write_whole
 from rosarch.extractor.live_code import Mentions, by_function, entry_classes, live_functions, mentions_of
 
 Row = tuple[str | int, ...]

@@ -9,10 +9,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Generic, Protocol, TypeVar
 
-from rosarch.extractor.boundary import OUTSIDE, is_inside
-from rosarch.extractor.cache import Cache, extractor_version
-from rosarch.extractor.diagnostics import Diagnostic, SourceProblem, source_diagnostic
-from rosarch.extractor.pool import Failure, run_tasks
+from rosarch.base.boundary import OUTSIDE, is_inside
+from rosarch.base.cache import Cache
+from rosarch.base.diagnostics import Diagnostic, SourceProblem, source_diagnostic
+from rosarch.base.pool import Failure, run_tasks
+from rosarch.extractor.version import extractor_version
 
 Progress = Callable[[str, int, int], None]
 

@@ -13,7 +13,7 @@ from rosarch.library.model import LibraryComponent, LibraryParameter, LibraryPor
 from rosarch.library.reading import read_folder
 
 if TYPE_CHECKING:
-    from rosarch.extractor.diagnostics import Diagnostic
+    from rosarch.base.diagnostics import Diagnostic
 
 __all__ = ["Library", "LibraryComponent", "LibraryParameter", "LibraryPort", "components", "find", "load"]
 

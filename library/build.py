@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor.files import path_below
+from rosarch.base.files import path_below
+from rosarch.base.whole import write_whole
 from rosarch.library.model import GENERATED
 from rosarch.library.reading import COMPONENT_KINDS
 from rosarch.models.component import MANAGED, ComponentModel, Parameter, Port, default_value

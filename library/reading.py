@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.diagnostics import Diagnostic, why
-from rosarch.extractor.files import read_file
-from rosarch.extractor.hints import hint
+from rosarch.base.diagnostics import Diagnostic, why
+from rosarch.base.files import read_file
+from rosarch.base.hints import hint
 from rosarch.library.model import BY_HAND, GENERATED
 
 COMPONENT_KINDS = ("node", "nodelet", "component", "plugin", "gazebo_plugin")

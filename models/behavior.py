@@ -8,12 +8,12 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rosarch.base.places import Place
 from rosarch.models import formula
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards, Way
 from rosarch.models.machine.conditions import constant
 from rosarch.models.numbers import calculated, frequency
-from rosarch.models.places import Place
 from rosarch.models.switches import Switched, sent_while_starting, switched_things
 
 Row = tuple[Any, ...]

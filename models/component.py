@@ -8,7 +8,8 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rosarch.datalog.values import symbols
+from rosarch.base.places import Place
+from rosarch.datalog.language.values import symbols
 from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
@@ -16,7 +17,6 @@ from rosarch.models.guards import Guards
 from rosarch.models.node_configuration import InnerNode, PluginTold
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
-from rosarch.models.places import Place
 from rosarch.models.switches import switched_json
 from rosarch.models.traits import Trait, traits
 from rosarch.models.unseen import Unseen

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
+from rosarch.base.places import Place
 from rosarch.datalog import Program, RowStore
-from rosarch.datalog.clauses import rules_of
-from rosarch.datalog.errors import DatalogError
-from rosarch.datalog.proofs import Absent, AggregateValue, Condition
-from rosarch.datalog.prover import Node, Prover
+from rosarch.datalog.inspection.clauses import rules_of
+from rosarch.datalog.inspection.proofs import Absent, AggregateValue, Condition
+from rosarch.datalog.inspection.prover import Node, Prover
+from rosarch.datalog.language.errors import DatalogError
 from rosarch.models.behavior import variable_names
-from rosarch.models.places import Place
 
 DEPTH = 5
 """Steps below the row that is asked about; what lies deeper, `rosarch explain` tells."""

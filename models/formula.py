@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 
 MOST_ALTERNATIVES = 24
 

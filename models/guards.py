@@ -7,11 +7,11 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rosarch.extractor.limits import deep_recursion
+from rosarch.base.limits import deep_recursion
+from rosarch.base.places import Place
 from rosarch.models.formula import FALSE, TRUE, Condition, Formula, both, condition, either, loosest
 from rosarch.models.machine.conditions import choice, constant
 from rosarch.models.normal import WORD, expanded, folded, normal_text, replaced, truth_of, with_values
-from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
 
-from rosarch.extractor.cache import hash_of
+from rosarch.base.cache import hash_of
 
 Rows = dict[str, set[tuple[Any, ...]]]
 Argument = tuple[str, int, str]

@@ -7,10 +7,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rosarch.base.places import Place
 from rosarch.models import formula
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards
-from rosarch.models.places import Place
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]

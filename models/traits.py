@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 
 # of the flow of data, which has to be asked for
 FLOW_TRAITS = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 
 _REASONS = {
     # of components

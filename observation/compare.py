@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field
 
-from rosarch.models.findings import Finding
-from rosarch.models.places import Place
-from rosarch.models.rule_sets import SystemRules
+from rosarch.base.places import Place
+from rosarch.findings.model import Finding
+from rosarch.findings.of_systems import findings
 from rosarch.models.system.asking import Port
 from rosarch.models.system.build import evaluate
-from rosarch.models.system.findings import findings
 from rosarch.models.system.rows import Rows, merged
+from rosarch.rule_programs.sets import SystemRules
 
 CONFIRMED, FILLED, MISSED, UNSEEN = "confirmed", "filled", "missed", "unseen"
 _ORDER = ("node", "topic", "publisher", "subscriber", "service_server", "parameter", "connection")

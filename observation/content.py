@@ -7,7 +7,7 @@ import struct
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
-from rosarch.composition.components import content_path
+from rosarch.behavior.composition.components import content_path
 from rosarch.extractor.messages import Field, MessageStore
 from rosarch.extractor.messages.model import UNBOUNDED
 from rosarch.models.machine.conditions import MIRRORED, Comparison, Negation, number, parse_condition

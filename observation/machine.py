@@ -6,8 +6,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, product
 
-from rosarch.composition.components import Component
-from rosarch.composition.reactions import Effect, TooManyCases, effects
+from rosarch.behavior.composition.components import Component
+from rosarch.behavior.composition.reactions import Effect, TooManyCases, effects
 from rosarch.models.machine.logic import Subject
 from rosarch.models.machine.steps import Row
 

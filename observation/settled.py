@@ -6,16 +6,16 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
+from rosarch.analysis.systems.interfaces import model_rows
 from rosarch.extractor.launch.facts import launch_rows
 from rosarch.extractor.launch.model import Composition, NodeStart, Place
 from rosarch.models.component import ComponentModel
-from rosarch.models.rule_sets import SystemRules
-from rosarch.models.system.interfaces import model_rows
 from rosarch.models.system.rows import merged
 from rosarch.observation.compare import Filled, compare
 from rosarch.observation.graph import Graph, Snapshot
 from rosarch.observation.observed import Watched, watched_rows
 from rosarch.observation.private import Start, private_graph
+from rosarch.rule_programs.sets import SystemRules
 
 _REST = 0.3
 """Seconds in which nothing was added to the graph: then the node is taken to be complete."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from rosarch.composition.components import Component, component
+from rosarch.behavior.composition.components import Component, component
 from rosarch.extractor.messages import MessageStore
 from rosarch.models.machine.cells import Document, value_in
 from rosarch.models.machine.logic import BOOLEAN

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from textwrap import dedent, fill
 
-from rosarch.models.findings import SEVERITIES, Check
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
+from rosarch.rule_programs.checks import SEVERITIES, Check
 
 _WIDTH = 120
 _HEAD = """# Reference of checks

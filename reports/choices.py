@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from textwrap import fill
 
-from rosarch.models.rule_sets import Option
-from rosarch.models.variants import Decision
 from rosarch.reports.printable import json_text
+from rosarch.rule_programs.sets import Option
+from rosarch.rule_programs.variants import Decision
 
 WIDTH = 120
 

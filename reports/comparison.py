@@ -11,7 +11,7 @@ from itertools import groupby
 from types import MappingProxyType
 from typing import Any
 
-from rosarch.models.comparison.changes import HOW, Change, Detail
+from rosarch.analysis.comparison.changes import HOW, Change, Detail
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import json_text, printable
 

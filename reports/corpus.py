@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from rosarch.corpus.task import Done, Failed
-from rosarch.models.findings import SEVERITIES
+from rosarch.evaluation.corpus.task import Done, Failed
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import json_text, printable
 from rosarch.reports.tables import Table, table_markdown, table_text
+from rosarch.rule_programs.checks import SEVERITIES
 
 
 def summary(name: str, folder: str, outcome: Done | Failed) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
 if TYPE_CHECKING:
-    from rosarch.extractor.diagnostics import Diagnostic
+    from rosarch.base.diagnostics import Diagnostic
 
 SHOWN = 20
 SUMMARY = 5

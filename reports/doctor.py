@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from rosarch.models.health import Health
+from rosarch.findings.health import Health
 from rosarch.reports.diagnostics import diagnostic_line
 from rosarch.reports.labels import counted
 

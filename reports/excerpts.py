@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from rich.cells import cell_len
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 from rosarch.reports.printable import printable
 
 WIDEST = 160  # characters of a source line

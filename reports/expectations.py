@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rosarch.expectations.judgement import Unmet
-from rosarch.expectations.run import FileOutcome
+from rosarch.evaluation.expectations.judgement import Unmet
+from rosarch.evaluation.expectations.run import FileOutcome
 from rosarch.reports.printable import printable
 
 

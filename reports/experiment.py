@@ -6,8 +6,8 @@ from collections import Counter
 from dataclasses import asdict
 from typing import Any
 
-from rosarch.experiments.comparison import EXTRA, HIT, OPTIONAL
-from rosarch.experiments.results import (
+from rosarch.evaluation.experiments.comparison import EXTRA, HIT, OPTIONAL
+from rosarch.evaluation.experiments.results import (
     DECIDING,
     FIGURES,
     Difference,
@@ -18,9 +18,9 @@ from rosarch.experiments.results import (
     row_differences,
     tests,
 )
-from rosarch.models.rule_sets import described
 from rosarch.reports.printable import json_text
 from rosarch.reports.tables import Cell, Table, table_csv, table_latex, table_markdown, table_text, tables_as
+from rosarch.rule_programs.sets import described
 
 _VERDICTS = {HIT: "true", EXTRA: "not true", OPTIONAL: "may be", "": None}
 FORMATS = ("text", "markdown", "latex", "csv", "json")

@@ -8,13 +8,14 @@ from importlib import import_module
 from itertools import groupby
 from typing import Any
 
-from rosarch.models.findings import SEVERITIES, Finding
-from rosarch.models.places import Place
-from rosarch.models.policy import Reported
-from rosarch.models.system.checked import Scope
-from rosarch.models.withheld import Withheld
+from rosarch.analysis.systems.checked import Scope
+from rosarch.base.places import Place
+from rosarch.findings.model import Finding
+from rosarch.findings.policy import Reported
+from rosarch.findings.withheld import Withheld
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
+from rosarch.rule_programs.checks import SEVERITIES
 
 FORMATS = ("text", "json", "sarif", "junit", "github", "markdown")
 MOST = 5  # systems, and findings at one place, that a report for people names

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rosarch.models.findings import Finding
-from rosarch.models.policy import Reported
+from rosarch.findings.model import Finding
+from rosarch.findings.policy import Reported
 from rosarch.reports.findings import Setting
 from rosarch.reports.printable import printable
 

@@ -6,10 +6,10 @@ import json
 from importlib.resources import files
 from typing import Any
 
-from rosarch.models.findings import Finding
-from rosarch.models.places import Place
-from rosarch.models.policy import Reported
-from rosarch.models.withheld import Withheld
+from rosarch.base.places import Place
+from rosarch.findings.model import Finding
+from rosarch.findings.policy import Reported
+from rosarch.findings.withheld import Withheld
 from rosarch.reports.findings import Setting, severity_counts, tool_version
 from rosarch.reports.printable import json_text
 

@@ -6,11 +6,12 @@ from collections import defaultdict
 from collections.abc import Sequence
 from xml.etree import ElementTree
 
-from rosarch.models.findings import Check, Finding
-from rosarch.models.policy import Policy, Reported
-from rosarch.models.suppressed import Suppressed
+from rosarch.findings.model import Finding
+from rosarch.findings.policy import Policy, Reported
+from rosarch.findings.suppressed import Suppressed
 from rosarch.reports.findings import Setting
 from rosarch.reports.printable import printable
+from rosarch.rule_programs.checks import Check
 
 
 def findings_text(reported: Reported, setting: Setting) -> str:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
-from rosarch.models.policy import Reported
+from rosarch.findings.policy import Reported
 from rosarch.reports.excerpts import Excerpts
 from rosarch.reports.findings import Alike, Setting, alike, summary_line
 from rosarch.reports.labels import counted

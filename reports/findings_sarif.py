@@ -9,13 +9,14 @@ from textwrap import dedent
 from typing import Any
 from urllib.parse import quote
 
-from rosarch.models.baseline import BaselineEntry
-from rosarch.models.findings import Check, Evidence, Finding
-from rosarch.models.places import Place
-from rosarch.models.policy import Reported
-from rosarch.models.suppressed import Suppressed
+from rosarch.base.places import Place
+from rosarch.findings.baseline import BaselineEntry
+from rosarch.findings.model import Evidence, Finding
+from rosarch.findings.policy import Reported
+from rosarch.findings.suppressed import Suppressed
 from rosarch.reports.findings import Setting, tool_version
 from rosarch.reports.printable import json_text, printable
+from rosarch.rule_programs.checks import Check
 
 SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 ROOT = "%SRCROOT%"

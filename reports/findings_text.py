@@ -11,8 +11,8 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from rosarch.models.findings import Evidence
-from rosarch.models.policy import Reported
+from rosarch.findings.model import Evidence
+from rosarch.findings.policy import Reported
 from rosarch.reports.excerpts import Excerpts
 from rosarch.reports.findings import Alike, Setting, alike, because, summary_line
 from rosarch.reports.printable import printable

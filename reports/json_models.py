@@ -8,8 +8,8 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor.files import path_below
+from rosarch.base.files import path_below
+from rosarch.base.whole import write_whole
 from rosarch.models.component import ComponentModel, to_json
 from rosarch.reports.printable import json_text
 

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from itertools import pairwise
 from typing import Any
 
-from rosarch.models.findings import Finding
+from rosarch.findings.model import Finding
 from rosarch.observation.compare import CONFIRMED, Comparison, Element
 from rosarch.observation.graph import Snapshot
 from rosarch.observation.observed import Recorded, Watched, delays

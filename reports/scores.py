@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from rosarch.experiments.comparison import CATEGORIES, EXTRA, MISSED
-from rosarch.experiments.scores import Score, misses
+from rosarch.evaluation.experiments.comparison import CATEGORIES, EXTRA, MISSED
+from rosarch.evaluation.experiments.scores import Score, misses
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import json_text, printable
 from rosarch.reports.tables import Table, table_csv, table_latex, table_markdown, table_text, tables_as

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from rosarch.composition.system import Topic
+from rosarch.behavior.composition.system import Topic
 
 
 @dataclass(frozen=True)

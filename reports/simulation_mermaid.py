@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterator
 from itertools import islice
 
-from rosarch.composition.system import System
+from rosarch.behavior.composition.system import System
+from rosarch.behavior.simulation.records import Record
 from rosarch.reports.sequence_mermaid import Arrow, Remark, arrows, sequence_text
-from rosarch.simulation.records import Record
 
 MOST_ITEMS = 60
 

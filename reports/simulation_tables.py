@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from rosarch.behavior.simulation.records import Record, busy, latencies, queues, rates
 from rosarch.reports.printable import printable
 from rosarch.reports.tables import Table, table_text, tables_as
-from rosarch.simulation.records import Record, busy, latencies, queues, rates
 
 _MILLI = 1000
 

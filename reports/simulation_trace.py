@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
+from rosarch.behavior.simulation.records import Record, busy, latencies, queues, rates
 from rosarch.reports.printable import json_text
 from rosarch.reports.tables import Table, table_csv
-from rosarch.simulation.records import Record, busy, latencies, queues, rates
 
 
 def trace_csv(record: Record) -> str:

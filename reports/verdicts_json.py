@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import asdict
 
+from rosarch.behavior.verification.check import Verdict
 from rosarch.reports.printable import json_text
-from rosarch.verification.check import Verdict
 
 
 def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rosarch.composition.system import ENVIRONMENT, System
+from rosarch.behavior.composition.system import ENVIRONMENT, System
+from rosarch.behavior.verification.check import Verdict
+from rosarch.behavior.verification.trace import Step
 from rosarch.reports.sequence_mermaid import Arrow, Remark, Repeated, arrows, sequence_text
-from rosarch.verification.check import Verdict
-from rosarch.verification.trace import Step
 
 
 def verdicts_text(system: System, verdicts: Sequence[Verdict]) -> str:

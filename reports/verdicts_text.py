@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from rosarch.behavior.verification.check import HOLDS, Verdict
+from rosarch.behavior.verification.trace import Step, Trace
 from rosarch.reports.printable import printable
-from rosarch.verification.check import HOLDS, Verdict
-from rosarch.verification.trace import Step, Trace
 
 
 def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str:

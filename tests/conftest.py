@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.limits import LIMITS, Limits
+from rosarch.base.limits import LIMITS, Limits
 
 ROOT = Path(__file__).resolve().parent.parent
 

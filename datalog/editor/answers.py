@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..errors import closest
-from ..parser import is_word
-from .occurrences import Call, Declared, Names, Occurrence, call_around
-from .programs import Programs, included
+from rosarch.datalog.editor.occurrences import Call, Declared, Names, Occurrence, call_around
+from rosarch.datalog.editor.programs import Programs, included
+from rosarch.datalog.language.errors import closest
+from rosarch.datalog.language.parser import is_word
 
 _IDENTIFIER = re.compile(r"[?a-zA-Z]|[_?a-zA-Z][_?a-zA-Z0-9]+")  # IDENT of grammar.lark
 PRIMITIVES = ("number", "unsigned", "float", "symbol")

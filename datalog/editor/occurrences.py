@@ -11,7 +11,7 @@ from typing import Literal, TypeAlias
 
 from lark import Token
 
-from ..parser import tokens
+from rosarch.datalog.language.parser import tokens
 
 Kind: TypeAlias = Literal["relation", "type", "functor", "branch", "component", "instance", "attribute", "variable", "file"]
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
-from ..errors import DatalogError, Diagnostic, Report
-from ..preparation import prepare
-from ..preprocess import Reading
-from ..sources import TOO_DEEP, ParseMemory, deepest, read_program, read_text
-from .occurrences import Names, names_of
+from rosarch.datalog.editor.occurrences import Names, names_of
+from rosarch.datalog.engine.preparation import prepare
+from rosarch.datalog.language.errors import DatalogError, Diagnostic, Report
+from rosarch.datalog.language.preprocess import Reading
+from rosarch.datalog.language.sources import TOO_DEEP, ParseMemory, deepest, read_program, read_text
 
 
 @dataclass(frozen=True, slots=True)

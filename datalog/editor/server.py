@@ -12,10 +12,10 @@ from pygls import uris
 from pygls.exceptions import JsonRpcInvalidParams
 from pygls.lsp.server import LanguageServer
 
-from ..errors import Diagnostic
-from .answers import Answers, Place, Proposal, RenameError
-from .occurrences import Occurrence
-from .programs import Entry, Programs, includers
+from rosarch.datalog.editor.answers import Answers, Place, Proposal, RenameError
+from rosarch.datalog.editor.occurrences import Occurrence
+from rosarch.datalog.editor.programs import Entry, Programs, includers
+from rosarch.datalog.language.errors import Diagnostic
 
 PAUSE = 0.15  # seconds without a keystroke before a program is checked
 _KINDS = {

@@ -13,12 +13,12 @@ from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosarch.base.files import read_file
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.includes import HEALED
 from rosarch.extractor.cxx.unit import UnitFacts
 from rosarch.extractor.cxx.unseen import Unseen
 from rosarch.extractor.cxx.wanted import UNKNOWN, Wanted, kind_of_member
-from rosarch.extractor.files import read_file
 
 ROUNDS = 4
 ERROR_LIMIT = 50_000  # beyond, a source is of another language

@@ -12,13 +12,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor import tracing
-from rosarch.extractor.boundary import folders as inside
-from rosarch.extractor.boundary import is_inside
-from rosarch.extractor.cache import hash_of
+from rosarch.base import tracing
+from rosarch.base.boundary import folders as inside
+from rosarch.base.boundary import is_inside
+from rosarch.base.cache import hash_of
+from rosarch.base.files import read_file
+from rosarch.base.whole import write_whole
 from rosarch.extractor.cxx.assumed import assumed_text
-from rosarch.extractor.files import read_file
 from rosarch.extractor.workspace.model import ROS1, ROS2
 
 SHIPPED = Path(__file__).parent / "headers"

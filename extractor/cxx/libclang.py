@@ -14,8 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.extractor.cxx import kinds
-
-from .libclang_library import Cursor, FieldVisitor, Location, Range, RangeList, String, Type, Visitor, bind
+from rosarch.extractor.cxx.libclang_library import Cursor, FieldVisitor, Location, Range, RangeList, String, Type, Visitor, bind
 
 _BUFFERED = 2
 """The flag of a text that `data` is not the address of; the other flag than zero is that of one that has to be disposed of."""

@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
-from rosarch.extractor.cache import extractor_version, hash_of
+from rosarch.base.cache import hash_of
+from rosarch.base.files import path_text
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.heal import files_with_errors
 from rosarch.extractor.cxx.includes import Folders, HeaderFinder, Includes, is_shipped
@@ -20,7 +21,7 @@ from rosarch.extractor.cxx.libclang_library import Cursor
 from rosarch.extractor.cxx.recover import Names, declared_names, recover
 from rosarch.extractor.cxx.unit import SourceFile, UnitFacts
 from rosarch.extractor.cxx.walk import walk_declaration
-from rosarch.extractor.files import path_text
+from rosarch.extractor.version import extractor_version
 
 _NAMING = kinds.REFERENCES | {kinds.DECLARATION_REFERENCE, kinds.MEMBER_ACCESS, kinds.CALL, kinds.BASE_SPECIFIER}
 _REDECLARED = kinds.FUNCTIONS | {kinds.VARIABLE}

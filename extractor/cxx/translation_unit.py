@@ -9,7 +9,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.cache import extractor_version, hash_of
+from rosarch.base.cache import hash_of
+from rosarch.base.diagnostics import SourceProblem
+from rosarch.base.files import path_text
+from rosarch.base.limits import deep_recursion
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.assumed import assumed_classes
 from rosarch.extractor.cxx.heal import OPTIONS, files_with_errors, healed, without_unknown, worth_healing
@@ -21,9 +24,7 @@ from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.unit import SourceFiles, UnitFacts, file_key
 from rosarch.extractor.cxx.unseen import unseen
 from rosarch.extractor.cxx.walk import walk_declaration
-from rosarch.extractor.diagnostics import SourceProblem
-from rosarch.extractor.files import path_text
-from rosarch.extractor.limits import deep_recursion
+from rosarch.extractor.version import extractor_version
 from rosarch.extractor.workspace.model import ROS1, ROS2
 
 # gnu++17: the shipped headers need deduction guides; a fixed target: the same types on every host;

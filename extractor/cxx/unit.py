@@ -13,11 +13,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
+from rosarch.base.files import path_text, read_file
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.includes import STAND_INS
 from rosarch.extractor.cxx.libclang import MACRO_BIT, Tree
 from rosarch.extractor.cxx.libclang_library import Cursor, Location, Range, Type
-from rosarch.extractor.files import path_text, read_file
 from rosarch.extractor.messages.parameter_library import made_from
 
 TEXT_LIMIT = 2000

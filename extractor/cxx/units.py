@@ -12,18 +12,19 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from rosarch.datalog.whole import write_whole
-from rosarch.extractor.cache import Cache, extractor_version, hash_of
+from rosarch.base.cache import Cache, hash_of
+from rosarch.base.diagnostics import SourceProblem
+from rosarch.base.files import read_file
+from rosarch.base.pool import Failure, run_tasks
+from rosarch.base.whole import write_whole
 from rosarch.extractor.cxx.includes import HeaderFinder, Includes
 from rosarch.extractor.cxx.recover import Names
 from rosarch.extractor.cxx.shared import SharedHeaders
 from rosarch.extractor.cxx.translation_unit import CompileUnit, Rows, build_prelude, extract_unit, unit_key
 from rosarch.extractor.cxx.unit import SourceFiles
-from rosarch.extractor.diagnostics import SourceProblem
-from rosarch.extractor.files import read_file
-from rosarch.extractor.pool import Failure, run_tasks
 from rosarch.extractor.unit_store import UnitStore
 from rosarch.extractor.units import UnitFile, refuse_full_disk
+from rosarch.extractor.version import extractor_version
 from rosarch.extractor.workspace.model import ROS1
 
 PRELUDE_BYTES = 64 << 20

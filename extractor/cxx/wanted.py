@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosarch.datalog.whole import write_whole
+from rosarch.base.whole import write_whole
 from rosarch.extractor.cxx.assumed import assumed_struct, assumed_text
 from rosarch.extractor.cxx.includes import HEALED, SHIPPED
 

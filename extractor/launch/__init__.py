@@ -9,12 +9,12 @@ Those of ROS 2 are read by `rosarch.extractor.launch_ros2`, and come to the same
 Sources: the roslaunch XML format (wiki.ros.org/roslaunch/XML) and the behaviour of roslaunch 1.15.
 """
 
-from .files import Files
-from .model import Composition, Condition, NodeStart, ParamSetting, Place, Problem, Remap
-from .packages import PackagePath
-from .record import record
-from .top_level import launch_files, top_level
-from .versions import compose, ros_version
+from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.model import Composition, Condition, NodeStart, ParamSetting, Place, Problem, Remap
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.record import record
+from rosarch.extractor.launch.top_level import launch_files, top_level
+from rosarch.extractor.launch.versions import compose, ros_version
 
 __all__ = [
     "Composition",

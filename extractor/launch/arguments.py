@@ -10,7 +10,7 @@ import shlex
 from dataclasses import dataclass
 from functools import lru_cache
 
-from .model import NodeStart
+from rosarch.extractor.launch.model import NodeStart
 
 
 @dataclass(frozen=True)

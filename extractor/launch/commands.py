@@ -10,9 +10,9 @@ import shlex
 from collections.abc import Mapping
 from pathlib import Path
 
-from .files import Files
-from .model import LaunchError
-from .unknowns import is_known
+from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.model import LaunchError
+from rosarch.extractor.launch.unknowns import is_known
 
 _SILENT = frozenset({"mkdir", "touch", "true", "sleep"})
 

@@ -12,14 +12,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.urdf.plugins import SimulatorPlugin
-from rosarch.extractor.xml_reader import XmlError
-
-from . import elements, nodes
-from .descriptions import note_worlds
-from .files import Files
-from .meant import files_meant, meshes_meant
-from .model import (
+from rosarch.base.xml_reader import XmlError
+from rosarch.extractor.launch import elements, nodes
+from rosarch.extractor.launch.descriptions import note_worlds
+from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.meant import files_meant, meshes_meant
+from rosarch.extractor.launch.model import (
     ArgumentDeclared,
     Composition,
     Condition,
@@ -31,12 +29,13 @@ from .model import (
     Reference,
     Remap,
 )
-from .names import global_namespace
-from .scope import Scope
-from .state import Exhausted, Handler, State
-from .unknowns import cleaned
-from .views import views_of
-from .xml_reader import Element, read_launch
+from rosarch.extractor.launch.names import global_namespace
+from rosarch.extractor.launch.scope import Scope
+from rosarch.extractor.launch.state import Exhausted, Handler, State
+from rosarch.extractor.launch.unknowns import cleaned
+from rosarch.extractor.launch.views import views_of
+from rosarch.extractor.launch.xml_reader import Element, read_launch
+from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 MAX_INCLUDE_DEPTH = 60
 MAX_INCLUDES = 20_000

@@ -7,10 +7,10 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from .eval_functions import TooLarge
-from .evaluation import MAX_LENGTH, EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, parsed_once
-from .formulas import FALSE, TRUE, Every, Formula, Not, Some, Test, bounded, equals
-from .unknowns import marks_in
+from rosarch.extractor.launch.eval_functions import TooLarge
+from rosarch.extractor.launch.evaluation import MAX_LENGTH, EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, parsed_once
+from rosarch.extractor.launch.formulas import FALSE, TRUE, Every, Formula, Not, Some, Test, bounded, equals
+from rosarch.extractor.launch.unknowns import marks_in
 
 _BARE = re.compile(r"'(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\"|[\U00100000-\U0010ffff]")
 _NAME = re.compile(r"_unknown_([0-9a-f]+)")

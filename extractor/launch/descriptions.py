@@ -6,15 +6,14 @@ import os
 from collections.abc import Iterable
 from dataclasses import replace
 
+from rosarch.extractor.launch.model import LaunchError, Problem, World
+from rosarch.extractor.launch.scope import Scope
+from rosarch.extractor.launch.state import State
+from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.urdf.command import XacroCall, run
 from rosarch.extractor.urdf.document import DocumentError, Element, parse
 from rosarch.extractor.urdf.plugins import SimulatorPlugin, plugins
 from rosarch.extractor.urdf.writer import write
-
-from .model import LaunchError, Problem, World
-from .scope import Scope
-from .state import State
-from .unknowns import is_known
 
 _WORLDS = (".world", ".sdf")
 

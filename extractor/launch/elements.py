@@ -5,19 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, TypeAlias
 
+from rosarch.extractor.launch.commands import output, words_of
+from rosarch.extractor.launch.descriptions import evaluated, plugins_of_file
+from rosarch.extractor.launch.model import ArgumentDeclared, ArgumentPassed, LaunchError, ParamSetting, Place, Remap
+from rosarch.extractor.launch.names import canonical, ns_join
+from rosarch.extractor.launch.scope import Scope
+from rosarch.extractor.launch.state import YAML_COST, State
+from rosarch.extractor.launch.unknowns import is_known
+from rosarch.extractor.launch.values import Binary, convert
+from rosarch.extractor.launch.xml_reader import Element
+from rosarch.extractor.launch.yaml_values import YamlError, load_yaml
 from rosarch.extractor.urdf.command import xacro_call
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
-
-from .commands import output, words_of
-from .descriptions import evaluated, plugins_of_file
-from .model import ArgumentDeclared, ArgumentPassed, LaunchError, ParamSetting, Place, Remap
-from .names import canonical, ns_join
-from .scope import Scope
-from .state import YAML_COST, State
-from .unknowns import is_known
-from .values import Binary, convert
-from .xml_reader import Element
-from .yaml_values import YamlError, load_yaml
 
 _VALUES = ("value", "textfile", "binfile", "command")
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from .unknowns import cleaned
+from rosarch.extractor.launch.unknowns import cleaned
 
 MAX_SIZE = 200_000  # characters of a text, or of all texts and items of a list
 MAX_BITS = 20_000

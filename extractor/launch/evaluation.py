@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
-from .eval_functions import BUILTINS, MATH, METHODS, TooLarge, format_text, size_of
-from .unknowns import cleaned, is_known
+from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, METHODS, TooLarge, format_text, size_of
+from rosarch.extractor.launch.unknowns import cleaned, is_known
 
 MAX_LENGTH = 10_000
 MAX_STEPS = 100_000

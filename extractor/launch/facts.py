@@ -11,10 +11,9 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.files import path_text
-
-from .arguments import NodeArguments, node_arguments
-from .model import (
+from rosarch.base.files import path_text
+from rosarch.extractor.launch.arguments import NodeArguments, node_arguments
+from rosarch.extractor.launch.model import (
     ActionLeftOut,
     ArgumentDeclared,
     ArgumentLeaked,
@@ -33,14 +32,13 @@ from .model import (
     SubstitutionUsed,
     TextTested,
 )
-from .names import canonical, global_namespace, ns_join
-from .record import plain
-from .values import Binary, automatic
+from rosarch.extractor.launch.names import canonical, global_namespace, ns_join
+from rosarch.extractor.launch.record import plain
+from rosarch.extractor.launch.values import Binary, automatic
 
 if TYPE_CHECKING:
+    from rosarch.extractor.launch.views import View
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
-
-    from .views import View
 
 Rows = dict[str, set[tuple[Any, ...]]]
 _LONG = 4096  # characters of a value; a robot's description is no name of anything

@@ -15,16 +15,15 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-from rosarch.extractor import tracing
-from rosarch.extractor.boundary import is_inside
-from rosarch.extractor.files import LARGEST, read_file
-
-from .model import LaunchError, Reference
-from .packages import PackagePath
-from .references import references
-from .unknowns import cleaned
-from .xml_reader import read_launch
-from .yaml_values import KeyLines, Loader, RosparamLoader, load_yaml_lines
+from rosarch.base import tracing
+from rosarch.base.boundary import is_inside
+from rosarch.base.files import LARGEST, read_file
+from rosarch.extractor.launch.model import LaunchError, Reference
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.references import references
+from rosarch.extractor.launch.unknowns import cleaned
+from rosarch.extractor.launch.xml_reader import read_launch
+from rosarch.extractor.launch.yaml_values import KeyLines, Loader, RosparamLoader, load_yaml_lines
 
 MAX_MATCHES = 1000
 _Parsed = TypeVar("_Parsed")

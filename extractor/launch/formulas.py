@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
 
-from .unknowns import Unknowns, marks_in
-from .values import boolean
+from rosarch.extractor.launch.unknowns import Unknowns, marks_in
+from rosarch.extractor.launch.values import boolean
 
 MAX_CASES = 4096
 MAX_TESTS = 64

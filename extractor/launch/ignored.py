@@ -9,9 +9,9 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from rosarch.extractor import tracing
-from rosarch.extractor.files import read_file
-from rosarch.extractor.path_patterns import path_matches
+from rosarch.base import tracing
+from rosarch.base.files import read_file
+from rosarch.base.path_patterns import path_matches
 
 
 def kept_out(path: str, top: str) -> bool:

@@ -7,10 +7,9 @@ import os
 import re
 from collections.abc import Collection, Iterator
 
-from rosarch.extractor import tracing
-
-from .model import Composition, FileMeant, FileNamed, Place
-from .packages import PackagePath
+from rosarch.base import tracing
+from rosarch.extractor.launch.model import Composition, FileMeant, FileNamed, Place
+from rosarch.extractor.launch.packages import PackagePath
 
 _NAMED = re.compile(r"(?<![\w./~-])/[^\s'\",;:=\[\]{}()$]+\.\w+(?![\w$(])")
 _WRITTEN = frozenset({".yaml", ".yml", ".xml", ".urdf", ".xacro", ".sdf", ".world", ".rviz", ".json", ".srdf", ".launch"})

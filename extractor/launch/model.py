@@ -6,14 +6,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.diagnostics import Diagnostic
-
-from .formulas import Formula, Not, possible
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.extractor.launch.formulas import Formula, Not, possible
 
 if TYPE_CHECKING:
+    from rosarch.extractor.launch.views import View
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
-
-    from .views import View
 
 
 @dataclass(frozen=True, order=True)

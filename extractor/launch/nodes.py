@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from . import elements
-from .descriptions import note_worlds
-from .model import Condition, LaunchError, NodeStart
-from .names import global_namespace, is_legal, ns_join
-from .scope import Scope
-from .state import State
-from .unknowns import with_unknowns_as
-from .xml_reader import Element
+from rosarch.extractor.launch import elements
+from rosarch.extractor.launch.descriptions import note_worlds
+from rosarch.extractor.launch.model import Condition, LaunchError, NodeStart
+from rosarch.extractor.launch.names import global_namespace, is_legal, ns_join
+from rosarch.extractor.launch.scope import Scope
+from rosarch.extractor.launch.state import State
+from rosarch.extractor.launch.unknowns import with_unknowns_as
+from rosarch.extractor.launch.xml_reader import Element
 
 _NODE_ATTRIBUTES = (
     *("pkg", "type", "machine", "name", "args", "output", "respawn", "respawn_delay", "cwd", "ns", "clear_params"),

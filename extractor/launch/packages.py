@@ -14,11 +14,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
-from rosarch.extractor import tracing
-from rosarch.extractor.files import is_folder, read_file
+from rosarch.base import tracing
+from rosarch.base.files import is_folder, read_file
+from rosarch.extractor.launch.ignored import kept_out
 from rosarch.extractor.package_names import IGNORE_MARKERS, NO_PACKAGES, quick_name, quick_text
-
-from .ignored import kept_out
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _WORD = re.compile(r"[\w.+-]+")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from .model import Composition, NodeStart, ParamSetting, Place
-from .values import Binary
+from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting, Place
+from rosarch.extractor.launch.values import Binary
 
 
 def record(composition: Composition) -> dict[str, Any]:

@@ -9,11 +9,10 @@ import os
 import re
 from collections.abc import Iterator
 
-from rosarch.extractor import tracing
-
-from .model import ArgumentUsed, FileNamed, HomePath, PackageNamed, Place, ProgramNamed, Reference
-from .packages import PackagePath
-from .xml_reader import Element
+from rosarch.base import tracing
+from rosarch.extractor.launch.model import ArgumentUsed, FileNamed, HomePath, PackageNamed, Place, ProgramNamed, Reference
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.xml_reader import Element
 
 _FIND = re.compile(r"\$\(find\s+([^()\s$]+)\s*\)")
 _FILE = re.compile(r"(?:\$\(find\s+[^()\s$]+\s*\)|\$\(dirname\))/[^\s'\"]*[^\s'\"/]")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from .model import Condition, LaunchError, ParamSetting, Place, Remap
-from .names import canonical, global_namespace, is_legal, ns_join
-from .unknowns import with_unknowns_as
+from rosarch.extractor.launch.model import Condition, LaunchError, ParamSetting, Place, Remap
+from rosarch.extractor.launch.names import canonical, global_namespace, is_legal, ns_join
+from rosarch.extractor.launch.unknowns import with_unknowns_as
 
 
 @dataclass

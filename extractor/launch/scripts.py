@@ -10,10 +10,9 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from rosarch.extractor.files import read_file
-
-from .model import Composition
-from .packages import PackagePath
+from rosarch.base.files import read_file
+from rosarch.extractor.launch.model import Composition
+from rosarch.extractor.launch.packages import PackagePath
 
 Rows = dict[str, set[tuple[Any, ...]]]
 _WORD = re.compile(r"\w+")

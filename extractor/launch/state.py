@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
-from .files import Files
-from .formulas import Test, truth
-from .model import (
+from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.formulas import Test, truth
+from rosarch.extractor.launch.model import (
     ArgumentDeclared,
     ArgumentPassed,
     Condition,
@@ -22,12 +22,12 @@ from .model import (
     exclusive,
     together,
 )
-from .names import canonical, parents
-from .scope import Scope, settle
-from .substitution import Resolver
-from .unknowns import Unknowns
-from .values import boolean
-from .xml_reader import Element
+from rosarch.extractor.launch.names import canonical, parents
+from rosarch.extractor.launch.scope import Scope, settle
+from rosarch.extractor.launch.substitution import Resolver
+from rosarch.extractor.launch.unknowns import Unknowns
+from rosarch.extractor.launch.values import boolean
+from rosarch.extractor.launch.xml_reader import Element
 
 MAX_ELEMENTS = 500_000  # processed in one composition, included files counted each time
 MAX_PARAMS = 500_000

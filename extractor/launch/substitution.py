@@ -10,15 +10,14 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Protocol
 
-from rosarch.extractor.diagnostics import shortened
-
-from .decisions import decision
-from .evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, evaluate, is_known_value
-from .model import LaunchError
-from .packages import PackagePath
-from .scope import Scope
-from .unknowns import Unknowns, cleaned, is_known
-from .values import automatic
+from rosarch.base.diagnostics import shortened
+from rosarch.extractor.launch.decisions import decision
+from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, evaluate, is_known_value
+from rosarch.extractor.launch.model import LaunchError
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.scope import Scope
+from rosarch.extractor.launch.unknowns import Unknowns, cleaned, is_known
+from rosarch.extractor.launch.values import automatic
 
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 MAX_TEXT = 8 * 1024 * 1024  # characters of one resolved text: arguments that double each other grow without bound

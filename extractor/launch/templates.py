@@ -6,13 +6,12 @@ import os
 import re
 from pathlib import Path
 
-from rosarch.extractor import tracing
-from rosarch.extractor.files import read_file
+from rosarch.base import tracing
+from rosarch.base.files import read_file
+from rosarch.base.xml_reader import XmlError
+from rosarch.extractor.launch.xml_reader import read_launch
 from rosarch.extractor.package_names import TEMPLATES
 from rosarch.extractor.python_syntax import parse_python
-from rosarch.extractor.xml_reader import XmlError
-
-from .xml_reader import read_launch
 
 _PLACEHOLDER = r"\[[A-Z][A-Z0-9]*_[A-Z0-9_]*\]|\{\{.*?\}\}|\{%.*?%\}|<%.*?%>|@[A-Z][A-Z0-9_]+@|@\(\w+\)|\$\{\w+\}|%\([A-Za-z_]\w*\)s"
 _ANY = re.compile(_PLACEHOLDER.encode())

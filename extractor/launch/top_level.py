@@ -7,19 +7,18 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from rosarch.extractor import tracing
-from rosarch.extractor.files import read_file
-from rosarch.extractor.limits import LIMITS
+from rosarch.base import tracing
+from rosarch.base.files import read_file
+from rosarch.base.limits import LIMITS
+from rosarch.base.patterns import Pattern, PatternError, compiled, encoded
+from rosarch.base.pool import Failure, default_jobs, run_tasks
+from rosarch.base.xml_reader import XmlError
+from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.model import Composition, LaunchError, Place, Problem
+from rosarch.extractor.launch.templates import is_template
+from rosarch.extractor.launch.versions import compose, ros_version
+from rosarch.extractor.launch.xml_reader import read_launch
 from rosarch.extractor.package_names import IGNORE_MARKERS
-from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks
-from rosarch.extractor.xml_reader import XmlError
-
-from .files import Files
-from .model import Composition, LaunchError, Place, Problem
-from .templates import is_template
-from .versions import compose, ros_version
-from .xml_reader import read_launch
 
 _SUFFIXES = (".launch", ".launch.xml")
 _ROS2_FILE = re.compile(r".+[._-]launch\.(py|xml|ya?ml)")

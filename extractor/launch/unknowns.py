@@ -12,7 +12,7 @@ from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .formulas import Formula
+    from rosarch.extractor.launch.formulas import Formula
 
 _FIRST = 0x100000
 _CAPACITY = 0xFFF0

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from rosarch.extractor.diagnostics import shortened
-
-from .unknowns import is_known
+from rosarch.base.diagnostics import shortened
+from rosarch.extractor.launch.unknowns import is_known
 
 
 class Binary(bytes):

@@ -9,13 +9,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path
 
-from rosarch.extractor import tracing
-from rosarch.extractor.files import read_file
+from rosarch.base import tracing
+from rosarch.base.files import read_file
+from rosarch.extractor.launch.compose import compose as compose_ros1
+from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.model import Composition, Place, Problem
 from rosarch.extractor.package_names import quick_text
-
-from .compose import compose as compose_ros1
-from .files import Files
-from .model import Composition, Place, Problem
 
 _ROS2 = re.compile(
     rb"\bexec\s*=|\$\((?:var|find-pkg-share|find-pkg-prefix) |<(?:let|push[-_]ros[-_]namespace|node_container|set_\w+|load_composable)\b"

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 
 import yaml
 
-from .arguments import node_arguments
-from .model import LaunchError, NodeStart, Place
-from .state import State
-from .unknowns import is_known
-from .yaml_values import Loader, YamlError, opened
+from rosarch.extractor.launch.arguments import node_arguments
+from rosarch.extractor.launch.model import LaunchError, NodeStart, Place
+from rosarch.extractor.launch.state import State
+from rosarch.extractor.launch.unknowns import is_known
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened
 
 _ENDING = ".rviz"
 _POLICIES = {"Durability Policy": "durability", "Reliability Policy": "reliability"}

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from rosarch.extractor.xml_reader import Reader, XmlError
-
-from .unknowns import cleaned
+from rosarch.base.xml_reader import Reader, XmlError
+from rosarch.extractor.launch.unknowns import cleaned
 
 
 @dataclass(eq=False)

@@ -14,10 +14,9 @@ from typing import Any
 
 import yaml
 
-from rosarch.extractor.yaml_loader import BoundedLoader
-
-from .evaluation import EvalFailed, Unsupported, radians
-from .values import Binary
+from rosarch.base.yaml_loader import BoundedLoader
+from rosarch.extractor.launch.evaluation import EvalFailed, Unsupported, radians
+from rosarch.extractor.launch.values import Binary
 
 MAX_VALUES = 1_000_000  # scalars, lists and maps of one document after aliases are unfolded
 _MERGE = "tag:yaml.org,2002:merge"  # of the key `<<`

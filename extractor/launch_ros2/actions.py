@@ -11,16 +11,15 @@ from rosarch.extractor.launch.names import canonical
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.unknowns import is_known
-
-from .conditions import condition_held, holds
-from .context import Context, Given
-from .expressions import Raised
-from .registry import NATIVES
-from .substitutions import perform
-from .values import NOTHING, Bound, Either, Function, Instance, Made, Native, Unknown
+from rosarch.extractor.launch_ros2.conditions import condition_held, holds
+from rosarch.extractor.launch_ros2.context import Context, Given
+from rosarch.extractor.launch_ros2.expressions import Raised
+from rosarch.extractor.launch_ros2.registry import NATIVES
+from rosarch.extractor.launch_ros2.substitutions import perform
+from rosarch.extractor.launch_ros2.values import NOTHING, Bound, Either, Function, Instance, Made, Native, Unknown
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 Handler = Callable[["World", Made, Context], None]
 HANDLERS: dict[str, Handler] = {}

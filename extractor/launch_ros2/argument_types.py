@@ -9,8 +9,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rosarch.extractor.launch.unknowns import is_known
-
-from .values import Made
+from rosarch.extractor.launch_ros2.values import Made
 
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
 _RENAMING = _NODES | {"ComposableNode", "ComposableLifecycleNode"}

@@ -10,15 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.formulas import Test
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
-from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
-
-from .argument_types import refused
-from .decisions import is_certain
-from .expressions import Expressions, Raised, Undecided
-from .natives import attribute
-from .natives_files import environment_has, environment_item
-from .registry import KNOWN_MODULES, NATIVES
-from .values import (
+from rosarch.extractor.launch_ros2.argument_types import refused
+from rosarch.extractor.launch_ros2.decisions import is_certain
+from rosarch.extractor.launch_ros2.expressions import Expressions, Raised, Undecided
+from rosarch.extractor.launch_ros2.natives import attribute
+from rosarch.extractor.launch_ros2.natives_files import environment_has, environment_item
+from rosarch.extractor.launch_ros2.registry import KNOWN_MODULES, NATIVES
+from rosarch.extractor.launch_ros2.values import (
     CLASSES,
     KEYWORDS,
     NOTHING,
@@ -38,9 +36,10 @@ from .values import (
     TextFile,
     Unknown,
 )
+from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 MAX_DEPTH = 60
 _LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "launch_testing", "launch_testing_ros")

@@ -15,16 +15,15 @@ from rosarch.extractor.launch.model import Composition, FileMeant, FileNamed, La
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import Exhausted, State
 from rosarch.extractor.launch.unknowns import cleaned, is_known
+from rosarch.extractor.launch_ros2 import starts  # noqa: F401  (registers its actions)
+from rosarch.extractor.launch_ros2.actions import joined, visit
+from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
+from rosarch.extractor.launch_ros2.includes import read
+from rosarch.extractor.launch_ros2.left_out import left_out
+from rosarch.extractor.launch_ros2.truths import truths
+from rosarch.extractor.launch_ros2.world import World
 from rosarch.extractor.python_syntax import parse_python
-
-from . import starts  # noqa: F401  (registers its actions)
-from .actions import joined, visit
-from .context import Context
-from .expressions import Raised, Stopped, Undecided
-from .includes import read
-from .left_out import left_out
-from .truths import truths
-from .world import World
 
 
 def compose_ros2(

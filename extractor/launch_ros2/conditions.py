@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.formulas import Formula, Test, equals, truth
 from rosarch.extractor.launch.model import Condition, LaunchError
 from rosarch.extractor.launch.values import boolean
-
-from .context import Context
-from .substitutions import perform
-from .values import Either, Instance, Made
+from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.substitutions import perform
+from rosarch.extractor.launch_ros2.values import Either, Instance, Made
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 
 def holds(world: World, condition: Any, context: Context) -> bool | Condition:

@@ -5,14 +5,13 @@ from __future__ import annotations
 import ast
 from typing import Any
 
-from rosarch.extractor.diagnostics import shortened
+from rosarch.base.diagnostics import shortened
 from rosarch.extractor.launch import decisions
 from rosarch.extractor.launch.evaluation import COMPARE
 from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, Not, Test, bounded, choice, equals
 from rosarch.extractor.launch.model import Condition, Place
 from rosarch.extractor.launch.unknowns import is_known
-
-from .values import NOTHING, Either, Frame, Installed, Native, PathText, Unknown, installed
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Frame, Installed, Native, PathText, Unknown, installed
 
 MAX_PARTS = 100_000
 """Of a value that is looked at as a whole: what lists share counts each time, as in the text that would be made of it."""

@@ -14,9 +14,20 @@ from rosarch.extractor.launch.evaluation import BINARY, CONVERSIONS, PYTHON_ERRO
 from rosarch.extractor.launch.formulas import Every, Not, Some
 from rosarch.extractor.launch.model import Condition, Place
 from rosarch.extractor.launch.unknowns import cleaned, is_known
-
-from .decisions import Decisions, is_certain, is_object, source_of
-from .values import NOTHING, Either, Frame, Function, Installed, Instance, Made, PathText, TextFile, Unknown, Written
+from rosarch.extractor.launch_ros2.decisions import Decisions, is_certain, is_object, source_of
+from rosarch.extractor.launch_ros2.values import (
+    NOTHING,
+    Either,
+    Frame,
+    Function,
+    Installed,
+    Instance,
+    Made,
+    PathText,
+    TextFile,
+    Unknown,
+    Written,
+)
 
 MAX_STEPS = 5_000_000
 _SIZE_COST = 64

@@ -8,12 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import LaunchError, Place
-
-from .texts import parsed
-from .values import Made
+from rosarch.extractor.launch_ros2.texts import parsed
+from rosarch.extractor.launch_ros2.values import Made
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 
 @dataclass(eq=False)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.xml_reader import Element, read_launch
-
-from .frontend import Entity
+from rosarch.extractor.launch_ros2.frontend import Entity
 
 
 def read_xml(data: bytes, path: str) -> Entity:

@@ -9,8 +9,7 @@ import yaml
 from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.unknowns import cleaned
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, constructed, opened
-
-from .frontend import Entity
+from rosarch.extractor.launch_ros2.frontend import Entity
 
 MAX_DEPTH = 60
 

@@ -7,23 +7,22 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rosarch.base.xml_reader import XmlError
 from rosarch.extractor.launch.compose import MAX_INCLUDE_DEPTH, MAX_INCLUDES
 from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError, Place
 from rosarch.extractor.launch.state import Exhausted
 from rosarch.extractor.launch.yaml_values import YamlError
-from rosarch.extractor.xml_reader import XmlError
-
-from .actions import carries_out, visit
-from .context import Context
-from .expressions import Raised, Stopped, Undecided
-from .frontend import Entity, actions_of
-from .frontend_xml import read_xml
-from .frontend_yaml import read_yaml
-from .substitutions import perform
-from .values import Function, Made, ModuleFrame, Unknown
+from rosarch.extractor.launch_ros2.actions import carries_out, visit
+from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
+from rosarch.extractor.launch_ros2.frontend import Entity, actions_of
+from rosarch.extractor.launch_ros2.frontend_xml import read_xml
+from rosarch.extractor.launch_ros2.frontend_yaml import read_yaml
+from rosarch.extractor.launch_ros2.substitutions import perform
+from rosarch.extractor.launch_ros2.values import Function, Made, ModuleFrame, Unknown
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 
 @carries_out("IncludeLaunchDescription")

@@ -11,11 +11,23 @@ from collections.abc import Sequence
 from typing import Any
 
 from rosarch.extractor.launch.model import Condition
+from rosarch.extractor.launch_ros2.calls import GENERAL, Attempt, Calls
+from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided, either
+from rosarch.extractor.launch_ros2.values import (
+    MODULES,
+    NOTHING,
+    Class,
+    Constructor,
+    Either,
+    Frame,
+    Instance,
+    Made,
+    Module,
+    ModuleFrame,
+    TextFile,
+    Unknown,
+)
 from rosarch.extractor.python_syntax import parse_python
-
-from .calls import GENERAL, Attempt, Calls
-from .expressions import Raised, Stopped, Undecided, either
-from .values import MODULES, NOTHING, Class, Constructor, Either, Frame, Instance, Made, Module, ModuleFrame, TextFile, Unknown
 
 MAX_ROUNDS = 10_000
 MAX_FORKS = 16

@@ -11,18 +11,31 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, METHODS
 from rosarch.extractor.launch.unknowns import is_known
-
-from .conditions import holds
-from .context import Context
-from .decisions import is_certain
-from .expressions import Raised
-from .natives_files import FILE_METHODS, PATH_METHODS
-from .registry import NATIVES, native
-from .substitutions import perform
-from .values import NOTHING, Bound, Class, Constructor, Either, Function, Installed, Instance, Made, Native, PathText, TextFile, Unknown
+from rosarch.extractor.launch_ros2.conditions import holds
+from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.decisions import is_certain
+from rosarch.extractor.launch_ros2.expressions import Raised
+from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHODS
+from rosarch.extractor.launch_ros2.registry import NATIVES, native
+from rosarch.extractor.launch_ros2.substitutions import perform
+from rosarch.extractor.launch_ros2.values import (
+    NOTHING,
+    Bound,
+    Class,
+    Constructor,
+    Either,
+    Function,
+    Installed,
+    Instance,
+    Made,
+    Native,
+    PathText,
+    TextFile,
+    Unknown,
+)
 
 if TYPE_CHECKING:
-    from .calls import Calls
+    from rosarch.extractor.launch_ros2.calls import Calls
 
 _Call = Callable[..., Any]
 

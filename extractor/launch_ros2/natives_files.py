@@ -14,13 +14,12 @@ from rosarch.extractor.launch.model import LaunchError
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch.yaml_values import Loader, YamlError
-
-from .expressions import Raised
-from .registry import native
-from .values import NOTHING, Either, Installed, Instance, Made, PathText, TextFile, Unknown, installed
+from rosarch.extractor.launch_ros2.expressions import Raised
+from rosarch.extractor.launch_ros2.registry import native
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Installed, Instance, Made, PathText, TextFile, Unknown, installed
 
 if TYPE_CHECKING:
-    from .calls import Calls
+    from rosarch.extractor.launch_ros2.calls import Calls
 
 _Call = Callable[..., Any]
 _DUMPER = getattr(yaml, "CSafeDumper", yaml.SafeDumper)

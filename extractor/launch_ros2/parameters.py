@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
-
-from .context import Context, Given
-from .params_files import ALL, ParamsFile, chosen, leaves, matches, params_file
-from .substitutions import perform
-from .values import NOTHING, Either, Instance, Made, Unknown
+from rosarch.extractor.launch_ros2.context import Context, Given
+from rosarch.extractor.launch_ros2.params_files import ALL, ParamsFile, chosen, leaves, matches, params_file
+from rosarch.extractor.launch_ros2.substitutions import perform
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 
 @dataclass(frozen=True)

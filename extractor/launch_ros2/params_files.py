@@ -15,17 +15,16 @@ from typing import TYPE_CHECKING, Any
 
 import yaml
 
+from rosarch.base.patterns import Pattern, PatternError, compiled, encoded
 from rosarch.extractor.launch.model import LaunchError, Place
 from rosarch.extractor.launch.state import YAML_COST
 from rosarch.extractor.launch.yaml_values import KeyLines, RepeatedKeysLoader, YamlError
-from rosarch.extractor.patterns import Pattern, PatternError, compiled, encoded
-
-from .context import Context
-from .substitutions import perform
-from .texts import parsed
+from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.substitutions import perform
+from rosarch.extractor.launch_ros2.texts import parsed
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 _SECTION = "ros__parameters"
 _MISSPELT = re.compile(r"_*ros[_-]*param(eter)?s?_*", re.IGNORECASE)

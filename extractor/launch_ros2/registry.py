@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from .values import Native
+from rosarch.extractor.launch_ros2.values import Native
 
 _MODULES = """
 __future__ abc ament_index_python ament_index_python.packages ament_index_python.resources collections collections.abc copy dataclasses enum

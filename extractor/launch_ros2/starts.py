@@ -22,16 +22,15 @@ from rosarch.extractor.launch.model import (
     Remap,
 )
 from rosarch.extractor.launch.names import canonical, ns_join
-
-from .actions import carries_out, conditional, joined
-from .context import Context, Given
-from .parameters import Read, Setting, Unread, settings, yaml_value
-from .params_files import ALL, expression, likely_name, params_file
-from .substitutions import perform
-from .values import Either, Instance, Made, Unknown, Written
+from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined
+from rosarch.extractor.launch_ros2.context import Context, Given
+from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, settings, yaml_value
+from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
+from rosarch.extractor.launch_ros2.substitutions import perform
+from rosarch.extractor.launch_ros2.values import Either, Instance, Made, Unknown, Written
 
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 _NODES = ("Node", "LifecycleNode", "ComposableNodeContainer")
 

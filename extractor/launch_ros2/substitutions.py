@@ -15,13 +15,12 @@ from rosarch.extractor.launch.formulas import Every, Formula, Not, Some, Test, b
 from rosarch.extractor.launch.model import ArgumentUsed, LaunchError
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.values import boolean
+from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown
 from rosarch.extractor.urdf.command import xacro_call
 
-from .context import Context
-from .values import NOTHING, Either, Instance, Made, Unknown
-
 if TYPE_CHECKING:
-    from .world import World
+    from rosarch.extractor.launch_ros2.world import World
 
 MAX_TEXT = 1 << 20
 _Performer = Callable[["World", Made, Context], str]

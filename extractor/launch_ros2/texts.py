@@ -8,10 +8,9 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from rosarch.extractor.diagnostics import shortened
+from rosarch.base.diagnostics import shortened
 from rosarch.extractor.launch.model import LaunchError, Place
-
-from .values import Made
+from rosarch.extractor.launch_ros2.values import Made
 
 MAX_DEPTH = 40
 _NAMED: dict[str, tuple[str, tuple[str, ...]]] = {

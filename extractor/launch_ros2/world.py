@@ -12,13 +12,12 @@ from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, bounded, cho
 from rosarch.extractor.launch.model import LaunchError, PackageNamed, Place, Reference
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import is_known, may_be
+from rosarch.extractor.launch_ros2.interpreter import Interpreter
+from rosarch.extractor.launch_ros2.values import Either, PathText, Unknown, installed
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
-from .interpreter import Interpreter
-from .values import Either, PathText, Unknown, installed
-
 if TYPE_CHECKING:
-    from .params_files import ParamsFile
+    from rosarch.extractor.launch_ros2.params_files import ParamsFile
 
 MAX_HANDED = 1000
 _NO_PACKAGE = {"PackageNotFoundError", "KeyError", "LookupError"}

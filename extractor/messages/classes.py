@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .model import MessageStore
+from rosarch.extractor.messages.model import MessageStore
 
 
 @dataclass(frozen=True, slots=True)

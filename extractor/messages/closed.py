@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
-from rosarch.extractor.files import path_text, read_file
+from rosarch.base.files import path_text, read_file
 from rosarch.extractor.workspace.model import Package
 
 _INTERFACES = (".msg", ".srv", ".action")

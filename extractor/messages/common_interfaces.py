@@ -13,13 +13,13 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from rosarch.base.cache import Cache, hash_of
+from rosarch.base.diagnostics import Diagnostic
 from rosarch.datalog.cache import cache_folder
-from rosarch.extractor.cache import Cache, extractor_version, hash_of
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.extractor.messages.model import UNBOUNDED, Action, Constant, Field, Message, Service
+from rosarch.extractor.messages.parse import parse_action, parse_message, parse_service
+from rosarch.extractor.version import extractor_version
 from rosarch.extractor.workspace.model import ROS1, ROS2
-
-from .model import UNBOUNDED, Action, Constant, Field, Message, Service
-from .parse import parse_action, parse_message, parse_service
 
 COMMON = Path(__file__).parent / "common"
 _STORES = {ROS1: ("ros1_noetic",), ROS2: ("ros2_humble", "ros2_lyrical")}

@@ -13,12 +13,11 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
-from rosarch.extractor.files import read_file
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.base.files import read_file
+from rosarch.extractor.messages.model import Config, ConfigConstant, ConfigParameter
 from rosarch.extractor.python_syntax import parse_python
 from rosarch.extractor.workspace.model import Package
-
-from .model import Config, ConfigConstant, ConfigParameter
 
 MAX_CALLS = 10
 MAX_WORK = 200_000  # statements, expressions and characters of values: a program may have loops within loops

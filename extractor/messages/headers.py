@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from .model import PRIMITIVES, UNBOUNDED, Config, Constant, Field, Message, MessageStore
+from rosarch.extractor.messages.model import PRIMITIVES, UNBOUNDED, Config, Constant, Field, Message, MessageStore
 
 PRELUDE = "ros/message_prelude.h"
 _CXX = {

@@ -6,15 +6,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.extractor.messages.classes import MessageClass, message_classes
+from rosarch.extractor.messages.headers import header_text
+from rosarch.extractor.messages.model import Config, MessageStore
+from rosarch.extractor.messages.parameter_library import ParameterHeaders
+from rosarch.extractor.messages.ros2 import Ros2Headers, ros2_classes
+from rosarch.extractor.messages.store import load_messages
 from rosarch.extractor.workspace.model import ROS1, ROS2, Package
-
-from .classes import MessageClass, message_classes
-from .headers import header_text
-from .model import Config, MessageStore
-from .parameter_library import ParameterHeaders
-from .ros2 import Ros2Headers, ros2_classes
-from .store import load_messages
 
 
 @dataclass(frozen=True)

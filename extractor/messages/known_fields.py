@@ -7,10 +7,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosarch.extractor.messages.common_interfaces import COMMON
+from rosarch.extractor.messages.model import Message, MessageStore
 from rosarch.extractor.workspace.model import ROS2, Package
-
-from .common_interfaces import COMMON
-from .model import Message, MessageStore
 
 _TIMES = {"time": "builtin_interfaces/Time", "duration": "builtin_interfaces/Duration"}
 _SAME_IN_BOTH = frozenset({"std_srvs"})

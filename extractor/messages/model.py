@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.base.diagnostics import Diagnostic
 
 PRIMITIVES = frozenset(
     {

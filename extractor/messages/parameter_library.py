@@ -16,10 +16,10 @@ from pathlib import Path
 
 import yaml
 
-from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import LARGEST_PARSED, path_text, read_file
+from rosarch.base.diagnostics import Diagnostic, unreadable
+from rosarch.base.files import LARGEST_PARSED, path_text, read_file
+from rosarch.base.yaml_loader import BoundedLoader
 from rosarch.extractor.workspace.model import Package
-from rosarch.extractor.yaml_loader import BoundedLoader
 
 _MADE_FROM = re.compile(rb"/\* made from (.+?) \*/")
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)

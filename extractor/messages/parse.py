@@ -11,9 +11,8 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
-
-from .model import PRIMITIVES, UNBOUNDED, Action, Constant, Field, Message, Service
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.extractor.messages.model import PRIMITIVES, UNBOUNDED, Action, Constant, Field, Message, Service
 
 _LINE = re.compile(
     r"\s*(?P<type>[A-Za-z][\w/]*)(?:<=\d+)?(?:\[\s*(?P<size>(?:<=\s*)?(?:\d{1,9})?)\s*\])?\s+(?P<name>[A-Za-z_]\w*)\s*(?P<rest>=.*|\S.*)?$"

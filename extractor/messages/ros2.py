@@ -9,9 +9,9 @@ import json
 import re
 from collections.abc import Iterable
 
-from .classes import MessageClass
-from .headers import integer_value
-from .model import PRIMITIVES, UNBOUNDED, Constant, Field, Message, MessageStore
+from rosarch.extractor.messages.classes import MessageClass
+from rosarch.extractor.messages.headers import integer_value
+from rosarch.extractor.messages.model import PRIMITIVES, UNBOUNDED, Constant, Field, Message, MessageStore
 
 PRELUDE = "rosarch/message_prelude.hpp"
 _CXX = {

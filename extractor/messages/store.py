@@ -7,14 +7,13 @@ from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import LARGEST_PARSED, path_text, read_file
+from rosarch.base.diagnostics import Diagnostic, unreadable
+from rosarch.base.files import LARGEST_PARSED, path_text, read_file
+from rosarch.extractor.messages.common_interfaces import common_interfaces
+from rosarch.extractor.messages.dynamic_reconfigure import parse_config
+from rosarch.extractor.messages.model import PRIMITIVES, Action, Config, Message, MessageStore, Service
+from rosarch.extractor.messages.parse import parse_action, parse_message, parse_service
 from rosarch.extractor.workspace.model import ROS1, Package
-
-from .common_interfaces import common_interfaces
-from .dynamic_reconfigure import parse_config
-from .model import PRIMITIVES, Action, Config, Message, MessageStore, Service
-from .parse import parse_action, parse_message, parse_service
 
 
 def load_messages(packages: Iterable[Package], *, with_common: bool = True, middleware: str = ROS1) -> MessageStore:

@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from functools import cache
 from typing import TYPE_CHECKING
 
-from .model import NOTHING, Class, Function, InstanceValue, Module, Scope
-from .program import STUBS, Program
-from .shapes import annotation_of, arguments_of
+from rosarch.extractor.python.model import NOTHING, Class, Function, InstanceValue, Module, Scope
+from rosarch.extractor.python.program import STUBS, Program
+from rosarch.extractor.python.shapes import annotation_of, arguments_of
 
 if TYPE_CHECKING:
-    from .inference import Inference
+    from rosarch.extractor.python.inference import Inference
 
 
 def assume_classes(inference: Inference, modules: Iterable[Module]) -> bool:

@@ -8,13 +8,12 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 
 from rosarch.extractor.flow import Flow
-
-from .fitting import positional_arguments
-from .inference import Inference
-from .messages import message_of
-from .model import Class, Function, InstanceValue, Module, Scope, Values, Variable
-from .program import Program
-from .shapes import place
+from rosarch.extractor.python.fitting import positional_arguments
+from rosarch.extractor.python.inference import Inference
+from rosarch.extractor.python.messages import message_of
+from rosarch.extractor.python.model import Class, Function, InstanceValue, Module, Scope, Values, Variable
+from rosarch.extractor.python.program import Program
+from rosarch.extractor.python.shapes import place
 
 TEXT_LIMIT = 2000
 _NUMBERS = ("float", "int", "bool")

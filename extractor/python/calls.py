@@ -5,15 +5,14 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Sequence
 
+from rosarch.extractor.python import definitions, strings
+from rosarch.extractor.python.body import Body
+from rosarch.extractor.python.fitting import misfits
+from rosarch.extractor.python.members import note_member
+from rosarch.extractor.python.model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
+from rosarch.extractor.python.program import external_name, names_class
+from rosarch.extractor.python.shapes import arguments_of, by_name, last_name, super_of
 from rosarch.extractor.python_syntax import import_call
-
-from . import definitions, strings
-from .body import Body
-from .fitting import misfits
-from .members import note_member
-from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, Variable
-from .program import external_name, names_class
-from .shapes import arguments_of, by_name, last_name, super_of
 
 
 def lower_call(body: Body, node: ast.Call) -> str:
@@ -62,7 +61,7 @@ def lower_call(body: Body, node: ast.Call) -> str:
 
 def _receiver(body: Body, node: ast.Call, values: Sequence[object]) -> tuple[str | None, int]:
     """The object that a method is called on, or that is called; and how many arguments stand for it: one in `Class.method(object)`."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     if _is_called(values):
         return lower(body, node.func), 0
@@ -142,7 +141,7 @@ def _methods(body: Body, classes: Iterable[Class], name: str, *, above: bool = F
 
 def _callee_value(body: Body, node: ast.Call, functions: Sequence[Function], classes: Sequence[Class]) -> str | None:
     """The value that is called: of a variable, or what an expression gives."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     if isinstance(node.func, ast.Name):
         symbol = body.facts.program.lookup(node.func.id, body.scope)
@@ -157,7 +156,7 @@ def _callee_value(body: Body, node: ast.Call, functions: Sequence[Function], cla
 
 def _arguments(body: Body, node: ast.Call, functions: Sequence[Function], skipped: int) -> tuple[list[tuple[int, str]], list[str]]:
     """The arguments with their index, and those whose name is known and index is not."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     known = next((function for function in functions if function.node is not None), None)
     indices: dict[ast.expr, int] = {}

@@ -6,16 +6,15 @@ import ast
 from collections.abc import Sequence
 
 from rosarch.extractor.flow import Flow
+from rosarch.extractor.python.body import Body
+from rosarch.extractor.python.model import Function, Module
+from rosarch.extractor.python.shapes import defaults_of
 from rosarch.extractor.python_syntax import absolute_name
-
-from .body import Body
-from .model import Function, Module
-from .shapes import defaults_of
 
 
 def lower_function(body: Body, function: Function) -> None:
     """Record a function: its parameters' defaults, its body, its control-flow graph."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     facts, node, scope = body.facts, function.node, function.scope
     if node is None or scope is None or function.module is None:
@@ -69,7 +68,7 @@ def lower_definition(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -
 
 def _decorators(body: Body, nodes: Sequence[ast.expr], function: Function) -> None:
     """A decorator is called with the function; those of the language are no more than marks."""
-    from .expressions import function_use, lower
+    from rosarch.extractor.python.expressions import function_use, lower
 
     for node in nodes:
         body.facts.add("function_annotation", body.facts.function(function), body.text(node))
@@ -123,6 +122,6 @@ def run_modules(body: Body, node: ast.AST, paths: Sequence[str]) -> None:
 
 
 def _lower_statements(body: Body, nodes: Sequence[ast.stmt]) -> None:
-    from .statements import lower_statements  # these hold definitions
+    from rosarch.extractor.python.statements import lower_statements  # these hold definitions
 
     lower_statements(body, nodes)

@@ -8,14 +8,14 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from . import calls, strings
-from .body import Body
-from .definitions import lower_lambda
-from .members import note_member
-from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, ModuleValue, Variable
-from .program import external_name, names_class
-from .shapes import by_name, field_of
-from .statements import lower_comprehension
+from rosarch.extractor.python import calls, strings
+from rosarch.extractor.python.body import Body
+from rosarch.extractor.python.definitions import lower_lambda
+from rosarch.extractor.python.members import note_member
+from rosarch.extractor.python.model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, ModuleValue, Variable
+from rosarch.extractor.python.program import external_name, names_class
+from rosarch.extractor.python.shapes import by_name, field_of
+from rosarch.extractor.python.statements import lower_comprehension
 
 _BINARY: dict[type[ast.operator], str] = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.Pow: "**",
@@ -346,7 +346,7 @@ def _yield(body: Body, node: ast.Yield) -> str:
 
 
 def _walrus(body: Body, node: ast.expr) -> str:
-    from .statements import assign
+    from rosarch.extractor.python.statements import assign
 
     assert isinstance(node, ast.NamedExpr)
     value = lower(body, node.value, text=True)

@@ -6,21 +6,20 @@ import ast
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from rosarch.base.diagnostics import SourceProblem, why
+from rosarch.base.files import path_text
+from rosarch.base.limits import deep_recursion
 from rosarch.extractor.cxx.unit import file_key
-from rosarch.extractor.diagnostics import SourceProblem, why
-from rosarch.extractor.files import path_text
 from rosarch.extractor.flow import Flow
-from rosarch.extractor.limits import deep_recursion
+from rosarch.extractor.python.body import Body, Facts
+from rosarch.extractor.python.definitions import lower_module
+from rosarch.extractor.python.inference import Inference
+from rosarch.extractor.python.model import Class, Function, Module, Symbol
+from rosarch.extractor.python.normal import name_attributes
+from rosarch.extractor.python.program import Program
+from rosarch.extractor.python.scopes import open_module
+from rosarch.extractor.python.source import Problem, read_source
 from rosarch.extractor.workspace.model import PythonEntry
-
-from .body import Body, Facts
-from .definitions import lower_module
-from .inference import Inference
-from .model import Class, Function, Module, Symbol
-from .normal import name_attributes
-from .program import Program
-from .scopes import open_module
-from .source import Problem, read_source
 
 _DEEPEST = 2000
 """Nodes within nodes: each takes several calls, of which there is room for `deep_recursion`."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from .model import Function
-from .shapes import arguments_of, defaults_of
+from rosarch.extractor.python.model import Function
+from rosarch.extractor.python.shapes import arguments_of, defaults_of
 
 
 def misfits(call: ast.Call, function: Function, skipped: int) -> Iterator[tuple[str, str]]:

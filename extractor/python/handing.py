@@ -6,12 +6,12 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from .model import NOTHING, ClassValue, ExternalValue, Function, FunctionValue, Scope, Value, Values, Variable
-from .program import names_class
-from .shapes import annotation_of, arguments_of, parts_of, unpacked
+from rosarch.extractor.python.model import NOTHING, ClassValue, ExternalValue, Function, FunctionValue, Scope, Value, Values, Variable
+from rosarch.extractor.python.program import names_class
+from rosarch.extractor.python.shapes import annotation_of, arguments_of, parts_of, unpacked
 
 if TYPE_CHECKING:
-    from .inference import Inference
+    from rosarch.extractor.python.inference import Inference
 
 
 def handed_on(inference: Inference, call: ast.Call, function: Function, scope: Scope) -> Iterator[tuple[Variable, Values]]:

@@ -7,12 +7,10 @@ from collections import defaultdict
 from collections.abc import Iterable
 from typing import TypeVar
 
-from rosarch.extractor.python_syntax import import_call
-
-from .assumed import assume_classes
-from .containers import DEEPEST, Path, index_of, taken_from, written_parts
-from .handing import handed_on
-from .model import (
+from rosarch.extractor.python.assumed import assume_classes
+from rosarch.extractor.python.containers import DEEPEST, Path, index_of, taken_from, written_parts
+from rosarch.extractor.python.handing import handed_on
+from rosarch.extractor.python.model import (
     NOTHING,
     Class,
     ClassValue,
@@ -28,8 +26,9 @@ from .model import (
     Values,
     Variable,
 )
-from .program import Program, instance, names_class
-from .shapes import arguments_of, by_name, field_of, last_name, name_of_value, place, returned, super_of
+from rosarch.extractor.python.program import Program, instance, names_class
+from rosarch.extractor.python.shapes import arguments_of, by_name, field_of, last_name, name_of_value, place, returned, super_of
+from rosarch.extractor.python_syntax import import_call
 
 Key = TypeVar("Key")
 _ROUNDS = 8

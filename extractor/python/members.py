@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from .body import Body
-from .model import Module, ModuleValue
-from .shapes import last_name
+from rosarch.extractor.python.body import Body
+from rosarch.extractor.python.model import Module, ModuleValue
+from rosarch.extractor.python.shapes import last_name
 
 _OPEN_NAMES = frozenset({"globals", "vars", "locals", "exec", "eval", "setattr", "__getattr__"})
 _HANDLING = frozenset({"Exception", "BaseException", "AttributeError"})

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from pathlib import Path
 
-from .messages import message_of
-from .model import (
+from rosarch.extractor.python.messages import message_of
+from rosarch.extractor.python.model import (
     NOTHING,
     Class,
     ClassValue,
@@ -25,8 +25,8 @@ from .model import (
     Values,
     Variable,
 )
-from .scopes import open_module
-from .shapes import field_of
+from rosarch.extractor.python.scopes import open_module
+from rosarch.extractor.python.shapes import field_of
 
 STUBS = Path(__file__).parent / "stubs"
 """Declarations of the client libraries, and of some modules of Python: what headers are for C++."""

@@ -5,10 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Sequence
 
+from rosarch.extractor.python.model import Class, Function, FunctionNode, Import, Module, Scope, Source, Symbol, Variable
+from rosarch.extractor.python.shapes import defaults_of, place
 from rosarch.extractor.python_syntax import absolute_name
-
-from .model import Class, Function, FunctionNode, Import, Module, Scope, Source, Symbol, Variable
-from .shapes import defaults_of, place
 
 _OF_CLASS = frozenset({"__new__", "__init_subclass__", "__class_getitem__"})
 """Methods of the class itself, without a decorator that says so."""

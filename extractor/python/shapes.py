@@ -5,7 +5,19 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable
 
-from .model import Class, ClassValue, ExternalValue, Function, FunctionValue, InstanceValue, ModuleValue, Scope, Value, Values, Variable
+from rosarch.extractor.python.model import (
+    Class,
+    ClassValue,
+    ExternalValue,
+    Function,
+    FunctionValue,
+    InstanceValue,
+    ModuleValue,
+    Scope,
+    Value,
+    Values,
+    Variable,
+)
 
 
 def place(node: ast.AST) -> tuple[int, int]:

@@ -7,11 +7,10 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.files import LARGEST_PARSED, read_file
+from rosarch.base.files import LARGEST_PARSED, read_file
+from rosarch.extractor.python.python2 import as_python3
 from rosarch.extractor.python_fstrings import with_older_fstrings
 from rosarch.extractor.python_syntax import parse_as_it_stands
-
-from .python2 import as_python3
 
 _ENCODING = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 

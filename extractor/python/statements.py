@@ -5,10 +5,10 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Sequence
 
-from . import definitions
-from .body import Body
-from .model import Variable
-from .shapes import field_of
+from rosarch.extractor.python import definitions
+from rosarch.extractor.python.body import Body
+from rosarch.extractor.python.model import Variable
+from rosarch.extractor.python.shapes import field_of
 
 _AUGMENTED: dict[type[ast.operator], str] = {
     ast.Add: "+=", ast.Sub: "-=", ast.Mult: "*=", ast.Div: "/=", ast.FloorDiv: "/=", ast.Mod: "%=", ast.Pow: "*=",
@@ -25,7 +25,7 @@ def lower_statements(body: Body, nodes: Sequence[ast.stmt]) -> None:
 
 def assign(body: Body, target: ast.expr, value: str, node: ast.AST, whole: ast.expr | None = None) -> None:
     """`target` is given `value`; its parts get parts of it, which are written as the `whole` is."""
-    from .expressions import literal, lower
+    from rosarch.extractor.python.expressions import literal, lower
 
     if isinstance(target, (ast.Tuple, ast.List)):
         for index, part in enumerate(target.elts):
@@ -39,7 +39,7 @@ def assign(body: Body, target: ast.expr, value: str, node: ast.AST, whole: ast.e
 
 
 def _assign(body: Body, node: ast.Assign) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     target = node.targets[0]
     if len(node.targets) == 1 and isinstance(target, (ast.Tuple, ast.List)) and isinstance(node.value, (ast.Tuple, ast.List)):
@@ -75,7 +75,7 @@ def _variable(body: Body, target: ast.expr) -> Variable | None:
 
 
 def _annotated(body: Body, node: ast.AnnAssign) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     if node.value is not None:
         value = lower(body, node.value, text=True)
@@ -84,14 +84,14 @@ def _annotated(body: Body, node: ast.AnnAssign) -> None:
 
 
 def _augmented(body: Body, node: ast.AugAssign) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     target, value = lower(body, node.target, text=True), lower(body, node.value, text=True)
     body.flow.evaluate(body.operator(node, _AUGMENTED[type(node.op)], target, value))
 
 
 def _expression(body: Body, node: ast.Expr) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     if not isinstance(node.value, ast.Constant):
         lower(body, node.value, text=True)
@@ -99,7 +99,7 @@ def _expression(body: Body, node: ast.Expr) -> None:
 
 def _expressions_of(body: Body, node: ast.stmt) -> None:
     """A statement without facts of its own."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     for child in ast.iter_child_nodes(node):
         if isinstance(child, ast.expr):
@@ -107,14 +107,14 @@ def _expressions_of(body: Body, node: ast.stmt) -> None:
 
 
 def _delete(body: Body, node: ast.Delete) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     for target in node.targets:
         body.flow.evaluate(body.operator(target, "delete", lower(body, target)))
 
 
 def _if(body: Body, node: ast.If) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     flow = body.flow
     yes, no = flow.branch(lower(body, node.test, text=True))
@@ -158,7 +158,7 @@ def _loop(body: Body, kind: str, test: Callable[[], str], inner: Callable[[], No
 
 
 def _while(body: Body, node: ast.While) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     _loop(body, "while", lambda: lower(body, node.test, text=True), lambda: lower_statements(body, node.body), node.orelse)
 
@@ -175,7 +175,7 @@ def _for(body: Body, node: ast.For | ast.AsyncFor) -> None:
 
 def _begin_range(body: Body, target: ast.expr, container: ast.expr) -> str:
     """The loop variable runs over `container`."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     expr = lower(body, container, text=True)
     variable = _variable(body, target)
@@ -187,7 +187,7 @@ def _begin_range(body: Body, target: ast.expr, container: ast.expr) -> str:
 
 def _take_apart(body: Body, target: ast.expr, container: str) -> None:
     """`for a, b in container`: each gets its part of an element."""
-    from .expressions import literal
+    from rosarch.extractor.python.expressions import literal
 
     if not isinstance(target, ast.Name):
         element = body.operator(target, "[]", container, literal(body, target, None))
@@ -196,7 +196,7 @@ def _take_apart(body: Body, target: ast.expr, container: str) -> None:
 
 def lower_comprehension(body: Body, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp) -> str:
     """A loop that makes a container of what it gives."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     made: list[str] = []
 
@@ -229,7 +229,7 @@ def lower_comprehension(body: Body, node: ast.ListComp | ast.SetComp | ast.Gener
 
 
 def _with(body: Body, node: ast.With | ast.AsyncWith) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     for item in node.items:
         value = _entered(body, item.context_expr, lower(body, item.context_expr, text=True))
@@ -281,7 +281,7 @@ def _catches_all(handler: ast.ExceptHandler) -> bool:
 
 
 def _return(body: Body, node: ast.Return) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     if node.value is not None:
         expr = lower(body, node.value, text=True)
@@ -291,7 +291,7 @@ def _return(body: Body, node: ast.Return) -> None:
 
 
 def _raise(body: Body, node: ast.Raise) -> None:
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     operands = [lower(body, part) for part in (node.exc, node.cause) if part is not None]
     expr = body.operator(node, "throw", *operands, form="throw")
@@ -301,7 +301,7 @@ def _raise(body: Body, node: ast.Raise) -> None:
 
 def _match(body: Body, node: ast.Match) -> None:
     """One case after the other is asked for."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     flow = body.flow
     subject = lower(body, node.subject, text=True)

@@ -6,12 +6,12 @@ import ast
 import string
 from collections.abc import Callable, Sequence
 
-from .body import Body
+from rosarch.extractor.python.body import Body
 
 
 def percent(body: Body, node: ast.BinOp, values: Sequence[str]) -> str:
     """`format % (a, b)` fills one place after the other."""
-    from .expressions import lower
+    from rosarch.extractor.python.expressions import lower
 
     expr = lower(body, node.left)
     for value in values:
@@ -21,7 +21,7 @@ def percent(body: Body, node: ast.BinOp, values: Sequence[str]) -> str:
 
 def joined(body: Body, node: ast.JoinedStr) -> str:
     """An f-string is the sum of its parts."""
-    from .expressions import literal, lower
+    from rosarch.extractor.python.expressions import literal, lower
 
     parts: list[Callable[[], str]] = []
     for part in node.values:
@@ -34,7 +34,7 @@ def joined(body: Body, node: ast.JoinedStr) -> str:
 
 def format_call(body: Body, node: ast.Call) -> str | None:
     """`"...{}...".format(a, b)`; None when the format is not written out."""
-    from .expressions import literal, lower
+    from rosarch.extractor.python.expressions import literal, lower
 
     match node.func:
         case ast.Attribute(value=ast.Constant(value=str(text)), attr="format"):
@@ -65,7 +65,7 @@ def format_call(body: Body, node: ast.Call) -> str | None:
 
 def _sum(body: Body, node: ast.expr, parts: Sequence[Callable[[], str]]) -> str:
     """It begins with a text, so that no number is added to another."""
-    from .expressions import literal
+    from rosarch.extractor.python.expressions import literal
 
     expr = literal(body, node, "")
     for part in parts:

@@ -7,14 +7,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.cache import Cache, extractor_version, hash_of
-from rosarch.extractor.diagnostics import SourceProblem
-from rosarch.extractor.files import path_text, read_file
+from rosarch.base.cache import Cache, hash_of
+from rosarch.base.diagnostics import SourceProblem
+from rosarch.base.files import path_text, read_file
+from rosarch.extractor.python.extract import extract_program
 from rosarch.extractor.unit_store import UnitStore
 from rosarch.extractor.units import UnitFile
+from rosarch.extractor.version import extractor_version
 from rosarch.extractor.workspace.model import PythonEntry
-
-from .extract import extract_program
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,9 @@ Sources: the xacro format (wiki.ros.org/xacro) and the behaviour of xacro 1.9 to
 """
 
 import rosarch.extractor.launch  # noqa: F401  (launch files name descriptions: whichever is imported first, the other is complete)
-
-from .model import IN_ORDER, NOETIC, TRADITIONAL, Dialect, Expansion
-from .plugins import SimulatorPlugin, plugins
-from .writer import write
-from .xacro import expand
+from rosarch.extractor.urdf.model import IN_ORDER, NOETIC, TRADITIONAL, Dialect, Expansion
+from rosarch.extractor.urdf.plugins import SimulatorPlugin, plugins
+from rosarch.extractor.urdf.writer import write
+from rosarch.extractor.urdf.xacro import expand
 
 __all__ = ["IN_ORDER", "NOETIC", "TRADITIONAL", "Dialect", "Expansion", "SimulatorPlugin", "expand", "plugins", "write"]

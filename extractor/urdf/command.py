@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from rosarch.extractor.launch.files import Files
 from rosarch.extractor.launch.names import mapping
 from rosarch.extractor.launch.unknowns import Unknowns
-
-from .model import IN_ORDER, NOETIC, TRADITIONAL, Dialect, Expansion
-from .xacro import expand
+from rosarch.extractor.urdf.model import IN_ORDER, NOETIC, TRADITIONAL, Dialect, Expansion
+from rosarch.extractor.urdf.xacro import expand
 
 _PROGRAMS: dict[str, tuple[Dialect, ...]] = {"xacro": (NOETIC, TRADITIONAL, IN_ORDER), "xacro.py": (TRADITIONAL, IN_ORDER, NOETIC)}
 _OPTIONS: dict[str, tuple[Dialect, ...]] = {

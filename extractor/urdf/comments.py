@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .document import Comment, Element, Node, Text
+from rosarch.extractor.urdf.document import Comment, Element, Node, Text
 
 
 class Comments:

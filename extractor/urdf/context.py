@@ -11,8 +11,7 @@ from rosarch.extractor.launch.model import LaunchError, Place, Problem
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.substitution import Resolver
 from rosarch.extractor.launch.unknowns import Unknowns
-
-from .model import XacroError
+from rosarch.extractor.urdf.model import XacroError
 
 MAX_WORK = 32 * 1024 * 1024  # characters of evaluated texts; elements and steps of expressions count as some
 MAX_DEPTH = 120  # elements, macros and files within each other

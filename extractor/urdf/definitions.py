@@ -7,10 +7,10 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from .document import Element
-from .expressions import Texts
-from .model import PREFIX, Dialect, XacroError
-from .symbols import Symbols, Table, truth
+from rosarch.extractor.urdf.document import Element
+from rosarch.extractor.urdf.expressions import Texts
+from rosarch.extractor.urdf.model import PREFIX, Dialect, XacroError
+from rosarch.extractor.urdf.symbols import Symbols, Table, truth
 
 _MODERN = re.compile(r"""\s*([^\s:=]+?)\s*:?=\s*(\^\|?)?(\$\{.*?\}|\$\(.*?\)|(?:'[^']*'|"[^"]*"|[^\s'"])+|)(?:\s+|$)(.*)""")
 _OLD = re.compile(r"""\s*([^\s:=]+?):?=(\^\|?)?((?:'[^']*'|[^\s'"])*)(?:\s+|$)(.*)""")

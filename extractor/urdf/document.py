@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from rosarch.base.xml_reader import Reader, XmlError
 from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.unknowns import cleaned
-from rosarch.extractor.xml_reader import Reader, XmlError
 
 
 @dataclass(eq=False)

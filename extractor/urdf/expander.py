@@ -13,14 +13,13 @@ from typing import Any
 
 from rosarch.extractor.launch.model import LaunchError
 from rosarch.extractor.launch.unknowns import is_known
-
-from .comments import Comments
-from .context import Context
-from .definitions import Macro, Parameter, define_macro, define_property, find, required
-from .document import Comment, Document, DocumentError, Element, Text, parse
-from .expressions import Texts
-from .model import PREFIX, Dialect, XacroError
-from .symbols import Symbols, Table, truth
+from rosarch.extractor.urdf.comments import Comments
+from rosarch.extractor.urdf.context import Context
+from rosarch.extractor.urdf.definitions import Macro, Parameter, define_macro, define_property, find, required
+from rosarch.extractor.urdf.document import Comment, Document, DocumentError, Element, Text, parse
+from rosarch.extractor.urdf.expressions import Texts
+from rosarch.extractor.urdf.model import PREFIX, Dialect, XacroError
+from rosarch.extractor.urdf.symbols import Symbols, Table, truth
 
 BARE_TAGS = frozenset({"property", "macro", "insert_block", "include", "if", "unless", "arg"})  # once xacro's without its prefix
 ELEMENT_COST = 256  # work of one element, in characters

@@ -14,15 +14,14 @@ from typing import Any
 
 import yaml
 
-from rosarch.extractor.diagnostics import shortened
+from rosarch.base.diagnostics import shortened
 from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, TooLarge
 from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, no_name
 from rosarch.extractor.launch.model import LaunchError
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
-
-from .context import Context
-from .model import Dialect, XacroError
-from .symbols import Symbols
+from rosarch.extractor.urdf.context import Context
+from rosarch.extractor.urdf.model import Dialect, XacroError
+from rosarch.extractor.urdf.symbols import Symbols
 
 MAX_TEXT = 1024 * 1024  # characters of one evaluated text
 STEP = 16  # work of one step of an expression, in characters

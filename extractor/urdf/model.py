@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from rosarch.extractor.launch.model import Problem
 
 if TYPE_CHECKING:
-    from .document import Document
+    from rosarch.extractor.urdf.document import Document
 
 
 PREFIX = "xacro:"

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rosarch.extractor.launch.model import Place
-
-from .document import Element
+from rosarch.extractor.urdf.document import Element
 
 
 @dataclass(frozen=True)

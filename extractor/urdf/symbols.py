@@ -8,8 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rosarch.extractor.launch.unknowns import cleaned
-
-from .model import Dialect, XacroError
+from rosarch.extractor.urdf.model import Dialect, XacroError
 
 
 class Table:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from .definitions import define_macro, define_property, required
-from .document import Document, Element
-from .expander import Expander, Frame, lift_namespaces
-from .model import XacroError
-from .symbols import Symbols
+from rosarch.extractor.urdf.definitions import define_macro, define_property, required
+from rosarch.extractor.urdf.document import Document, Element
+from rosarch.extractor.urdf.expander import Expander, Frame, lift_namespaces
+from rosarch.extractor.urdf.model import XacroError
+from rosarch.extractor.urdf.symbols import Symbols
 
 
 def collect(document: Document, expander: Expander, frame: Frame) -> Document:

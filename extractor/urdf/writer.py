@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .document import Comment, Document, Element, Node, Text
+from rosarch.extractor.urdf.document import Comment, Document, Element, Node, Text
 
 _INDENT = "  "
 

@@ -7,13 +7,12 @@ from collections.abc import Mapping
 from rosarch.extractor.launch.files import Files
 from rosarch.extractor.launch.model import LaunchError, Place
 from rosarch.extractor.launch.unknowns import Unknowns
-
-from .context import Context
-from .document import Document, DocumentError, parse
-from .expander import Expander, Frame
-from .model import NOETIC, Dialect, Expansion, XacroError
-from .symbols import Symbols, Table
-from .traditional import collect
+from rosarch.extractor.urdf.context import Context
+from rosarch.extractor.urdf.document import Document, DocumentError, parse
+from rosarch.extractor.urdf.expander import Expander, Frame
+from rosarch.extractor.urdf.model import NOETIC, Dialect, Expansion, XacroError
+from rosarch.extractor.urdf.symbols import Symbols, Table
+from rosarch.extractor.urdf.traditional import collect
 
 
 def expand(

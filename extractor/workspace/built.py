@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol, TypeVar
 
-from .entry_points import Lack, lacks
-from .installs import Install, Unsure
-from .model import EntryPoint, Workspace
-from .registering import Described, Promised, described, exports_more, promised
+from rosarch.extractor.workspace.entry_points import Lack, lacks
+from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.model import EntryPoint, Workspace
+from rosarch.extractor.workspace.registering import Described, Promised, described, exports_more, promised
 
 INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
 """The build types of packages that are used from where they are installed: nothing is found in their sources."""

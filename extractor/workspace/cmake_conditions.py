@@ -10,10 +10,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.patterns import PatternError
-
-from .cmake_expand import is_true, split_list
-from .cmake_regex import compile_regex
+from rosarch.base.patterns import PatternError
+from rosarch.extractor.workspace.cmake_expand import is_true, split_list
+from rosarch.extractor.workspace.cmake_regex import compile_regex
 
 
 @dataclass(frozen=True, slots=True)

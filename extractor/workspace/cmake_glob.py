@@ -6,8 +6,8 @@ import os
 import re
 from collections.abc import Callable
 
-from rosarch.extractor.files import is_folder
-from rosarch.extractor.patterns import Pattern, compiled, encoded
+from rosarch.base.files import is_folder
+from rosarch.base.patterns import Pattern, compiled, encoded
 
 _MAGIC = re.compile(r"[*?\[]")
 MAX_FILES = 100_000

@@ -7,7 +7,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from rosarch.extractor import tracing
+from rosarch.base import tracing
 
 MAX_WORDS = 600_000
 """Commands, arguments and words of conditions that are evaluated."""

@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from .cmake_expand import join_list
-from .cmake_limits import MAX_ROUNDS
-from .cmake_state import Procedure, Scope, StopFile, StopLoop
-from .cmake_syntax import Argument, Block, Branch, Command, If, Statement
+from rosarch.extractor.workspace.cmake_expand import join_list
+from rosarch.extractor.workspace.cmake_limits import MAX_ROUNDS
+from rosarch.extractor.workspace.cmake_state import Procedure, Scope, StopFile, StopLoop
+from rosarch.extractor.workspace.cmake_syntax import Argument, Block, Branch, Command, If, Statement
 
 if TYPE_CHECKING:
-    from .evaluator import Evaluator
+    from rosarch.extractor.workspace.evaluator import Evaluator
 
 
 def run_foreach(run: Evaluator, block: Block) -> None:

@@ -10,10 +10,10 @@ import os
 import re
 from typing import TYPE_CHECKING
 
-from .cmake_conditions import Surroundings
+from rosarch.extractor.workspace.cmake_conditions import Surroundings
 
 if TYPE_CHECKING:
-    from .evaluator import Evaluator
+    from rosarch.extractor.workspace.evaluator import Evaluator
 
 _NEWEST = "9999"  # true, and newer than any version that a condition asks for
 _RESULT = re.compile(r"_(?:FOUND|DIRS?|CONFIG|VERSION|LIBRARY|LIBRARIES|LIBS|INCLUDES|DEFINITIONS|EXECUTABLE)$")

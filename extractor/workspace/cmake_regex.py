@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from rosarch.extractor.patterns import Pattern, compiled, decoded, encoded
+from rosarch.base.patterns import Pattern, compiled, decoded, encoded
 
 _TOKEN = re.compile(rb"\[(\^?)(\]?[^\]]*)\]|\\(.)|[{}]", re.DOTALL)
 _REFERENCE = re.compile(rb"\\([0-9])|\\(.)", re.DOTALL)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from .cmake_syntax import Command, Statement
-from .installs import Install, Unsure
+from rosarch.extractor.workspace.cmake_syntax import Command, Statement
+from rosarch.extractor.workspace.installs import Install, Unsure
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -15,7 +15,7 @@ from pathlib import Path
 from lark import Lark, Token, Transformer
 from lark.exceptions import UnexpectedInput
 
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.base.diagnostics import Diagnostic
 
 GRAMMAR = r"""
 start: command* UNCLOSED?

@@ -8,14 +8,14 @@ from __future__ import annotations
 import os
 from functools import partial
 
-from .cmake_glob import glob
-from .cmake_state import Call
-from .commands_find import exported, find_one, set_catkin
-from .commands_ros import add_interface_files, export_package, use_packages
-from .commands_targets import add_executable, add_library
-from .commands_values import parse_keywords, truthy
-from .evaluator import Evaluator, command
-from .model import INTERFACE
+from rosarch.extractor.workspace.cmake_glob import glob
+from rosarch.extractor.workspace.cmake_state import Call
+from rosarch.extractor.workspace.commands_find import exported, find_one, set_catkin
+from rosarch.extractor.workspace.commands_ros import add_interface_files, export_package, use_packages
+from rosarch.extractor.workspace.commands_targets import add_executable, add_library
+from rosarch.extractor.workspace.commands_values import parse_keywords, truthy
+from rosarch.extractor.workspace.evaluator import Evaluator, command
+from rosarch.extractor.workspace.model import INTERFACE
 
 _SOURCES = ("c", "cc", "cpp", "cxx")
 

@@ -6,13 +6,12 @@ import os
 from functools import partial
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
-from rosarch.extractor.patterns import PatternError
-
-from .cmake_glob import glob
-from .cmake_state import Call, Scope
-from .commands_values import truthy
-from .evaluator import Evaluator, command, decoded
+from rosarch.base.files import read_file
+from rosarch.base.patterns import PatternError
+from rosarch.extractor.workspace.cmake_glob import glob
+from rosarch.extractor.workspace.cmake_state import Call, Scope
+from rosarch.extractor.workspace.commands_values import truthy
+from rosarch.extractor.workspace.evaluator import Evaluator, command, decoded
 
 _GENERATING = {"WRITE", "APPEND", "GENERATE", "CONFIGURE", "TOUCH", "DOWNLOAD"}
 

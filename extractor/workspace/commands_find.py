@@ -10,9 +10,9 @@ from __future__ import annotations
 import os
 import re
 
-from .cmake_expand import join_list
-from .cmake_state import Call, PackageDraft
-from .evaluator import Evaluator, command
+from rosarch.extractor.workspace.cmake_expand import join_list
+from rosarch.extractor.workspace.cmake_state import Call, PackageDraft
+from rosarch.extractor.workspace.evaluator import Evaluator, command
 
 _SECTIONS = {
     "REQUIRED", "QUIET", "EXACT", "MODULE", "CONFIG", "NO_MODULE", "NO_POLICY_SCOPE", "GLOBAL", "NAMES", "CONFIGS", "HINTS", "PATHS",

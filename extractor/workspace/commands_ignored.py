@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from .cmake_state import Call
-from .evaluator import Evaluator, command
+from rosarch.extractor.workspace.cmake_state import Call
+from rosarch.extractor.workspace.evaluator import Evaluator, command
 
 _NAMES = """
 cmake_minimum_required cmake_policy enable_testing include_guard include_regular_expression export mark_as_advanced

@@ -10,12 +10,11 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
-
-from .cmake_state import Call
-from .commands_values import parse_keywords
-from .evaluator import Evaluator, command
-from .installs import copied, installing
+from rosarch.base.files import read_file
+from rosarch.extractor.workspace.cmake_state import Call
+from rosarch.extractor.workspace.commands_values import parse_keywords
+from rosarch.extractor.workspace.evaluator import Evaluator, command
+from rosarch.extractor.workspace.installs import copied, installing
 
 _KINDS = ["TARGETS", "IMPORTED_RUNTIME_ARTIFACTS", "FILES", "PROGRAMS", "DIRECTORY", "SCRIPT", "CODE", "EXPORT", "RUNTIME_DEPENDENCY_SET"]
 _SINGLES = ["DESTINATION", "RENAME", "COMPONENT", "TYPE"]

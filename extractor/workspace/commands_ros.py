@@ -9,14 +9,14 @@ from __future__ import annotations
 import os
 from functools import partial
 
-from .cmake_glob import glob
-from .cmake_state import Call
-from .commands_find import exported, find_one
-from .commands_targets import add_target, find_target
-from .commands_values import parse_keywords
-from .evaluator import Evaluator, command
-from .installs import copied, installing
-from .model import EXECUTABLE, INTERFACE, TEST
+from rosarch.extractor.workspace.cmake_glob import glob
+from rosarch.extractor.workspace.cmake_state import Call
+from rosarch.extractor.workspace.commands_find import exported, find_one
+from rosarch.extractor.workspace.commands_targets import add_target, find_target
+from rosarch.extractor.workspace.commands_values import parse_keywords
+from rosarch.extractor.workspace.evaluator import Evaluator, command
+from rosarch.extractor.workspace.installs import copied, installing
+from rosarch.extractor.workspace.model import EXECUTABLE, INTERFACE, TEST
 
 
 @command("catkin_package")

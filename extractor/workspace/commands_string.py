@@ -7,10 +7,10 @@ import os
 import re
 from collections.abc import Callable
 
-from .cmake_expand import join_list
-from .cmake_regex import compile_regex, find_all, replace
-from .cmake_state import Call
-from .evaluator import Evaluator, command
+from rosarch.extractor.workspace.cmake_expand import join_list
+from rosarch.extractor.workspace.cmake_regex import compile_regex, find_all, replace
+from rosarch.extractor.workspace.cmake_state import Call
+from rosarch.extractor.workspace.evaluator import Evaluator, command
 
 
 @command("string")

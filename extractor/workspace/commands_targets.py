@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from .cmake_expand import split_list
-from .cmake_state import Call, Directory, TargetDraft
-from .commands_values import truthy
-from .evaluator import Evaluator, command
-from .model import EXECUTABLE, IMPORTED, INTERFACE, MODULE, OBJECT, SHARED, STATIC, TEST
+from rosarch.extractor.workspace.cmake_expand import split_list
+from rosarch.extractor.workspace.cmake_state import Call, Directory, TargetDraft
+from rosarch.extractor.workspace.commands_values import truthy
+from rosarch.extractor.workspace.evaluator import Evaluator, command
+from rosarch.extractor.workspace.model import EXECUTABLE, IMPORTED, INTERFACE, MODULE, OBJECT, SHARED, STATIC, TEST
 
 
 @command("project")

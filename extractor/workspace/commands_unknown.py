@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import re
 
-from .cmake_state import Call
-from .commands_ros import register_components
-from .commands_targets import add_target
-from .evaluator import UNKNOWN_COMMAND, Evaluator, command
-from .model import EXECUTABLE, SHARED, STATIC
+from rosarch.extractor.workspace.cmake_state import Call
+from rosarch.extractor.workspace.commands_ros import register_components
+from rosarch.extractor.workspace.commands_targets import add_target
+from rosarch.extractor.workspace.evaluator import UNKNOWN_COMMAND, Evaluator, command
+from rosarch.extractor.workspace.model import EXECUTABLE, SHARED, STATIC
 
 _PROGRAM = re.compile(r"binary|executable|program|(?:^|_)(?:exe|node|app)(?:_|$)")
 _LIBRARY = re.compile(r"library|(?:^|_)lib(?:_|$)")

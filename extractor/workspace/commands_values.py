@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from .cmake_expand import is_true, join_list
-from .cmake_regex import compile_regex, replace
-from .cmake_state import Call, StopFile, StopLoop
-from .evaluator import Evaluator, command
+from rosarch.extractor.workspace.cmake_expand import is_true, join_list
+from rosarch.extractor.workspace.cmake_regex import compile_regex, replace
+from rosarch.extractor.workspace.cmake_state import Call, StopFile, StopLoop
+from rosarch.extractor.workspace.evaluator import Evaluator, command
 
 
 @command("set")

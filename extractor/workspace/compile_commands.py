@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor import tracing
-from rosarch.extractor.diagnostics import Diagnostic
-from rosarch.extractor.files import read_file
+from rosarch.base import tracing
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.base.files import read_file
 
 NAME = "compile_commands.json"
 DEPTH = 4  # build/compile_commands.json, build/<package>/..., build_isolated/<package>/..., .private/<package>/build

@@ -8,13 +8,12 @@ from dataclasses import replace
 from itertools import count
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
-from rosarch.extractor.files import file_name
-
-from .graph import closure, definitions, find_library, include_path
-from .model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
-from .plugins import Registration, own_headers, registrations
-from .python_nodes import python_nodes
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.base.files import file_name
+from rosarch.extractor.workspace.graph import closure, definitions, find_library, include_path
+from rosarch.extractor.workspace.model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
+from rosarch.extractor.workspace.plugins import Registration, own_headers, registrations
+from rosarch.extractor.workspace.python_nodes import python_nodes
 
 NODELET_BASE = "nodelet::Nodelet"
 COMPONENT_BASE = "rclcpp_components"

@@ -7,14 +7,13 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from rosarch.extractor.boundary import confined, ros_package_path
-from rosarch.extractor.diagnostics import Diagnostic
-from rosarch.extractor.files import file_name, read_file
-from rosarch.extractor.hints import hint
-from rosarch.extractor.limits import SOURCE_SECONDS
+from rosarch.base.boundary import confined, ros_package_path
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.base.files import file_name, read_file
+from rosarch.base.hints import hint
+from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.extractor.package_names import quick_name
-
-from . import (
+from rosarch.extractor.workspace import (
     commands_auto,
     commands_files,
     commands_find,
@@ -26,14 +25,14 @@ from . import (
     commands_unknown,
     commands_values,
 )
-from .cmake_limits import OutOfTime, time_limit
-from .cmake_state import PackageDraft
-from .commands_ros import finish_ament
-from .drafts import finished_package
-from .evaluator import Evaluator
-from .manifests import Manifest, find_manifests, read_manifest
-from .model import Package, Workspace
-from .options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
+from rosarch.extractor.workspace.cmake_limits import OutOfTime, time_limit
+from rosarch.extractor.workspace.cmake_state import PackageDraft
+from rosarch.extractor.workspace.commands_ros import finish_ament
+from rosarch.extractor.workspace.drafts import finished_package
+from rosarch.extractor.workspace.evaluator import Evaluator
+from rosarch.extractor.workspace.manifests import Manifest, find_manifests, read_manifest
+from rosarch.extractor.workspace.model import Package, Workspace
+from rosarch.extractor.workspace.options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
 
 COMMAND_MODULES = (
     commands_auto,

@@ -6,16 +6,15 @@ import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic, why
-
-from .cmake_expand import generator_expression, split_list
-from .cmake_state import TargetDraft
-from .evaluator import Evaluator
-from .installs import Install, Unsure
-from .manifests import Manifest
-from .model import EXECUTABLE, IMPORTED, TEST, Configured, Exports, Package, PluginClass, Program, Target
-from .plugins import read_plugins
-from .python_setup import read_setup
+from rosarch.base.diagnostics import Diagnostic, why
+from rosarch.extractor.workspace.cmake_expand import generator_expression, split_list
+from rosarch.extractor.workspace.cmake_state import TargetDraft
+from rosarch.extractor.workspace.evaluator import Evaluator
+from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.manifests import Manifest
+from rosarch.extractor.workspace.model import EXECUTABLE, IMPORTED, TEST, Configured, Exports, Package, PluginClass, Program, Target
+from rosarch.extractor.workspace.plugins import read_plugins
+from rosarch.extractor.workspace.python_setup import read_setup
 
 SOURCE_EXTENSIONS = frozenset({".c", ".C", ".c++", ".cc", ".cpp", ".cxx", ".cu", ".CPP", ".CC"})
 HEADER_EXTENSIONS = frozenset({".h", ".hh", ".h++", ".hpp", ".hxx", ".H", ".cuh", ".inl", ".ipp", ".tcc", ".txx", ".tpp", ".in"})

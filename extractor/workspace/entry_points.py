@@ -11,11 +11,10 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
+from rosarch.base.files import read_file
 from rosarch.extractor.python_syntax import parse_python
-
-from .model import EntryPoint, Package
-from .python_modules import Modules
+from rosarch.extractor.workspace.model import EntryPoint, Package
+from rosarch.extractor.workspace.python_modules import Modules
 
 _OTHER_MODULES = (".pyx", ".pyi", ".so", ".pyd", ".cpp", ".c", ".py.in")
 _MAKING_NAMES = frozenset({"globals", "exec", "eval", "setattr", "vars", "locals"})

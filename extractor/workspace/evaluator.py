@@ -12,20 +12,29 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import NoReturn, Protocol
 
-from rosarch.extractor import tracing
-from rosarch.extractor.diagnostics import Diagnostic, unreadable, why
-from rosarch.extractor.files import read_file
-
-from . import cmake_loops
-from .cmake_conditions import ConditionError, Word
-from .cmake_conditions import evaluate as condition_holds
-from .cmake_expand import expand, join_list, split_list
-from .cmake_limits import ELEMENT, MAX_DEPTH, MAX_TEXT, MAX_VALUE, MAX_WORDS, OutOfTime, time_limit
-from .cmake_questions import surroundings
-from .cmake_state import Call, Directory, PackageDraft, Procedure, Scope, StopAll, StopFile, StopLoop, TargetDraft
-from .cmake_syntax import Argument, Block, Branch, Command, If, Statement, blocks, parse
-from .installs import Unsure
-from .options import Options, initial_environment, initial_variables, versions
+from rosarch.base import tracing
+from rosarch.base.diagnostics import Diagnostic, unreadable, why
+from rosarch.base.files import read_file
+from rosarch.extractor.workspace import cmake_loops
+from rosarch.extractor.workspace.cmake_conditions import ConditionError, Word
+from rosarch.extractor.workspace.cmake_conditions import evaluate as condition_holds
+from rosarch.extractor.workspace.cmake_expand import expand, join_list, split_list
+from rosarch.extractor.workspace.cmake_limits import ELEMENT, MAX_DEPTH, MAX_TEXT, MAX_VALUE, MAX_WORDS, OutOfTime, time_limit
+from rosarch.extractor.workspace.cmake_questions import surroundings
+from rosarch.extractor.workspace.cmake_state import (
+    Call,
+    Directory,
+    PackageDraft,
+    Procedure,
+    Scope,
+    StopAll,
+    StopFile,
+    StopLoop,
+    TargetDraft,
+)
+from rosarch.extractor.workspace.cmake_syntax import Argument, Block, Branch, Command, If, Statement, blocks, parse
+from rosarch.extractor.workspace.installs import Unsure
+from rosarch.extractor.workspace.options import Options, initial_environment, initial_variables, versions
 
 Handler = Callable[["Evaluator", Call], None]
 COMMANDS: dict[str, Handler] = {}

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from weakref import WeakKeyDictionary
 
-from .model import LIBRARY_KINDS, ROS1, ROS2, Package, Target, Workspace
+from rosarch.extractor.workspace.model import LIBRARY_KINDS, ROS1, ROS2, Package, Target, Workspace
 
 _LIST = Path(__file__).parents[1] / "cxx" / "headers" / "packages.txt"
 _BROUGHT = frozenset(

@@ -6,10 +6,9 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
-
-from .model import EXECUTABLE, SHARED, Package, Program, Target, Workspace
-from .plugins import registrations
+from rosarch.base.files import read_file
+from rosarch.extractor.workspace.model import EXECUTABLE, SHARED, Package, Program, Target, Workspace
+from rosarch.extractor.workspace.plugins import registrations
 
 _ROS2 = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*[<\"]rclcpp", re.MULTILINE)
 

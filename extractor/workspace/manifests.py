@@ -16,13 +16,12 @@ from xml.etree.ElementTree import Element
 
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
-from rosarch.extractor.boundary import is_inside
-from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import LARGEST_PARSED, file_name, is_folder, read_file
+from rosarch.base.boundary import is_inside
+from rosarch.base.diagnostics import Diagnostic, unreadable
+from rosarch.base.files import LARGEST_PARSED, file_name, is_folder, read_file
+from rosarch.base.xml_reader import XmlError, read_tree
 from rosarch.extractor.package_names import HEAVY_FOLDERS, IGNORE_MARKERS, NO_PACKAGES
-from rosarch.extractor.xml_reader import XmlError, read_tree
-
-from .options import DEFAULT_DISTRO, initial_environment
+from rosarch.extractor.workspace.options import DEFAULT_DISTRO, initial_environment
 
 LEADS_OUT = "a link out of the workspace, which is not followed unless its target is in ROS_PACKAGE_PATH"
 _GENERATED_MARKERS = frozenset({".catkin", ".built_by", "CMakeCache.txt"})

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
-
-from .installs import Install, Unsure
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.extractor.workspace.installs import Install, Unsure
 
 ROS1 = "ros1"
 ROS2 = "ros2"

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rosarch.extractor.limits import SOURCE_SECONDS
+from rosarch.base.limits import SOURCE_SECONDS
 
 DEFAULT_DISTRO = "kinetic"
 DEFAULT_AMENT_DISTRO = "humble"

@@ -14,12 +14,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import LARGEST_PARSED, read_file
-from rosarch.extractor.xml_reader import XmlError, read_tree
-
-from .manifests import Manifest
-from .model import PluginClass
+from rosarch.base.diagnostics import Diagnostic, unreadable
+from rosarch.base.files import LARGEST_PARSED, read_file
+from rosarch.base.xml_reader import XmlError, read_tree
+from rosarch.extractor.workspace.manifests import Manifest
+from rosarch.extractor.workspace.model import PluginClass
 
 
 def read_plugins(exports: Iterable[tuple[str, Path]], manifest: Manifest) -> tuple[list[PluginClass], list[Diagnostic]]:

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from .installs import Install, Unsure
-from .model import EntryPoint, Program
-from .setup_values import SetupValues
+from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.model import EntryPoint, Program
+from rosarch.extractor.workspace.setup_values import SetupValues
 
 
 @dataclass

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
+from rosarch.base.files import read_file
 from rosarch.extractor.python_syntax import absolute_name, import_call, parse_python
 
 MAX_MODULES = 2000

@@ -11,12 +11,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from rosarch.extractor.diagnostics import Diagnostic
-from rosarch.extractor.files import file_name, read_file
-
-from .model import PYTHON_NODE, Component, Package, PluginClass, PythonEntry, Workspace
-from .python_modules import Modules
-from .python_plugins import declared_classes, described_classes, pointed_at
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.base.files import file_name, read_file
+from rosarch.extractor.workspace.model import PYTHON_NODE, Component, Package, PluginClass, PythonEntry, Workspace
+from rosarch.extractor.workspace.python_modules import Modules
+from rosarch.extractor.workspace.python_plugins import declared_classes, described_classes, pointed_at
 
 CLIENT_LIBRARIES = frozenset({"rospy", "rclpy"})
 _SHEBANG = re.compile(rb"#![^\n]*\bpython")

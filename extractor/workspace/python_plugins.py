@@ -7,9 +7,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from rosarch.extractor.files import LARGEST_PARSED, read_file
-
-from .model import Package, PluginClass
+from rosarch.base.files import LARGEST_PARSED, read_file
+from rosarch.extractor.workspace.model import Package, PluginClass
 
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _PLUGIN = re.compile(r"<plugin\b[^<>]*?\btype\s*=\s*[\"'](\w+(?:\.\w+)+)[\"']")

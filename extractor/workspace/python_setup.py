@@ -17,14 +17,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.diagnostics import Diagnostic, unreadable
-from rosarch.extractor.files import read_file
+from rosarch.base.diagnostics import Diagnostic, unreadable
+from rosarch.base.files import read_file
 from rosarch.extractor.python_syntax import parse_python
-
-from .installs import Install, Unsure
-from .model import EntryPoint, Program
-from .python_installs import DataFiles, changed_later, declared_elsewhere, installed_packages, programs_installed
-from .setup_values import SetupValues
+from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.model import EntryPoint, Program
+from rosarch.extractor.workspace.python_installs import DataFiles, changed_later, declared_elsewhere, installed_packages, programs_installed
+from rosarch.extractor.workspace.setup_values import SetupValues
 
 _PROGRAMS = re.compile(r"lib/[^/]+/?")
 

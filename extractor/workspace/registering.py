@@ -13,11 +13,10 @@ from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
 
-from rosarch.extractor.files import LARGEST_PARSED, read_file
-
-from .graph import closure
-from .model import LIBRARY_KINDS, Package, PluginClass, Target, Workspace
-from .plugins import Registration, own_headers, parse_plugins, registrations
+from rosarch.base.files import LARGEST_PARSED, read_file
+from rosarch.extractor.workspace.graph import closure
+from rosarch.extractor.workspace.model import LIBRARY_KINDS, Package, PluginClass, Target, Workspace
+from rosarch.extractor.workspace.plugins import Registration, own_headers, parse_plugins, registrations
 
 COMPONENT_BASE = "rclcpp_components"
 _OTHER_MACRO = re.compile(

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element
 
-from rosarch.extractor.files import read_file
+from rosarch.base.files import read_file
+from rosarch.base.xml_reader import XmlError, read_tree
 from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported
-from rosarch.extractor.xml_reader import XmlError, read_tree
 
 _DEEPEST = 10  # names that stand for names
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
-from rosarch.extractor.files import read_file
+from rosarch.base.files import read_file
 from rosarch.extractor.package_names import IGNORE_MARKERS
 
 _USES_ROS = re.compile(

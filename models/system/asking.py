@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rosarch.base.hints import hint
 from rosarch.datalog import Result
-from rosarch.extractor.hints import hint
 
 Port = tuple[Any, ...]
 """A row of the type NodePort: node, port of the model, parameter."""

@@ -6,13 +6,13 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
+from rosarch.base.places import Place
 from rosarch.datalog import Result
-from rosarch.models.places import Place
-from rosarch.models.rule_sets import SystemRules
-from rosarch.models.system.findings import evidence_of, grouped, shown_as
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
-from rosarch.models.system.rows import Rows
+from rosarch.models.system.rows import Rows, grouped
 from rosarch.models.unseen import OpenPart, reason_text
+from rosarch.rule_programs.checks import evidence_of, shown_as
+from rosarch.rule_programs.sets import SystemRules
 
 
 def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] | Literal["all"] = ()) -> Result:

@@ -6,14 +6,13 @@ from collections import defaultdict, deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from rosarch.base.places import Place
 from rosarch.datalog import Result
 from rosarch.models import formula
 from rosarch.models.component import ComponentModel
-from rosarch.models.places import Place
-from rosarch.models.rule_sets import SystemRules
 from rosarch.models.system.asking import Causes, Port, find_ports
-from rosarch.models.system.findings import grouped
-from rosarch.models.system.rows import Rows
+from rosarch.models.system.rows import Rows, grouped
+from rosarch.rule_programs.sets import SystemRules
 
 PORTS = ("port_node", "port_name", "port_written", "node_port")
 ANSWERS = (

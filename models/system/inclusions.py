@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 from rosarch.models.system.model import Inclusion, SystemModel, SystemNode
 
 _ARGUMENTS = re.compile(r"\s+[^\s/]+:=.*", re.DOTALL)

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rosarch.datalog import Result
-from rosarch.models.rule_sets import SystemRules
 from rosarch.models.system.asking import Port, Rate, find_topic
 from rosarch.models.system.rows import Rows
+from rosarch.rule_programs.sets import SystemRules
 
 EVERY = "*"
 """All topics."""

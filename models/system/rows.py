@@ -16,3 +16,11 @@ def merged(parts: Iterable[Rows]) -> dict[str, set[tuple[Any, ...]]]:
         for relation, found in part.items():
             rows[relation].update(found)
     return rows
+
+
+def grouped(rows: Iterable[tuple[Any, ...]]) -> dict[Any, list[tuple[Any, ...]]]:
+    """The rest of each row by its first column, sorted."""
+    found: dict[Any, list[tuple[Any, ...]]] = defaultdict(list)
+    for first, *rest in sorted(rows, key=lambda row: row[1:]):
+        found[first].append(tuple(rest))
+    return found

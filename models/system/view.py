@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 
+from rosarch.base.places import Place
 from rosarch.models.component import component_of
-from rosarch.models.places import Place
 from rosarch.models.system.links import KINDS, End, Link, by_node, connector_kind, cut, is_implicit, merged, moved, neighbourhood, ports_of
 from rosarch.models.system.model import CONNECTOR_KINDS, SystemModel, SystemNode
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosarch.extractor.diagnostics import Diagnostic
+from rosarch.analysis.systems.influences import Told
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.findings.policy import Reported
 from rosarch.models.component import ComponentModel
 from rosarch.models.derivations import Derivations
-from rosarch.models.policy import Reported
 from rosarch.models.system.model import SystemModel
-from rosarch.models.system.told import Told
 from rosarch.reports.findings import tool_version
 from rosarch.reports.html.components import component_data
 from rosarch.reports.html.findings import findings_data

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from rosarch.models.findings import Check, Finding
-from rosarch.models.policy import Reported
+from rosarch.findings.model import Finding
+from rosarch.findings.policy import Reported
 from rosarch.reports.html.sources import Marks
+from rosarch.rule_programs.checks import Check
 
 
 def findings_data(reported: Reported, read: Callable[[str], str | None]) -> dict[str, Any]:

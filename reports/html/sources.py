@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 from rosarch.reports.excerpts import shown, token_span
 
 AROUND = 3

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from rosarch.analysis.systems.influences import End, Told
 from rosarch.models.component import component_of
 from rosarch.models.system.links import connector_kind, is_implicit, ports_of
 from rosarch.models.system.model import SystemModel, SystemNode, SystemPort
-from rosarch.models.system.told import End, Told
 from rosarch.reports.include_tree import tree_data
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from rosarch.extractor import tracing
+from rosarch.base import tracing
 
 BUILD = """cmake_minimum_required(VERSION 3.0)
 project(robot)
@@ -139,7 +139,7 @@ def afresh(check: Check, monkeypatch: pytest.MonkeyPatch) -> Check:
     def run(*options: str) -> tuple[int, str, str]:
         with monkeypatch.context() as patch:
             patch.setattr("rosarch.cli.systems._memo", lambda *_args: None)
-            patch.setattr("rosarch.models.system.analysis.SystemCache.load", lambda *_args: None)
+            patch.setattr("rosarch.analysis.systems.analysis.SystemCache.load", lambda *_args: None)
             return check(*options)
 
     return run
@@ -296,11 +296,11 @@ def test_nothing_changed(robot: Path, check: Check, done: list[str]) -> None:
 def test_what_a_change_does_not_reach_is_not_evaluated_again(robot: Path, check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
     (robot / "launch" / "alone.launch").write_text('<launch><node pkg="robot" type="driver" name="d"/></launch>')
     check()
-    from rosarch.models.system.analysis import SystemCache
+    from rosarch.analysis.systems.analysis import SystemCache
 
     evaluated: list[str] = []
     monkeypatch.setattr(SystemCache, "store", lambda _self, launch, _own, _composed: evaluated.append(launch.name))
-    monkeypatch.setattr("rosarch.models.analysis.analyze", lambda *_args, **_options: pytest.fail("components are read again"))
+    monkeypatch.setattr("rosarch.analysis.components.analyze", lambda *_args, **_options: pytest.fail("components are read again"))
     replace("launch/main.launch", 'default="level"', 'default="height"')(robot)
     check()
     assert evaluated == ["robot/launch/main.launch"]
@@ -309,7 +309,7 @@ def test_what_a_change_does_not_reach_is_not_evaluated_again(robot: Path, check:
 def test_a_component_that_changed_reaches_the_systems_that_start_it(robot: Path, check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
     (robot / "launch" / "alone.launch").write_text('<launch><node pkg="rviz" type="rviz" name="view"/></launch>')
     check()
-    from rosarch.models.system.analysis import SystemCache
+    from rosarch.analysis.systems.analysis import SystemCache
 
     evaluated: list[str] = []
     monkeypatch.setattr(SystemCache, "store", lambda _self, launch, _own, _composed: evaluated.append(launch.name))
@@ -374,7 +374,7 @@ def test_all_that_is_read_is_observed(robot: Path, rosarch: Callable, monkeypatc
     try:
         with monkeypatch.context() as patch:
             patch.setattr("rosarch.extractor.suppressions.find_suppressions", lambda *_args: ())
-            patch.setattr("rosarch.cli.check.write_reports", lambda *_args, **_options: None)
+            patch.setattr("rosarch.cli.commands.check.write_reports", lambda *_args, **_options: None)
             rosarch("check", "ws", "--jobs", "1")
     finally:
         listening = False

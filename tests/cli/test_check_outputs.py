@@ -13,14 +13,14 @@ import pytest
 import typer
 from handmade_findings import CHECKS, FULL, NEAR_MISS, SOURCES, STYLE, finding
 
+from rosarch.base.files import folder_reader
 from rosarch.cli import check_options as options
 from rosarch.cli import check_outputs as outputs
 from rosarch.cli.check_options import FailOn, load_configuration, make_policy
 from rosarch.cli.check_outputs import Destinations, judge, parse_destinations, write_reports
 from rosarch.cli.errors import InputError
-from rosarch.extractor.files import folder_reader
-from rosarch.models.configuration import Configuration
-from rosarch.models.policy import THRESHOLDS, Policy, Reported, apply_policy
+from rosarch.findings.configuration import Configuration
+from rosarch.findings.policy import THRESHOLDS, Policy, Reported, apply_policy
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-from rosarch.models.checks import check_files
+from rosarch.rule_programs.checks import check_files
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 from systems import small
 
-from rosarch.cli.diff import DiffFormat, State, compare_states
+from rosarch.analysis.comparison import Snapshot
+from rosarch.cli.commands.diff import DiffFormat, State, compare_states
 from rosarch.cli.revisions import LARGEST_FILE, export, resolve
-from rosarch.models.comparison import Snapshot
 
 CHANGED = """\
 talker/talker

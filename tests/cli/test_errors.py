@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.limits import Limits
+from rosarch.base.limits import Limits
 
 
 @pytest.fixture(autouse=True)
@@ -179,7 +179,7 @@ def test_wrong_usage_is_one_line(rosarch: Callable, arguments: tuple[str, ...]) 
 
 
 def test_defect_is_one_line(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosarch.models.analysis.analyze", lambda *_arguments, **_options: {}["models"])
+    monkeypatch.setattr("rosarch.analysis.components.analyze", lambda *_arguments, **_options: {}["models"])
     outcome = rosarch("analyze", "ws")
     text = "rosarch: error: unexpected KeyError: 'models' (this is a defect of rosarch; --traceback shows where)\n"
     assert (outcome.code, outcome.out, outcome.err) == (2, "", text)
@@ -191,7 +191,7 @@ def test_interrupt(rosarch: Callable, workspace: Path, monkeypatch: pytest.Monke
     def interrupted(*_arguments: object, **_options: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("rosarch.models.analysis.analyze", interrupted)
+    monkeypatch.setattr("rosarch.analysis.components.analyze", interrupted)
     outcome = rosarch("analyze", "ws")
     assert (outcome.code, outcome.out, outcome.err) == (130, "", "rosarch: interrupted\n")
 

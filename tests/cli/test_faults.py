@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.datalog import scratch
-from rosarch.datalog.scratch import PREFIX, remove_abandoned, scratch_folder
+from rosarch.base import scratch
+from rosarch.base.scratch import PREFIX, remove_abandoned, scratch_folder
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -30,7 +30,7 @@ def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_folders_of_killed_runs_are_removed_and_no_others(temporary: Path) -> None:
     holding = (
-        "from rosarch.datalog.scratch import scratch_folder\nimport time\n"
+        "from rosarch.base.scratch import scratch_folder\nimport time\n"
         "with scratch_folder() as folder:\n    (folder / 'file').touch()\n    print(folder, flush=True)\n    time.sleep(60)\n"
     )
     process = subprocess.Popen(

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from systems import small
 
+from rosarch.analysis.systems.analysis import SystemAnalysis
 from rosarch.cli.systems import SystemInputs
-from rosarch.models.system.analysis import SystemAnalysis
 
 SYSTEMS = (small(), replace(small(), name="arm/sim.launch", nodes=small().nodes[:1], connectors=()))
 Result = tuple[int, str, str]

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from rosarch.cli.commands import load_command
-from rosarch.models.own_rules import own_programs
+from rosarch.cli.command_table import load_command
+from rosarch.rule_programs.own_files import own_programs
 
 Run = Callable[..., Any]
 LOUD = """// id: loud

@@ -94,7 +94,7 @@ def test_sources_stay_untouched(rosarch: Callable, workspace: Path) -> None:
 
 
 def test_narrow_terminal(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rosarch.models.analysis import analyze
+    from rosarch.analysis.components import analyze
 
     monkeypatch.setenv("COLUMNS", "40")
     monkeypatch.setenv("NO_COLOR", "1")
@@ -109,7 +109,7 @@ def test_narrow_terminal(rosarch: Callable, workspace: Path, monkeypatch: pytest
 
 
 def test_no_color(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rosarch.models.analysis import analyze
+    from rosarch.analysis.components import analyze
 
     models = analyze(workspace).models
     monkeypatch.setenv("TERM", "xterm")
@@ -133,7 +133,7 @@ def test_help_loads_no_analysis() -> None:
 
 
 def test_the_help_tells_what_the_modules_of_commands_tell(rosarch: Callable) -> None:
-    from rosarch.cli.commands import SUMMARIES, load_command
+    from rosarch.cli.command_table import SUMMARIES, load_command
 
     told = rosarch("--help").out
     for name, summary in SUMMARIES.items():

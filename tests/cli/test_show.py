@@ -65,7 +65,7 @@ def test_behavior_as_json(rosarch: Callable, workspace: Path) -> None:
 
 
 def test_one_node_is_read_alone(rosarch: Callable, examples: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rosarch.models import analysis
+    from rosarch.analysis import components as analysis
 
     read: list[list[str]] = []
     evaluate = analysis._evaluate

@@ -12,13 +12,13 @@ from types import ModuleType
 import pytest
 from hand_made import load, system_of
 
-from rosarch.composition.inputs import Inputs
-from rosarch.verification import spin, storm
-from rosarch.verification.check import Limits
-from rosarch.verification.check import verify as verify_all
-from rosarch.verification.properties import read_properties
+from rosarch.behavior.composition.inputs import Inputs
+from rosarch.behavior.verification import spin, storm
+from rosarch.behavior.verification.check import Limits
+from rosarch.behavior.verification.check import verify as verify_all
+from rosarch.behavior.verification.properties import read_properties
 
-SYSTEMS = Path(__file__).parent.parent / "verification" / "systems"
+SYSTEMS = Path(__file__).parent.parent / "behavior" / "verification" / "systems"
 needs_checker = pytest.mark.skipif(not (spin.is_installed() or storm.is_installed()), reason=f"{spin.HINT}; {storm.HINT}")
 
 
@@ -29,7 +29,7 @@ def verify(rosarch: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
     def run(name: str, properties: str, *words: str):
         Path("p").write_text(properties)
-        monkeypatch.setattr("rosarch.cli.verify.load_composed", lambda *_: system_of(load(SYSTEMS / f"{name}.yml")["nodes"]))
+        monkeypatch.setattr("rosarch.cli.commands.verify.load_composed", lambda *_: system_of(load(SYSTEMS / f"{name}.yml")["nodes"]))
         return rosarch("verify", tmp_path, "--properties", "p", *words)
 
     return run

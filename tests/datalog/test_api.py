@@ -11,8 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.datalog import Attribute, DatalogError, Program, cache, load_declarations, load_program, parser
-from rosarch.datalog.errors import Report
+from rosarch.datalog import Attribute, DatalogError, Program, cache, load_declarations, load_program
+from rosarch.datalog.language import parser
+from rosarch.datalog.language.errors import Report
 
 TYPED = """.type Node <: symbol
 .type P = [x: number]

@@ -10,8 +10,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pyroaring import BitMap
 
-from rosarch.datalog import Program, bulk, engine, profile
-from rosarch.datalog.row_text import line_chunks
+from rosarch.datalog import Program, profile
+from rosarch.datalog.engine import bulk, engine
+from rosarch.datalog.files.row_text import line_chunks
 
 EDGE = ".decl e(a: symbol, b: symbol)\n.input e\n.decl f(a: symbol, b: symbol)\n.input f\n"
 RULES = {

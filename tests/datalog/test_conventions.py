@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rosarch.datalog import load_program
-from rosarch.datalog.conventions import unconventional
+from rosarch.datalog.inspection.conventions import unconventional
 
 FACTS = """\
 /// `x` is there. Must.

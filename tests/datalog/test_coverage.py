@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.datalog import Program, coverage, run_rule_tests
-from rosarch.datalog.rule_tests import outcome_text, report_text
+from rosarch.datalog.inspection.rule_tests import outcome_text, report_text
 
 PROGRAM = (
     ".decl e(x: number)\n.input e\n.decl r(x: number)\n"

@@ -9,8 +9,9 @@ from typing import Any
 
 import pytest
 
-from rosarch.datalog import DatalogError, Layout, Program, Proof, Result, clauses, explain, explain_all, load_program, proof_text, row_store
-from rosarch.datalog.proofs import Absent, AggregateValue, Condition
+from rosarch.datalog import DatalogError, Layout, Program, Proof, Result, explain, explain_all, load_program, proof_text, row_store
+from rosarch.datalog.inspection import clauses
+from rosarch.datalog.inspection.proofs import Absent, AggregateValue, Condition
 
 GRAPH = """.decl edge(a: symbol, b: symbol)
 .input edge
@@ -255,8 +256,8 @@ def test_errors(load: Callable[[str], Program], goal: str, expected: str) -> Non
 
 def test_a_port_of_an_example(examples: Path) -> None:
     """Down to the source: every leaf is a fact, and the lines of the source tell the story."""
+    from rosarch.base.files import folder_reader
     from rosarch.datalog import SourceLines
-    from rosarch.extractor.files import folder_reader
     from rosarch.extractor.manifest import rules_folder
     from rosarch.extractor.pipeline import extract
 

@@ -8,7 +8,7 @@ from typing import Any
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rosarch.datalog.indexes import Index
+from rosarch.datalog.engine.indexes import Index
 
 UNHURRIED = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 VALUES = st.integers(0, 5)

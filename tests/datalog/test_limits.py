@@ -14,9 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosarch.datalog import DatalogError, Program, load_program
-from rosarch.datalog.domain import EvaluationError
-from rosarch.datalog.regular import _FLAGS, Automaton, _parser, full_match
-from rosarch.datalog.values import ValueReader, ValueWriter, show_value
+from rosarch.datalog.engine.regular import _FLAGS, Automaton, _parser, full_match
+from rosarch.datalog.language.domain import EvaluationError
+from rosarch.datalog.language.values import ValueReader, ValueWriter, show_value
 
 DEPTH = 200_000
 LIST = ".type L = [head: number, tail: L]\n"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rosarch.datalog import load_program
-from rosarch.datalog.mutation import Case, MutationTest, merged, mutants
+from rosarch.datalog.inspection.mutation import Case, MutationTest, merged, mutants
 from rosarch.datalog.program import Program
 
 RULES = """\

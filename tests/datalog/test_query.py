@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from rosarch.datalog import DatalogError, Program, query, table_text
-from rosarch.datalog.queries import check_query, table_values
+from rosarch.datalog.inspection.queries import check_query, table_values
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rosarch.datalog import DatalogError
-from rosarch.datalog.rederive import Edit, Part, RuleHistory
+from rosarch.datalog.engine.rederive import Edit, Part, RuleHistory
 
 BASE = """\
 .decl edge(x: symbol, y: symbol)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rosarch.datalog import Program, reference, reference_text
-from rosarch.datalog.relation_reference import list_text
+from rosarch.datalog.inspection.relation_reference import list_text
 
 SOURCE = """/// `a` is joined to `b`; in one direction. Must.
 .decl edge(a: symbol, b: symbol)
@@ -98,7 +98,7 @@ def test_list(load: Callable[[str], Program]) -> None:
 
 def test_every_rule_of_rosarch_has_its_text() -> None:
     from rosarch.datalog import load_program
-    from rosarch.datalog.clauses import rules_of
+    from rosarch.datalog.inspection.clauses import rules_of
     from rosarch.extractor.manifest import rules_folder
 
     rules = rules_of(load_program(rules_folder() / "component.dl"))

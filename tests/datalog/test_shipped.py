@@ -10,7 +10,7 @@ import pytest
 
 from rosarch.datalog import DatalogError, Program, is_compiled, load_program, ship_program
 from rosarch.datalog import program as programs
-from rosarch.datalog import shipped as shipping
+from rosarch.datalog.engine import shipped as shipping
 
 RULES = '.decl edge(a: symbol, b: symbol)\n.input edge\n.include "more/path.dl"\n'
 PATHS = (

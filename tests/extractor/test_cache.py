@@ -11,8 +11,9 @@ from typing import Any
 
 import pytest
 
-from rosarch.extractor.cache import Cache, extractor_version, hash_of
+from rosarch.base.cache import Cache, hash_of
 from rosarch.extractor.pipeline import extract
+from rosarch.extractor.version import extractor_version
 
 CMAKE = """
 cmake_minimum_required(VERSION 3.0)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from workspace_builder import package, write
 
-from rosarch.extractor.cache import Cache
+from rosarch.base.cache import Cache
 from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.manifest import read_manifest
 from rosarch.extractor.pipeline import ComponentFacts, Extraction, extract

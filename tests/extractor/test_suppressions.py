@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.files import folder_reader
+from rosarch.base.files import folder_reader
 from rosarch.extractor.suppressions import Suppression, find_suppressions, has_suppressions, suppressions_in
 
 

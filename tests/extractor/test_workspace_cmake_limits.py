@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from workspace_builder import evaluated, messages, package
 
-from rosarch.extractor import patterns
+from rosarch.base import patterns
 from rosarch.extractor.workspace import discover
 from rosarch.extractor.workspace.cmake_limits import OutOfTime, time_limit
 

@@ -26,7 +26,7 @@ sys.path.insert(0, str(HERE))
 from mutations import mutants  # noqa: E402
 from targets import TARGETS, Target, prepare  # noqa: E402
 
-from rosarch.extractor.pool import Failure, default_jobs, run_tasks  # noqa: E402
+from rosarch.base.pool import Failure, default_jobs, run_tasks  # noqa: E402
 
 SLOW = 3.0
 """Seconds of processor time that no input of this size may take."""

@@ -81,7 +81,7 @@ def datalog(data: bytes, folder: Path) -> None:
 def facts(data: bytes, folder: Path) -> None:
     """A file of facts, as rows of relations of several shapes."""
     from rosarch.datalog import DatalogError, load_program, read_facts
-    from rosarch.datalog.facts import write_facts
+    from rosarch.datalog.files.facts import write_facts
 
     schema = folder / "schema.dl"
     if not schema.is_file():
@@ -383,8 +383,8 @@ def compile_commands(data: bytes, folder: Path) -> None:
 )
 def comments(data: bytes, folder: Path) -> None:
     """Suppressions and expectations in files of every kind."""
-    from rosarch.expectations.comments import marked
-    from rosarch.expectations.grammar import ExpectationError, parse
+    from rosarch.evaluation.expectations.comments import marked
+    from rosarch.evaluation.expectations.grammar import ExpectationError, parse
     from rosarch.extractor.suppressions import suppressions_in
 
     text = _text(data)
@@ -443,7 +443,7 @@ def cxx(data: bytes, folder: Path) -> None:
 )
 def configuration(data: bytes, folder: Path) -> None:
     """`.rosarch.yml`."""
-    from rosarch.models.configuration_reader import ConfigurationError, read_configuration
+    from rosarch.findings.configuration_reader import ConfigurationError, read_configuration
 
     try:
         read_configuration(_text(data), ".rosarch.yml", ["topic-type-mismatch", "parameter-type"])
@@ -457,8 +457,8 @@ def configuration(data: bytes, folder: Path) -> None:
 def truth(data: bytes, folder: Path) -> None:
     """A model written by hand, and the same text as an experiment."""
     from rosarch.datalog import DatalogError
-    from rosarch.experiments.plan import PlanError, read_experiment
-    from rosarch.experiments.truth import TruthError, read_truth
+    from rosarch.evaluation.experiments.plan import PlanError, read_experiment
+    from rosarch.evaluation.experiments.truth import TruthError, read_truth
 
     below = folder / "truth"
     below.mkdir(exist_ok=True)
@@ -478,8 +478,8 @@ def truth(data: bytes, folder: Path) -> None:
 )
 def documents(data: bytes, folder: Path) -> None:
     """JSON of several kinds: a file of the library, a baseline."""
+    from rosarch.findings.baseline import BaselineError, read_baseline
     from rosarch.library.reading import read_library_file
-    from rosarch.models.baseline import BaselineError, read_baseline
 
     path = folder / "library.json"
     path.write_bytes(data)

@@ -6,7 +6,7 @@ import random
 from collections import defaultdict
 from collections.abc import Iterable
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
 
 SENDING = ("publisher", "service_client", "action_client", "tf_broadcaster")

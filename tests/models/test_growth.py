@@ -7,8 +7,8 @@ from pathlib import Path
 from check_speed import make_workspace
 
 from rosarch.cli.systems import SystemInputs, load_surrounding
-from rosarch.models.rule_sets import system_rules
 from rosarch.models.system.build import evaluate
+from rosarch.rule_programs.sets import system_rules
 
 BUS = 6
 """Nodes that share a topic."""

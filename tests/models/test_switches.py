@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.analysis.components import analyze
 from rosarch.models import formula
-from rosarch.models.analysis import analyze
 from rosarch.models.switches import Switched
 
 HERE = Path(__file__).parent

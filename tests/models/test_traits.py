@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from rosarch.models.analysis import analyze
+from rosarch.analysis.components import analyze
 from rosarch.models.component import ComponentModel
 from rosarch.models.traits import TRAITS
 

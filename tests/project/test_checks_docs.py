@@ -10,11 +10,11 @@ import pytest
 import yaml
 from handmade_findings import CHECKS, FULL, MISMATCH, SOURCES
 
+from rosarch.base.places import Place
 from rosarch.extractor.suppressions import suppressions_in
-from rosarch.models.configuration_reader import read_configuration
-from rosarch.models.findings import Evidence
-from rosarch.models.places import Place
-from rosarch.models.policy import CHOICES, THRESHOLDS, Policy, apply_policy
+from rosarch.findings.configuration_reader import read_configuration
+from rosarch.findings.model import Evidence
+from rosarch.findings.policy import CHOICES, THRESHOLDS, Policy, apply_policy
 from rosarch.reports.findings import FORMATS, Setting, report_text
 
 ROOT = Path(__file__).resolve().parents[2]

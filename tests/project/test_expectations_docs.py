@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.expectations.comments import marked
-from rosarch.expectations.elements import kinds
-from rosarch.expectations.grammar import parse
+from rosarch.evaluation.expectations.comments import marked
+from rosarch.evaluation.expectations.elements import kinds
+from rosarch.evaluation.expectations.grammar import parse
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/expectations.md").read_text(encoding="utf-8")

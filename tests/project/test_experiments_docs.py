@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 import yaml
 
-from rosarch.experiments.truth import read_truth
-from rosarch.experiments.truth_fields import LISTS
+from rosarch.evaluation.experiments.truth import read_truth
+from rosarch.evaluation.experiments.truth_fields import LISTS
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/experiments.md").read_text(encoding="utf-8")

@@ -1,8 +1,10 @@
-"""Every folder and every data file of the packages is installed."""
+"""Every folder of Python and every data file of the packages is installed, and imports follow the layers."""
 
 from __future__ import annotations
 
+import ast
 import fnmatch
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -10,29 +12,58 @@ import pytest
 tomllib = pytest.importorskip("tomllib", reason="needs Python 3.11")
 
 ROOT = Path(__file__).resolve().parents[2]
-SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["setuptools"]
-FOLDERS = {name: ROOT / folder for name, folder in SETTINGS["package-dir"].items()}
+DATA = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["setuptools"]["package-data"]
+# from the first to the last: a package imports those before it, never those behind it
+LAYERS = (
+    *("base", "rules", "datalog", "extractor", "rule_programs", "models", "library", "findings", "analysis"),
+    *("behavior", "observation", "evaluation", "reports", "cli"),
+)
+NO_PACKAGES = {"benchmarks", "docs", "examples", "tests"}
 
 
-def packages() -> dict[str, Path]:
-    found = {}
-    for name, folder in FOLDERS.items():
-        for init in folder.rglob("__init__.py"):
-            found[".".join([name, *init.parent.relative_to(folder).parts])] = init.parent
-    return found
+def packages(top: str) -> dict[str, Path]:
+    """The packages below a top folder, by their names."""
+    return {".".join(init.parent.relative_to(ROOT).parts): init.parent for init in (ROOT / top).rglob("__init__.py")}
 
 
-def test_every_package_is_listed() -> None:
-    assert sorted(SETTINGS["packages"]) == sorted(packages())
+def files(top: str) -> Iterator[Path]:
+    """What is installed of a top folder."""
+    for path in sorted((ROOT / top).rglob("*")):
+        if path.is_file() and not any(part.startswith(".") or part in ("viewer", "__pycache__") for part in path.parts):
+            yield path
 
 
-@pytest.mark.parametrize("name", sorted(FOLDERS))
-def test_every_data_file_is_listed(name: str) -> None:
-    inside = {package: folder for package, folder in packages().items() if package == name or package.startswith(f"{name}.")}
-    for path in FOLDERS[name].rglob("*"):
-        if not path.is_file() or path.suffix in (".py", ".pyc") or any(part.startswith(".") for part in path.parts):
-            continue
-        owner = max((p for p, folder in inside.items() if path.is_relative_to(folder)), key=len)
+def imported(path: Path) -> Iterator[str]:
+    """The packages of rosarch that a module imports anywhere."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+        if isinstance(node, ast.ImportFrom):
+            assert not node.level, f"{path}:{node.lineno}: imports are absolute"
+            names = [f"rosarch.{alias.name}" for alias in node.names] if node.module == "rosarch" else [node.module or ""]
+        yield from (name.split(".")[1] for name in names if name.startswith("rosarch."))
+
+
+def test_every_top_folder_with_modules_has_a_layer() -> None:
+    tops = {path.parent.name for path in ROOT.glob("*/__init__.py")}
+    assert tops - NO_PACKAGES == set(LAYERS)
+
+
+@pytest.mark.parametrize("top", LAYERS)
+def test_every_file_is_installed(top: str) -> None:
+    inside = packages(top)
+    for path in files(top):
+        owner = max((name for name, folder in inside.items() if path.is_relative_to(folder)), key=len)
         relative = path.relative_to(inside[owner]).as_posix()
-        patterns = SETTINGS["package-data"].get(owner, [])
-        assert any(fnmatch.fnmatch(relative, pattern.replace("**/*", "*")) for pattern in patterns), path
+        if path.suffix == ".py":
+            assert "/" not in relative, f"{path.parent} has no __init__.py"
+        else:
+            patterns = DATA.get(f"rosarch.{owner}", [])
+            assert any(fnmatch.fnmatch(relative, pattern.replace("**/*", "*")) for pattern in patterns), path
+
+
+@pytest.mark.parametrize("top", LAYERS)
+def test_imports_follow_the_layers(top: str) -> None:
+    behind = set(LAYERS[LAYERS.index(top) + 1 :])
+    for path in files(top):
+        if path.suffix == ".py":
+            assert not behind & set(imported(path)), path

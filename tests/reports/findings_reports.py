@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from handmade_findings import CHECKS, FULL, NEAR_MISS, SOURCES, STYLE, finding, read
 
+from rosarch.base.places import Place
 from rosarch.extractor.suppressions import Suppression
-from rosarch.models.baseline import Baseline
-from rosarch.models.findings import Evidence, Finding
-from rosarch.models.places import Place
-from rosarch.models.policy import Policy, Reported, apply_policy
+from rosarch.findings.baseline import Baseline
+from rosarch.findings.model import Evidence, Finding
+from rosarch.findings.policy import Policy, Reported, apply_policy
 from rosarch.reports.findings import Setting
 
 HERE = Setting(read)

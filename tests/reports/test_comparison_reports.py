@@ -8,7 +8,7 @@ import pytest
 from jsonschema import Draft202012Validator
 from systems import at
 
-from rosarch.models.comparison.changes import Change, Detail
+from rosarch.analysis.comparison.changes import Change, Detail
 from rosarch.reports.comparison import changes_json, changes_markdown, changes_schema, changes_text
 
 CHANGES = (

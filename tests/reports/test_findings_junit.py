@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, nothing, one
 from handmade_findings import CHECKS, FULL, STYLE, finding
 
-from rosarch.models.policy import Policy, apply_policy
+from rosarch.findings.policy import Policy, apply_policy
 from rosarch.reports.findings_junit import findings_text
 
 

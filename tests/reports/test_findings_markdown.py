@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 
-from rosarch.models.policy import Policy, apply_policy
+from rosarch.findings.policy import Policy, apply_policy
 from rosarch.reports.findings_markdown import LONGEST, findings_text
 
 

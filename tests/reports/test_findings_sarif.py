@@ -13,7 +13,7 @@ from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, not
 from handmade_findings import FULL, MISMATCH, finding
 from jsonschema import Draft4Validator
 
-from rosarch.models.policy import Policy, apply_policy
+from rosarch.findings.policy import Policy, apply_policy
 from rosarch.reports.findings_sarif import findings_text
 
 

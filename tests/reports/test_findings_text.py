@@ -10,10 +10,10 @@ from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, not
 from handmade_findings import CHECKS, FULL, MISMATCH, STYLE, finding
 from systems import node, small, system
 
-from rosarch.models.findings import Evidence
-from rosarch.models.places import Place
-from rosarch.models.policy import Policy, apply_policy
-from rosarch.models.system.checked import scope_of
+from rosarch.analysis.systems.checked import scope_of
+from rosarch.base.places import Place
+from rosarch.findings.model import Evidence
+from rosarch.findings.policy import Policy, apply_policy
 from rosarch.reports.excerpts import WIDEST, Excerpts
 from rosarch.reports.findings import Setting, scope_text
 from rosarch.reports.findings_text import findings_text

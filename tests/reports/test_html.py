@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from rosarch.models.places import Place
+from rosarch.base.places import Place
 from rosarch.reports.html.page import page_text
 from rosarch.reports.html.sources import Marks, cut, excerpts, places_in
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any, Literal
 
 from rosarch.datalog import Program, Result, load_program
-from rosarch.datalog.errors import DatalogError
+from rosarch.datalog.language.errors import DatalogError
 from rosarch.extractor.manifest import rules_folder
-from rosarch.models.checks import check_files
+from rosarch.rule_programs.checks import check_files
 
 SHORTHAND = Path(__file__).parent / "checks" / "shorthand.dl"
 

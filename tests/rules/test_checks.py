@@ -13,13 +13,13 @@ from pathlib import Path
 import pytest
 from system_cases import facts_and_program
 
+from rosarch.base.places import Place
 from rosarch.extractor.manifest import rules_folder
-from rosarch.models.checks import check_files, read_check
-from rosarch.models.findings import Finding
-from rosarch.models.places import Place
-from rosarch.models.rule_sets import SystemRules
+from rosarch.findings.model import Finding
+from rosarch.findings.of_systems import findings
 from rosarch.models.system.build import evaluate
-from rosarch.models.system.findings import findings
+from rosarch.rule_programs.checks import check_files, read_check
+from rosarch.rule_programs.sets import SystemRules
 
 HERE = Path(__file__).parent / "checks"
 CASES = sorted(HERE.glob("*/*.dl"))

@@ -13,9 +13,9 @@ from rosarch.datalog import RelationDecl, load_declarations
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import rules_folder
 from rosarch.extractor.pipeline import extract
-from rosarch.models.rule_lint import lint_rules
-from rosarch.models.rule_sets import component_program, rule_set, system_rules
-from rosarch.models.variants import Decision, decisions
+from rosarch.rule_programs.lint import lint_rules
+from rosarch.rule_programs.sets import component_program, rule_set, system_rules
+from rosarch.rule_programs.variants import Decision, decisions
 
 RULES = rules_folder()
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -30,7 +30,7 @@ ELSEWHERE = {
     "module_member_absent": "tests/rules/packages/python_members/scripts/stock.py",
     "call_misfits": "tests/rules/packages/python_calls/scripts/filler.py",
     # the configuration of a node, which no source has
-    **dict.fromkeys(load_declarations(RULES / "schema" / "configuration.dl"), "tests/models/test_system_instances.py"),
+    **dict.fromkeys(load_declarations(RULES / "schema" / "configuration.dl"), "tests/analysis/test_instances.py"),
 }
 
 

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from rosarch.datalog import Program, load_program
-from rosarch.datalog.facts import show_cell
+from rosarch.datalog.files.facts import show_cell
 from rosarch.extractor.manifest import rules_folder
-from rosarch.models.rule_sets import model_program
+from rosarch.rule_programs.sets import model_program
 
 HERE = Path(__file__).parent
 CASES = sorted(folder.parent for folder in HERE.glob("*/*/expected"))

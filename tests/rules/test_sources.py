@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.cli.commands.rules_test import systems_of
 from rosarch.cli.questions import Reading
-from rosarch.cli.rules_test import systems_of
-from rosarch.expectations.alone import Alone
-from rosarch.expectations.cases import find_cases
-from rosarch.expectations.run import FileOutcome, Running, run_cases
-from rosarch.models.rule_sets import SHIPPED, rule_set
+from rosarch.evaluation.expectations.alone import Alone
+from rosarch.evaluation.expectations.cases import find_cases
+from rosarch.evaluation.expectations.run import FileOutcome, Running, run_cases
 from rosarch.reports.expectations import file_text
+from rosarch.rule_programs.sets import SHIPPED, rule_set
 
 HERE = Path(__file__).parent
 FOLDERS = {"sources": SHIPPED, "packages": SHIPPED, "hints": rule_set([HERE / "hints" / "hints.dl"])}

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 from system_cases import evaluated, program_of, whole
 
-from rosarch.datalog.errors import Location
-from rosarch.datalog.facts import show_cell
-from rosarch.datalog.rule_coverage import Collector
+from rosarch.datalog.files.facts import show_cell
+from rosarch.datalog.inspection.rule_coverage import Collector
+from rosarch.datalog.language.errors import Location
 
 HERE = Path(__file__).parent
 CASES = sorted((HERE / "systems").glob("*.dl"))

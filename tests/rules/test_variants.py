@@ -12,8 +12,8 @@ import pytest
 
 from rosarch.datalog import Program
 from rosarch.extractor.pipeline import extract
-from rosarch.models.rule_sets import component_program, rule_set, system_rules
-from rosarch.models.variants import decisions
+from rosarch.rule_programs.sets import component_program, rule_set, system_rules
+from rosarch.rule_programs.variants import decisions
 
 HERE = Path(__file__).parent
 MANIFEST = (

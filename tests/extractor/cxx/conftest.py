@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.base.diagnostics import SourceProblem
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, extract_unit
 from rosarch.extractor.cxx.unit import file_key
-from rosarch.extractor.diagnostics import SourceProblem
 from rosarch.extractor.facts import validate
 
 Row = tuple[str | int, ...]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rosarch.extractor.boundary import confined
+from rosarch.base.boundary import confined
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, extract_unit
 

@@ -8,6 +8,8 @@ from typing import Any
 import pytest
 from launch_builder import MANIFEST, composed
 
+from rosarch.analysis.systems import manifests
+from rosarch.analysis.systems.workspace import container_rows, dependencies, first_rows, workspace_rows
 from rosarch.datalog import load_declarations
 from rosarch.extractor.launch import Files, compose
 from rosarch.extractor.launch.facts import kind_and_text, launch_rows, library_name, started
@@ -16,8 +18,6 @@ from rosarch.extractor.launch.scripts import MAX_FILES, script_rows
 from rosarch.extractor.launch.values import Binary
 from rosarch.extractor.manifest import rules_folder
 from rosarch.library import load
-from rosarch.models.system import manifests
-from rosarch.models.system.workspace import container_rows, dependencies, first_rows, workspace_rows
 
 Rows = dict[str, set[tuple[Any, ...]]]
 MAIN = "here/main.launch:"

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from ros2_launch_builder import HEAD, MANIFEST, composed, names, params, problems, xml
 
+from rosarch.base.limits import Limits
 from rosarch.extractor.launch import Files, PackagePath, launch_files, ros_version, top_level
-from rosarch.extractor.limits import Limits
 
 _TENFOLD = [f"x{i}: &x{i} [{', '.join([f'*x{i - 1}'] * 10)}]\n" for i in range(1, 8)]
 UNFOLDING = f"x0: &x0 [a]\n{''.join(_TENFOLD)}launch:\n- arg: {{name: a, default: *x7}}\n"

@@ -1,0 +1,164 @@
+"""From a workspace and its launch files to systems and findings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from rosarch.analysis.systems.reading import Reading, rules_hash
+from rosarch.analysis.systems.shared import Launch, Surrounding, SystemFacts, surrounding
+from rosarch.base.cache import Cache, hash_of
+from rosarch.base.diagnostics import Diagnostic
+from rosarch.base.memo import Memo, stage_version
+from rosarch.base.places import Place
+from rosarch.base.pool import Failure, default_jobs, run_tasks
+from rosarch.findings.model import Finding
+from rosarch.models.component import ComponentModel
+from rosarch.models.system.model import SystemModel
+from rosarch.models.system.rows import Rows
+
+if TYPE_CHECKING:
+    from rosarch.datalog import Result
+    from rosarch.rule_programs.sets import SystemRules
+
+
+@dataclass(frozen=True)
+class SystemAnalysis:
+    """The systems of a workspace, the findings about them (each once, with the systems that have it), and what was not understood."""
+
+    systems: tuple[SystemModel, ...]
+    findings: tuple[Finding, ...]
+    models: tuple[ComponentModel, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+Composed = tuple[SystemModel, list[Finding]]
+"""A system, and what checks find in it."""
+Made = TypeVar("Made")
+Maker = Callable[["SystemRules", Launch, Rows, Reading], Made]
+
+
+def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | None = None, memo: Memo | None = None) -> SystemAnalysis:
+    """Compose the nodes that `launches` start from their components, and check each system, by the rules of `reading`.
+
+    See `surrounding` for the components.
+    """
+    reading = reading or Reading()
+    shared = surrounding(root, launches, reading, memo)
+    found: dict[int, Composed | Failure] = {}
+    for index, outcome in each_system("system", shared, launches, reading, _system):
+        found[index] = outcome
+        if reading.progress:
+            reading.progress("systems", len(found), len(launches))
+    return gathered(shared, launches, found)
+
+
+def gathered(shared: Surrounding, launches: Sequence[Launch], found: Mapping[int, Composed | Failure]) -> SystemAnalysis:
+    """What was found of launches, by their indices, as one."""
+    made = {index: outcome for index, outcome in found.items() if not isinstance(outcome, Failure)}
+    diagnostics = list(shared.diagnostics)
+    for index, outcome in found.items():
+        if isinstance(outcome, Failure):
+            detail = f"{launches[index].name} not composed: {outcome.reason} ({outcome.detail})"
+            diagnostics.append(Diagnostic("launch", shared.root, 1, 1, detail))
+    systems = sorted((system for system, _ in made.values()), key=lambda system: system.name)
+    raised = [finding for index in sorted(made) for finding in made[index][1]]
+    return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
+
+
+def findings_in(shared: Surrounding, launches: Sequence[Launch], reading: Reading) -> tuple[Finding, ...]:
+    """What checks find in the systems of `launches`; all in this process, and nothing is kept."""
+    from rosarch.rule_programs.sets import system_rules
+
+    rules = system_rules(reading.rules)
+    return _together([found for launch in launches for found in _system(rules, launch, shared.rows(launch), reading)[1]])
+
+
+def each_system(
+    stage: str,
+    shared: Surrounding,
+    launches: Sequence[Launch],
+    reading: Reading,
+    make: Maker[Made],
+    before: Callable[[SystemRules], object] | None = None,
+) -> Iterator[tuple[int, Made | Failure]]:
+    """What `make` makes of each launch, by its index: as it was when all facts are the same, else worked out in worker processes.
+
+    `stage` tells in the cache what is made; `before` is called with the rules before there are workers, which then have what it reads.
+    """
+    kept = SystemCache(reading.cache, stage, rules_hash(reading.rules), reading.engine) if reading.cache else None
+    facts = list(map(shared.facts, launches))
+    waiting = []
+    for index, launch in enumerate(launches):
+        known = kept.load(launch, facts[index]) if kept else None
+        if known is None:
+            waiting.append(index)
+        else:
+            yield index, known
+    if not waiting:
+        return
+    from rosarch.base.limits import LIMITS
+    from rosarch.rule_programs.sets import system_rules
+
+    rules = system_rules(reading.rules)
+    if before:
+        before(rules)
+
+    def work(index: int) -> Made:
+        return make(rules, launches[index], facts[index].rows(), reading)
+
+    for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=LIMITS.evaluation):
+        if kept and not isinstance(outcome, Failure):
+            kept.store(launches[waiting[done]], facts[waiting[done]], outcome)
+        yield waiting[done], outcome
+    if kept:
+        kept.cache.trim()
+
+
+@dataclass(frozen=True)
+class SystemCache:
+    """What rules make of systems; `rules` is a hash of those that do not ship."""
+
+    cache: Cache
+    stage: str
+    rules: str
+    engine: str
+
+    def load(self, launch: Launch, facts: SystemFacts) -> Any:
+        """What was made of a system, found by a hash of all its facts; None when there is nothing."""
+        return self.cache.load_value(self._key(launch, facts), object)
+
+    def store(self, launch: Launch, facts: SystemFacts, made: object) -> None:
+        """Keep what was made of a system."""
+        self.cache.store_value(self._key(launch, facts), made)
+
+    def _key(self, launch: Launch, facts: SystemFacts) -> str:
+        words = (launch.name, "", *launch.words, "")
+        return hash_of([self.stage, stage_version(), self.rules, self.engine, *words, facts.digest()])
+
+
+def _system(rules: SystemRules, launch: Launch, rows: Rows, reading: Reading) -> Composed:
+    from rosarch.models.system.build import evaluate
+
+    return composed(rules, launch, rows, evaluate(rules, rows, reading.engine))
+
+
+def composed(rules: SystemRules, launch: Launch, rows: Rows, result: Result) -> Composed:
+    """The model of a system and its findings, from what rules derived."""
+    from rosarch.findings.of_systems import findings
+    from rosarch.models.system.build import system_model
+
+    places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
+    return system_model(launch.name, launch.words, rows, result, places), findings(rules.checks, result, places, launch.name)
+
+
+def _together(found: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Findings that several systems have, once."""
+    first: dict[tuple[str, str, Place], Finding] = {}
+    for finding in found:
+        key = (finding.check.id, finding.message, finding.place)
+        other = first.get(key)
+        first[key] = replace(other, systems=tuple(sorted({*other.systems, *finding.systems}))) if other else finding
+    return tuple(sorted(first.values(), key=lambda finding: (finding.place, finding.check.id, finding.message)))

@@ -1,0 +1,309 @@
+"""Nodes as their components with their configurations: which models a launch needs, and which node has which.
+
+A node's host is the component that is started. What it makes inside of its own, nodes and plug-ins, depends on the model of the host with
+the node's configuration; of a plug-in again on the model of the plug-in.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rosarch.analysis.systems.trees import Trees
+from rosarch.extractor.launch.arguments import node_arguments
+from rosarch.extractor.launch.facts import kind_and_text
+from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
+from rosarch.extractor.launch.names import canonical, global_namespace
+from rosarch.extractor.launch.values import automatic
+from rosarch.extractor.launch_ros2.params_files import matches
+from rosarch.extractor.workspace.plugins import TREE_NODE
+from rosarch.models.component import ComponentModel
+from rosarch.models.node_configuration import InnerNode, NodeConfiguration, told_to
+
+Component = tuple[str, str]
+"""Package and name."""
+
+_DEPTH = 6
+"""Plug-ins that load plug-ins are followed so far."""
+
+
+@dataclass
+class Known:
+    """Models that there are: of components by themselves, by package and by the names that they are started by, and with configurations.
+
+    `trees` reads the behavior trees of the workspace.
+    """
+
+    trees: Trees
+    hosts: dict[tuple[str, str], dict[str, ComponentModel]] = field(default_factory=lambda: defaultdict(dict))
+    configured: dict[tuple[Component, str], ComponentModel] = field(default_factory=dict)
+    plugins: dict[tuple[str, str], ComponentModel] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, trees: Trees, models: Iterable[ComponentModel]) -> Known:
+        """What is known by these models."""
+        known = cls(trees)
+        known.add(models)
+        return known
+
+    def add(self, models: Iterable[ComponentModel]) -> None:
+        """More models."""
+        for model in models:
+            if model.configuration:
+                self.configured[(model.package, model.component), model.configuration] = model
+                if model.plugin:
+                    self.plugins[model.plugin.name, model.configuration] = model
+            else:
+                for type_ in (model.component,) if model.executable else model.types:
+                    self.hosts[model.package, type_][model.title] = model
+
+
+@dataclass
+class Wants:
+    """Models that nodes need: of components, of plug-ins by the names that they are loaded by, and those that are needed by themselves."""
+
+    components: dict[Component, set[NodeConfiguration]] = field(default_factory=lambda: defaultdict(set))
+    plugins: dict[str, set[NodeConfiguration]] = field(default_factory=lambda: defaultdict(set))
+    alone: set[str] = field(default_factory=set)
+
+
+@dataclass(frozen=True)
+class Parts:
+    """What a node consists of: the titles of its models, and what belongs to it and has none.
+
+    `tree_nodes` are the names of nodes of behavior trees without models, `trees` the files that could not all be read.
+    """
+
+    titles: tuple[str, ...] = ()
+    tree_nodes: frozenset[str] = frozenset()
+    trees: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Configured:
+    """A composition with the nodes that others make inside of their own, and what its nodes consist of, by their index.
+
+    A node that is not among these has the model of its component by itself.
+    """
+
+    composition: Composition
+    parts: Mapping[int, Parts]
+
+
+def configure(composition: Composition, known: Known, wants: Wants | None = None, only: set[tuple[str, str]] | None = None) -> Configured:
+    """Find the models of each node; what is not there is added to what is wanted. With `only`, other programs are left out."""
+    finder = _Finder(composition, known, wants or Wants())
+    nodes: list[NodeStart] = []
+    made: _Made = []
+    parts: dict[int, Parts] = {}
+    params: list[ParamSetting] = []
+    for node in composition.nodes:
+        if only is not None and (node.package, node.type) not in only:
+            continue
+        found = finder.parts(node, made, params)
+        if found.titles:
+            parts[len(nodes)] = found
+        nodes.append(node)
+    for node, found in made:
+        parts[len(nodes)] = found
+        nodes.append(node)
+    return Configured(replace(composition, nodes=tuple(nodes), params=(*composition.params, *params)), parts)
+
+
+_Made = list[tuple[NodeStart, Parts]]
+"""Nodes that others make."""
+
+
+class _Finder:
+    """Finds the models of the nodes of one composition."""
+
+    def __init__(self, composition: Composition, known: Known, wants: Wants) -> None:
+        self.composition, self.known, self.wants = composition, known, wants
+        self.settings: dict[str, list[ParamSetting]] = defaultdict(list)
+        for setting in composition.params:
+            self.settings[setting.name].append(setting)
+        self.names = sorted(self.settings)
+
+    def parts(self, node: NodeStart, made: _Made, params: list[ParamSetting]) -> Parts:
+        """What a node consists of; the nodes that it makes are added to `made`, what is set for these to `params`."""
+        hosts = list(self.known.hosts.get((node.package, node.type), {}).values())
+        if len(hosts) != 1:
+            return Parts()
+        host = hosts[0]
+        settings = self._settings_of(node)
+        configuration = _configuration(node, settings, self._is_open(node))
+        if host.asks_namespace or host.loads or host.loads_any:
+            configuration = replace(configuration, namespace=canonical(node.namespace) or "/")
+        if not _matters(host, configuration):
+            self.wants.alone.add(host.title)
+            return Parts()
+        component = (host.package, host.component)
+        model = self.known.configured.get((component, configuration.key))
+        if model is None:
+            self.wants.components[component].add(configuration)
+            return Parts()
+        self._inner(node, model, component, made, params)
+        return self._consisting(node, model, configuration, made)
+
+    def _consisting(self, node: NodeStart, model: ComponentModel, configuration: NodeConfiguration, made: _Made) -> Parts:
+        """What a node with this model consists of: with its plug-ins, and with the behavior trees that all of these carry out."""
+        models = [model, *self._plugins(model, configuration)]
+        found = Parts(tuple(each.title for each in models))
+        for each in models:
+            for name in each.tree_hosts or [None] if each.tree_files else []:
+                own = configuration if name is None else replace(configuration, name=name)
+                trees = self._trees(each, own)
+                if name is None:
+                    found = Parts((*found.titles, *trees.titles), found.tree_nodes | trees.tree_nodes, found.trees | trees.trees)
+                else:
+                    made.append((_renamed(node, name, node.namespace), trees))
+        return found
+
+    def _trees(self, model: ComponentModel, configuration: NodeConfiguration) -> Parts:
+        """What the behavior trees consist of that a component carries out, where their nodes use a node with this configuration."""
+        nodes, unread = self.known.trees.nodes(model.tree_files)
+        titles: list[str] = []
+        absent: set[str] = set()
+        for each in nodes:
+            own = replace(configuration, arguments=(), entry=None, inputs=each.inputs)
+            found = self.known.plugins.get((each.id, own.key))
+            if found is None:
+                self.wants.plugins[each.id].add(own)
+                absent.add(each.id)
+            elif found.plugin and found.plugin.base == TREE_NODE:
+                titles.append(found.title)
+        return Parts(tuple(titles), frozenset(absent), unread)
+
+    def _plugins(self, model: ComponentModel, configuration: NodeConfiguration, depth: int = 0) -> Iterator[ComponentModel]:
+        """The models of the plug-ins that a component loads, and of those that they load."""
+        for name in model.loads if depth < _DEPTH else ():
+            for arguments in told_to(name, model.told):
+                own = replace(configuration, arguments=arguments, entry=None)
+                plugin = self.known.plugins.get((name, own.key))
+                if plugin is None:
+                    self.wants.plugins[name].add(own)
+                else:
+                    yield plugin
+                    yield from self._plugins(plugin, own, depth + 1)
+
+    def _inner(
+        self,
+        node: NodeStart,
+        model: ComponentModel,
+        component: Component,
+        made: _Made,
+        params: list[ParamSetting],
+    ) -> None:
+        for inner in model.inner:
+            started = self._inner_start(node, inner)
+            if started is None:
+                continue
+            settings = self._process_settings(node, started.full_name)
+            values = _configuration(started, settings, self._is_open(node))
+            space = canonical(started.namespace) or "/"
+            configuration = replace(values, arguments=inner.arguments, entry=inner.class_, namespace=space)
+            found = self.known.configured.get((component, configuration.key))
+            if found is None:
+                self.wants.components[component].add(configuration)
+                continue
+            made.append((started, self._consisting(started, found, configuration, made)))
+            params += [replace(one, name=f"{started.full_name}/{name}") for name, own in settings.items() for one in own]
+
+    def _inner_start(self, node: NodeStart, inner: InnerNode) -> NodeStart | None:
+        """The start of a node that another one makes; None when it is not known in which namespace."""
+        namespaces = {
+            canonical(global_namespace(node.namespace + text if relative else text)) or "/" for text, relative in inner.namespaces
+        }
+        if len(namespaces) != 1:
+            return None
+        return _renamed(node, inner.name, global_namespace(namespaces.pop()))
+
+    def _process_settings(self, node: NodeStart, name: str) -> dict[str, list[ParamSetting]]:
+        """What the process of a node sets for another one of its nodes, by its full name."""
+        process = node
+        if node.container is not None:
+            process = next((each for each in self.composition.nodes if each.full_name == node.container), node)
+        found: dict[str, list[ParamSetting]] = {}
+        for one in process.process:
+            if one.read and matches(one.nodes, name):
+                found[one.setting.name] = [one.setting]
+        return found
+
+    def _settings_of(self, node: NodeStart) -> dict[str, list[ParamSetting]]:
+        """The parameters of a node, as its code calls them."""
+        own, found = f"{canonical(node.full_name)}/", {}
+        for name in self.names:
+            if name.startswith(own):
+                found[name.removeprefix(own) if node.ros == 2 else f"~{name.removeprefix(own)}"] = self.settings[name]
+            elif node.ros == 1:
+                found[name] = self.settings[name]
+                space = canonical(node.namespace) if node.namespace != "/" else ""
+                if name.startswith(f"{space}/"):
+                    found[name.removeprefix(f"{space}/")] = self.settings[name]
+        return found
+
+    def _is_open(self, node: NodeStart) -> bool:
+        """Whether there may be parameters that were not seen."""
+        return any(
+            f"{canonical(node.full_name)}/".startswith(f"{canonical(unread.name).rstrip('/')}/") for unread in self.composition.unread
+        )
+
+
+def _renamed(node: NodeStart, name: str, namespace: str) -> NodeStart:
+    """The start of a node that another one makes."""
+    return replace(node, name=name, called=name, namespace=namespace, container=None, first=())
+
+
+def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting]], is_open: bool) -> NodeConfiguration:
+    values: set[tuple[str, str]] = set()
+    empty: set[str] = set()
+    unknown: set[str] = set()
+    entries: set[tuple[str, int, str, str]] = set()
+    for name, found in settings.items():
+        texts = _texts(found[0].value) if len(found) == 1 and not found[0].conditions else None
+        if texts is None:
+            unknown.add(name)
+            entries.update((name, *entry) for entry in _entries(found))
+        elif not texts:
+            empty.add(name)
+        else:
+            values.update((name, text) for text in texts)
+    for param, written in node_arguments(node).params:
+        values = {value for value in values if value[0] != f"~{param}"} | {(f"~{param}", kind_and_text(automatic(written))[1])}
+    own_name = node.name or node.called
+    return NodeConfiguration(
+        own_name, tuple(sorted(values)), tuple(sorted(empty)), tuple(sorted(unknown)), is_open, entries=tuple(sorted(entries))
+    )
+
+
+def _entries(found: Sequence[ParamSetting]) -> Iterator[tuple[int, str, str]]:
+    """What a list of maps has under which keys: index, key and text; nothing of a list that has other elements."""
+    if len(found) != 1 or found[0].conditions or not isinstance(found[0].value, (list, tuple)):
+        return
+    elements = found[0].value
+    if all(isinstance(element, dict) for element in elements):
+        for index, element in enumerate(elements):
+            for key, value in element.items():
+                texts = _texts(value)
+                if isinstance(key, str) and texts is not None and len(texts) == 1:
+                    yield index, key, texts[0]
+
+
+def _texts(value: Any) -> list[str] | None:
+    """The texts that a parameter's value is, several for a list; None when it is not known."""
+    if isinstance(value, (list, tuple)):
+        found = [_texts(item) for item in value]
+        return None if any(texts is None or len(texts) != 1 for texts in found) else [text for texts in found for text in texts or ()]
+    kind, text = kind_and_text(value)
+    return [text] if kind in ("string", "bool", "int", "double") else None
+
+
+def _matters(model: ComponentModel, configuration: NodeConfiguration) -> bool:
+    """Whether the configuration may tell anything of the component that its model by itself does not have."""
+    if model.loads or model.loads_any or model.inner or model.tree_files:
+        return True
+    if model.asks_name and configuration.name and configuration.name != model.node_name:
+        return True
+    return model.asks_namespace or bool(model.params)

@@ -1,0 +1,71 @@
+"""Which models the launches of a workspace need, found while components are analysed: what a node needs depends on models of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from rosarch.analysis.systems.instances import Known, Wants, configure
+from rosarch.analysis.systems.processes import with_nodes
+from rosarch.analysis.systems.trees import Trees
+from rosarch.models.component import ComponentModel
+from rosarch.models.node_configuration import NodeConfiguration
+
+if TYPE_CHECKING:
+    from rosarch.extractor.launch.model import Composition, NodeStart
+
+
+def configuring(composition: Composition) -> str:
+    """All of a composition that configures components."""
+    nodes = [(n.package, n.type, n.full_name, n.called, n.container, n.args, _renaming(n)) for n in composition.nodes]
+    process = [(one.nodes, one.setting.name, one.setting.value) for node in composition.nodes for one in node.process]
+    params = [(setting.name, setting.value, bool(setting.conditions)) for setting in composition.params]
+    return repr((nodes, process, params, [unread.name for unread in composition.unread]))
+
+
+def _renaming(node: NodeStart) -> list[tuple[str | None, str, str]]:
+    return [(remap.node, remap.source, remap.target) for remap in node.remaps if remap.source.startswith("__")]
+
+
+def made_by(models: Iterable[ComponentModel]) -> dict[tuple[str, str], list[ComponentModel]]:
+    """The models of the nodes of each program or class, by package and by the name that launch files know it by."""
+    made: dict[tuple[str, str], list[ComponentModel]] = {}
+    for model in models:
+        if model.configuration:
+            continue
+        if model.executable:
+            made.setdefault((model.package, model.executable), []).append(model)
+        else:
+            made.update({(model.package, type_): [model] for type_ in model.types})
+    return made
+
+
+class Planner:
+    """Which configurations the components need that launches start, as far as models are known."""
+
+    def __init__(self, compositions: Sequence[Composition], trees: Trees) -> None:
+        self.compositions = compositions
+        self.known = Known(trees)
+        self.generic: dict[str, ComponentModel] = {}
+
+    def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
+        """With which configurations the component is needed that `models` are of, as far as these tell: whether there are models or not."""
+        self.known.add(models)
+        self.generic |= {model.title: model for model in models if not model.configuration}
+        components = {(model.package, model.component) for model in models}
+        own = [model for model in self.generic.values() if (model.package, model.component) in components]
+        types = {(model.package, type_) for model in own for type_ in ((model.component,) if model.executable else model.types)}
+        wanted = self.wants(made_by(own), types, Known.of(self.known.trees, [*own, *models])).components
+        return [each for one in components for each in sorted(wanted.get(one, ()), key=lambda found: found.key)]
+
+    def wants(
+        self,
+        made: Mapping[tuple[str, str], list[ComponentModel]],
+        only: set[tuple[str, str]] | None = None,
+        known: Known | None = None,
+    ) -> Wants:
+        """What the launches want beside what is known."""
+        wants = Wants()
+        for composition in self.compositions:
+            configure(with_nodes(composition, made), known or self.known, wants, only)
+        return wants

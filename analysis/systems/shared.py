@@ -1,0 +1,384 @@
+"""What the launches of a workspace share: the components that they start, and what the workspace has of what launch files name."""
+
+from __future__ import annotations
+
+import os
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rosarch.analysis.systems.builds import build_rows
+from rosarch.analysis.systems.instances import Configured, Known, configure
+from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
+from rosarch.analysis.systems.planning import Planner, configuring, made_by
+from rosarch.analysis.systems.processes import with_nodes
+from rosarch.analysis.systems.reading import Reading
+from rosarch.analysis.systems.trees import Trees
+from rosarch.analysis.systems.workspace import (
+    container_rows,
+    dependencies,
+    fetched,
+    first_rows,
+    named_by,
+    programs_named,
+    set_rows,
+    shared_rows,
+    source_rows,
+    words_said,
+    workspace_rows,
+)
+from rosarch.base.cache import hash_of, rows_digest
+from rosarch.base.memo import Memo
+from rosarch.extractor.launch.facts import launch_rows, library_name, started, starts
+from rosarch.extractor.launch.model import Composition, FileMeant
+from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.launch.scripts import script_rows
+from rosarch.models.component import ComponentModel
+from rosarch.models.node_configuration import NodeConfiguration
+from rosarch.models.system.rows import Rows, merged
+
+if TYPE_CHECKING:
+    from rosarch.analysis.components import Analysis
+    from rosarch.extractor.stored import Facts
+    from rosarch.extractor.workspace import Component, Diagnostic
+    from rosarch.extractor.workspace.built import Built
+    from rosarch.library import Library, LibraryComponent
+
+
+@dataclass(frozen=True)
+class Launch:
+    """What is started together: `name` tells it from the other launches of a workspace, `words` are its launch files and arguments."""
+
+    name: str
+    words: tuple[str, ...]
+    composition: Composition
+    packages: PackagePath
+
+
+@dataclass(frozen=True)
+class Interface:
+    """The rows of a component, and a hash of them."""
+
+    rows: Rows
+    digest: str
+
+    @classmethod
+    def of(cls, rows: Rows) -> Interface:
+        """The interface that rows tell of."""
+        return cls(rows, rows_digest(rows))
+
+    def all(self, relation: str, column: int) -> set[Any]:
+        """The values of a column."""
+        return {row[column] for row in self.rows.get(relation, ())}
+
+
+@dataclass(frozen=True)
+class Components:
+    """The components that launches start, of sources and of the library: their models, their interfaces, and what all systems see of them.
+
+    `interfaces` begin with those of `models`, in their order. `programs` are package and name of all executables that the workspace builds
+    and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows.
+    """
+
+    root: Path
+    models: tuple[ComponentModel, ...]
+    programs: frozenset[tuple[str, str]]
+    builds: tuple[Built, ...]
+    expected: frozenset[str]
+    interfaces: tuple[Interface, ...]
+    shared: Interface
+    diagnostics: tuple[Diagnostic, ...]
+
+    def with_nodes(self, launch: Launch) -> tuple[Launch, Configured]:
+        """The launch, with the nodes that programs make, by the names that their code has where no launch file names them; their models."""
+        found = configure(with_nodes(launch.composition, made_by(self.models)), self._known)
+        return replace(launch, composition=found.composition), found
+
+    @cached_property
+    def _known(self) -> Known:
+        return Known.of(Trees(self.root), self.models)
+
+    def with_models(self, models: Iterable[ComponentModel]) -> Components:
+        """The same components; those that are among `models` have the models there."""
+        from rosarch.analysis.systems.interfaces import model_rows
+
+        told = {model.title: model for model in models}
+        own = tuple(told.get(model.title, model) for model in self.models)
+        changed = [number for number, (model, before) in enumerate(zip(own, self.models, strict=True)) if model != before]
+        interfaces = list(self.interfaces)
+        for number in changed:
+            interfaces[number] = Interface.of(model_rows(own[number]))
+        return replace(self, models=own, interfaces=tuple(interfaces), shared=_shared(own, interfaces)) if changed else self
+
+    @cached_property
+    def _named(self) -> Mapping[str | tuple[str, str], Collection[int]]:
+        """The interfaces of components by the names that these go by: with their package, and alone."""
+        found: dict[str | tuple[str, str], list[int]] = defaultdict(list)
+        for number, each in enumerate(self.interfaces):
+            for _, package, name, *_ in () if each.rows.get("interface_configured") else each.rows.get("interface", ()):
+                found[package, name].append(number)
+                found[name].append(number)
+        for number, model in enumerate(self.models):
+            if model.configuration:
+                found[model.title].append(number)
+        return dict(found)
+
+    def started(self, launch: Launch, titles: Iterable[str] = ()) -> list[Interface]:
+        """The interfaces of those that a launch may start, with those that these load, and of configured components by their titles."""
+        needed = _Needed([launch])
+        names: set[str | tuple[str, str]] = {*needed.executables, *needed.words, *needed.plugins, *titles}
+        found = {number: self.interfaces[number] for name in names for number in self._named.get(name, ())}
+        waiting = list(found.values())
+        while waiting:
+            loads, bases = (waiting[-1].all(relation, 1) for relation in ("interface_loads", "interface_loads_any"))
+            waiting.pop()
+            for number, each in enumerate(self.interfaces) if loads or bases else ():
+                if (
+                    number not in found
+                    and not each.rows.get("interface_configured")
+                    and not (loads.isdisjoint(each.all("interface", 2)) and bases.isdisjoint(each.all("interface_base", 1)))
+                ):
+                    found[number] = each
+                    waiting.append(each)
+        return [found[number] for number in sorted(found)]
+
+
+@dataclass(frozen=True)
+class Surrounding:
+    """What all launches of a workspace share: its components, what launch files name of it, what was not understood, what users say.
+
+    `said` are the words that the sources of each component say.
+    """
+
+    root: Path
+    components: Components
+    named: Rows
+    said: Mapping[str, frozenset[str]]
+    manifests: tuple[Declared, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    given: Rows = field(default_factory=dict)
+
+    @property
+    def models(self) -> tuple[ComponentModel, ...]:
+        """The models of the components of the workspace."""
+        return self.components.models
+
+    def facts(self, launch: Launch) -> SystemFacts:
+        """The facts about one system."""
+        launch, configured = self.components.with_nodes(launch)
+        nodes = [start for start, _ in starts(launch.composition)]
+        parts = [(nodes[index], part) for index, part in configured.parts.items()]
+        models = {(node, title) for node, part in parts for title in part.titles}
+        trees = {
+            "tree_node_unseen": {(node, name) for node, part in parts for name in part.tree_nodes},
+            "tree_unread": {(node, file) for node, part in parts for file in part.trees},
+        }
+        interfaces = self.components.started(launch, {title for _, title in models})
+        titles = {title for interface in interfaces for title in interface.all("interface", 0)}
+        composed = launch_rows(launch.composition, self.root), script_rows(launch.composition, launch.packages)
+        named = named_by(launch.composition, self.named), source_rows(launch.composition, titles, self.said)
+        builds = build_rows(launch.composition, self.components.builds, self.root)
+        manifests = manifest_rows(launch.composition, self.manifests, self.root, self.components.expected)
+        own = merged([*composed, *named, builds, manifests, self.given, {"started_as": models}, trees])
+        return SystemFacts(own, (self.components.shared, *interfaces))
+
+    def rows(self, launch: Launch) -> Rows:
+        """The facts about one system."""
+        return self.facts(launch).rows()
+
+    def with_models(self, launches: Sequence[Launch], models: Iterable[ComponentModel]) -> Surrounding:
+        """What there is if the components that are among `models` have the models there."""
+        components = self.components.with_models(models)
+        named = {**self.named, **set_rows([launch.composition for launch in launches], components.models)}
+        return self if components is self.components else replace(self, components=components, named=named)
+
+
+@dataclass(frozen=True)
+class SystemFacts:
+    """The facts about one system: its `own`, and those about its components."""
+
+    own: Rows
+    interfaces: tuple[Interface, ...]
+
+    def rows(self) -> Rows:
+        """All of them."""
+        return merged([self.own, *(interface.rows for interface in self.interfaces)])
+
+    def digest(self) -> str:
+        """A hash of them."""
+        return hash_of([rows_digest(self.own), *(interface.digest for interface in self.interfaces)])
+
+
+def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: Memo | None = None) -> Surrounding:
+    """Analyse the components that `launches` start: those below `root`, of others those of the library (that in `reading` first)."""
+    needed = _Needed(launches)
+    top = os.path.abspath(root)
+
+    def find() -> Components:
+        return _components(root, launches, needed, reading)
+
+    key = ["components", top, *needed.key(), *reading.key(), hash_of(configuring(launch.composition) for launch in launches)]
+    components = memo.recall(key, (top, *_absolute(reading.library)), find) if memo else find()
+    compositions = [launch.composition for launch in launches]
+
+    def words() -> Mapping[str, frozenset[str]]:
+        return words_said(root, components.models)
+
+    sources = [repr((model.package, model.component, model.sources)) for model in components.models]
+    said = memo.recall(["said", top, *sources], (top,), words) if memo else words()
+
+    def read() -> tuple[Declared, ...]:
+        return declared(root)
+
+    def lists() -> set[str]:
+        return fetched(root)
+
+    manifests = memo.recall(["manifests", top], (top,), read) if memo else read()
+    brought = memo.recall(["fetched", top], (top,), lists) if memo else lists()
+    there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected, brought)
+    named = merged([there, first_rows(compositions, root), set_rows(compositions, components.models), container_rows(compositions)])
+    found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
+    given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
+    return Surrounding(root, components, named, said, manifests, tuple(dict.fromkeys(found)), given)
+
+
+def _absolute(folders: Sequence[Path]) -> list[str]:
+    return [os.path.abspath(folder) for folder in folders]
+
+
+_ROUNDS = 6
+
+
+def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading: Reading) -> Components:
+    from rosarch.analysis.components import ALONE, Wanted, analyze
+    from rosarch.analysis.systems.interfaces import library_rows, model_rows
+    from rosarch.library import load
+
+    diagnostics: list[Diagnostic] = []
+
+    def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool], wanted: Wanted = ALONE) -> Analysis:
+        options: dict[str, Any] = {"jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines, "cache": reading.cache}
+        found = analyze(
+            root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, wanted=wanted, **options
+        )
+        diagnostics.extend(found.diagnostics)
+        # of those without sources nothing is known; of a program that makes several nodes there are these
+        whole = {(model.package, model.executable) for model in found.models if model.executable}
+        kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
+        return replace(found, models=kept)
+
+    planner = Planner([launch.composition for launch in launches], Trees(root))
+    found = analyzed(_packages_below(root, needed.packages), needed.is_needed, Wanted(after=planner.after))
+    models = found.models
+    tried: dict[str, set[NodeConfiguration]] = defaultdict(set)
+    for _ in range(_ROUNDS):
+        wanted = planner.wants(made_by(models)).plugins
+        wanted = {name: left for name, all_ in wanted.items() if (left := all_ - tried[name])}
+        if not wanted:
+            break
+        for name, configurations in wanted.items():
+            tried[name] |= configurations
+        more = _plugins(wanted, analyzed)
+        models += more
+        planner.known.add(more)
+    alone = [model for model in models if not model.configuration and model.title in planner.wants(made_by(models)).alone]
+    if needed.plugins or any(model.loads or model.loads_any for model in alone):
+
+        def is_plugin(component: Component) -> bool:
+            return not needed.is_needed(component) and (is_loaded(component, alone) or component.plugin_name in needed.plugins)
+
+        models += analyzed(None, is_plugin).models
+    known = load(tuple(reading.library))
+    diagnostics += known.problems
+    interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
+    return Components(
+        root, models, found.programs, found.builds, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics)
+    )
+
+
+def _plugins(wanted: Mapping[str, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:
+    """The models of plug-ins with the configurations that are wanted, by the names that they are loaded by."""
+    from rosarch.analysis.components import Wanted
+    from rosarch.extractor.pipeline import ComponentFacts
+
+    def first(component: ComponentFacts | Facts) -> Iterable[NodeConfiguration]:
+        names = [row[0] for row in component.own.get("component_plugin", ())] if isinstance(component, ComponentFacts) else []
+        return sorted((each for name in names for each in wanted.get(str(name), ())), key=lambda found: found.key)
+
+    return analyzed(None, lambda component: component.plugin_name in wanted, Wanted(first=first)).models
+
+
+def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:
+    """What all systems see of these components."""
+    by_themselves = [model for model in models if not model.configuration]
+    rows = {row for each in interfaces if not each.rows.get("interface_configured") for row in each.rows["interface"]}
+    return Interface.of({"interface": rows, **shared_rows(by_themselves)})
+
+
+class _Needed:
+    """Which components the launches start."""
+
+    def __init__(self, launches: Sequence[Launch]) -> None:
+        asked = [item for launch in launches for item in started(launch.composition)]
+        self.executables = {(package, type_) for package, type_, _ in asked}
+        self.versions = {launch.composition.ros for launch in launches}
+        worlds = [plugin for launch in launches for world in launch.composition.worlds for plugin in world.plugins]
+        robots = [plugin for launch in launches for setting in launch.composition.params for plugin in setting.plugins]
+        self.plugins = {library_name(plugin.filename) for plugin in (*worlds, *robots)}
+        self.words = {word for _, _, words in asked for word in words}
+        self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
+        self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}
+        self.packages |= _packages_of_files(launches)
+
+    def key(self) -> list[str]:
+        """All that tells these components from others."""
+        return [repr(sorted(found)) for found in (self.executables, self.versions, self.plugins, self.words, self.packages)]
+
+    def is_needed(self, component: Component) -> bool:
+        """Whether a node is started from this executable, or with an argument that names this class."""
+        names = (component.plugin_name, *(component.executables or (component.name,)))
+        return any((component.package, name) in self.executables for name in names) or component.plugin_name in self.words
+
+    def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
+        """The components of the library that are started, and those that these load, unless they are among `models`.
+
+        A plug-in of a simulator goes by its file alone: one that the workspace builds hides those of all packages.
+        """
+        own = {(model.package, type_) for model in models for type_ in (*model.types, model.executable)}
+        built = {model.plugin.name for model in models if model.plugin}
+        parts: dict[str, LibraryComponent] = {}
+        for ros in sorted(self.versions, reverse=True):
+            found = [library.find(package, type_, ros) for package, type_ in sorted(self.executables)]
+            found += [library.find(None, word, ros) for word in sorted(self.words) if "/" in word]
+            found += [library.find(None, file, ros) for file in sorted(self.plugins - built)]
+            started = [component for component in found if component is not None and (component.package, component.component) not in own]
+            # where launch files of both versions start a component, that of one version has no model
+            for part in (part for component in started for part in library.with_loaded(component, ros)):
+                parts.setdefault(part.title, part)
+        return list(parts.values())
+
+
+def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:
+    """Whether one of `models` loads this plug-in, by its name or because it takes all that are derived from a class."""
+    return any(component.plugin_name in model.loads or component.base_class in model.loads_any for model in models)
+
+
+def _packages_below(root: Path, names: Collection[str]) -> list[str]:
+    known = PackagePath([os.path.abspath(root)]).packages
+    return sorted(name for name in names if name in known)
+
+
+def _packages_of_files(launches: Sequence[Launch]) -> set[str]:
+    """The packages that launch files mean files in."""
+    folders = {folder: name for launch in launches for name, folder in launch.packages.packages.items()}
+    meant = {
+        (reference.file, launch.packages)
+        for launch in launches
+        for reference in launch.composition.references
+        if isinstance(reference, FileMeant)
+    }
+    found = (packages.of_file(file) for file, packages in meant)
+    return {folders[folder] for folder in found if folder is not None}

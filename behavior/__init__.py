@@ -1,0 +1,1 @@
+"""The behavior of composed systems: state machines put together, verified and simulated."""

@@ -1,0 +1,51 @@
+"""Whether a run hangs on how fast clocks run beside each other, which models without time do not know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from rosarch.behavior.composition.model import Command, Model
+
+Clocks = frozenset[str]
+_NONE: Clocks = frozenset()
+
+
+def clocks_compared(model: Model, commands: Iterable[int]) -> Clocks:
+    """The clocks whose rates tell whether these commands may follow one another: what one of them sets off finds what another one left.
+
+    What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it.
+    """
+    variables, queues = _clocks(model)
+    found: set[str] = set()
+    for command in (model.commands[index] for index in commands):
+        own = _own(command, queues)
+        if not own:
+            continue
+        others = frozenset().union(*(variables[variable] for variable, _ in command.when)) - own if command.when else _NONE
+        full = {*command.full, *(queue for _, queue in command.full_events)} & set(command.puts)
+        if others or any(model.queues[queue].prompt for queue in full):
+            found |= own | others
+    return frozenset(found)
+
+
+def _own(command: Command, queues: Sequence[Clocks]) -> Clocks:
+    """What sets a command off: its clock, or those of the messages that it takes; none for what comes from outside at any time."""
+    if command.clock:
+        return frozenset({command.clock})
+    return _NONE if command.takes is None else queues[command.takes]
+
+
+def _clocks(model: Model) -> tuple[list[Clocks], list[Clocks]]:
+    """The clocks that variables are changed by, and that messages in queues are from."""
+    variables, queues = [_NONE] * len(model.variables), [_NONE] * len(model.queues)
+    changed = True
+    while changed:
+        changed = False
+        for command in model.commands:
+            own = _own(command, queues)
+            for known, places in ((variables, [variable for variable, _ in command.given]), (queues, command.puts)):
+                for place in places:
+                    if not own <= known[place]:
+                        known[place] |= own
+                        changed = True
+    return variables, queues

@@ -1,0 +1,1 @@
+"""The sub-commands of `rosarch`, a module each."""

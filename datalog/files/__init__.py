@@ -1,0 +1,1 @@
+"""Rows in files: tab-separated facts, JSON, SQLite, and what `.input` and `.output` name."""

@@ -1,0 +1,1 @@
+"""How good the analysis is: ground truth, variants compared, expectations in sources, many workspaces at once."""

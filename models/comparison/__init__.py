@@ -1,6 +1,0 @@
-"""What changed between two states of a workspace: its components, its systems, what checks find in them."""
-
-from rosarch.models.comparison.changes import Change, Detail
-from rosarch.models.comparison.compare import Snapshot, compare
-
-__all__ = ["Change", "Detail", "Snapshot", "compare"]

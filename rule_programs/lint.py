@@ -1,0 +1,45 @@
+"""The conventions of rules, asked of the shipped ones or of the user's own, in whichever program they are part of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from rosarch.datalog.inspection.conventions import unconventional
+from rosarch.datalog.language.errors import Diagnostic
+from rosarch.extractor.manifest import rules_folder
+from rosarch.rule_programs.checks import evidence_of, shown_as
+from rosarch.rule_programs.own_files import own_files
+from rosarch.rule_programs.sets import RuleSet, component_program, rule_set, system_rules
+from rosarch.rule_programs.variants import decisions
+
+
+def lint_rules(own: Sequence[Path] = ()) -> list[Diagnostic]:
+    """What files of rules do not keep to, by place; by default those of rosarch.
+
+    Raises:
+        RuleSetError: a path that does not exist, or a file that fits no program.
+        CheckError: a check is not as it should be.
+        DatalogError: the rules are wrong.
+    """
+    found = _lint(rule_set(own), own)
+    for decision in () if own else decisions():
+        for variant in decision.variants:
+            if variant.path != decision.default:
+                own_file = str(variant.path)
+                found += [d for d in _lint(rule_set(variants={decision.name: variant.name})) if d.location and d.location.path == own_file]
+    return sorted(set(found), key=lambda diagnostic: diagnostic.location or ("", 0, 0))
+
+
+def _lint(rules: RuleSet, own: Sequence[Path] = ()) -> list[Diagnostic]:
+    folder = rules_folder()
+    files = {str(path) for path in own_files(own)} if own else {str(path) for path in folder.rglob("*.dl")}
+    system, component = system_rules(rules), component_program(replace(rules, flows=True))
+    types = {type_ for check in system.checks for _, type_ in check.columns}
+    shown = {check.relation for check in system.checks} | {name for type_ in types for name in (evidence_of(type_), shown_as(type_))}
+    options = {name for name in component.relations if name.startswith("option")}
+    return [
+        *unconventional(component, files.__contains__, options),
+        *unconventional(system.program, files.__contains__, shown | options),
+    ]

@@ -1,0 +1,108 @@
+"""From a workspace and its launch files to the models of systems."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosarch.analysis.systems.analysis import SystemAnalysis, analyze_systems
+from rosarch.analysis.systems.launches import given
+from rosarch.analysis.systems.reading import Reading
+from rosarch.analysis.systems.requests import Surroundings, parse_request
+from rosarch.base.places import Place
+from rosarch.models.system.build import evaluate, system_model
+from rosarch.models.system.model import Connector, Inclusion
+from rosarch.models.system.rows import merged
+from rosarch.rule_programs.sets import system_rules
+
+LAUNCH = """<launch>
+<arg name="debug"/>
+<group ns="robot">
+  <node pkg="talker" type="talker" name="one"><remap from="chatter" to="/words"/></node>
+</group>
+<node pkg="topic_tools" type="relay" name="relay" args="words heard"/>
+<node pkg="nodelet" type="nodelet" name="manager" args="manager"/>
+<node pkg="gone" type="gone" name="gone" if="$(arg debug)"/>
+<include file="$(find talker)/part.launch"/>
+<include file="$(find talker)/missing.launch"/>
+</launch>
+"""
+
+
+@pytest.fixture
+def analysis(workspace: Path) -> SystemAnalysis:
+    (workspace / "talker" / "main.launch").write_text(LAUNCH)
+    (workspace / "talker" / "part.launch").write_text('<launch>\n<node pkg="talker" type="talker" name="two"/>\n</launch>')
+    where = Surroundings(workspace, (workspace,), {})
+    return analyze_systems(workspace, given([parse_request("talker/main.launch")], where), Reading(jobs=1))
+
+
+def test_nodes(analysis: SystemAnalysis) -> None:
+    (system,) = analysis.systems
+    assert (system.name, system.launch) == ("talker/main.launch", ("talker/main.launch",))
+    assert [(node.name, node.origin, node.component, node.open, node.conditions) for node in system.nodes] == [
+        ("/gone", "unknown", None, True, ("if $(arg debug)",)),
+        ("/manager", "library", None, False, ()),
+        ("/relay", "library", "topic_tools/relay", False, ()),
+        ("/robot/one", "source", "talker/talker", False, ()),
+        ("/two", "source", "talker/talker", False, ()),
+    ]
+    assert [str(place) for place in system.nodes[-1].lines] == ["talker/main.launch:9", "talker/part.launch:2"]
+
+
+def test_ports(analysis: SystemAnalysis) -> None:
+    one = next(node for node in analysis.systems[0].nodes if node.name == "/robot/one")
+    (port,) = one.ports
+    assert (port.kind, port.name, port.written, port.type) == ("publisher", "/words", "chatter", "std_msgs/String")
+    assert port.at == Place("talker/talker.cpp", 8, 24)  # of the call
+
+
+def test_connectors(analysis: SystemAnalysis) -> None:
+    connectors = {connector.name: connector for connector in analysis.systems[0].connectors}
+    one, two, relay = ({node.name: node.ports for node in analysis.systems[0].nodes}[name] for name in ("/robot/one", "/two", "/relay"))
+    inner = {port.kind: port.id for port in relay}
+    assert connectors["/words"] == Connector(
+        "topic", "/words", ("std_msgs/String",), (("/robot/one", one[0].id),), (("/relay", inner["subscriber"]),), open=True
+    )  # a file that is not there may start others
+    assert connectors["/chatter"].sources == (("/two", two[0].id),)
+    assert connectors["/heard"].sinks == ()
+
+
+def test_inclusions_and_diagnostics(analysis: SystemAnalysis, workspace: Path) -> None:
+    assert analysis.systems[0].inclusions == (
+        Inclusion(Place("talker/main.launch", 9, 1), "talker/part.launch", "talker/part.launch"),
+        Inclusion(Place("talker/main.launch", 10, 1), "", None),
+    )
+    assert [str(diagnostic).replace(f"{workspace}/", "") for diagnostic in analysis.diagnostics] == [
+        "talker/main.launch:8:1: argument `debug` must be passed, it has no value",
+        "talker/main.launch:10:1: no such file: talker/missing.launch",
+    ]
+    assert [model.component for model in analysis.models] == ["talker"]
+
+
+def test_one_system_that_fails_costs_that_system(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("a", "b"):
+        (workspace / "talker" / f"{name}.launch").write_text('<launch><node pkg="talker" type="talker" name="t"/></launch>')
+    launches = given([parse_request("talker/a.launch"), parse_request("talker/b.launch")], Surroundings(workspace, (workspace,), {}))
+
+    def broken(name: str, *rest: object) -> object:
+        if name == "talker/a.launch":
+            raise MemoryError
+        return system_model(name, *rest)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("rosarch.models.system.build.system_model", broken)
+    found = analyze_systems(workspace, launches, Reading(jobs=1))
+    assert [system.name for system in found.systems] == ["talker/b.launch"]
+    assert [diagnostic.message.partition(":")[0] for diagnostic in found.diagnostics] == ["talker/a.launch not composed"]
+
+
+def test_rows_are_united() -> None:
+    assert merged([{"a": {(1,)}, "b": {(2,)}}, {"a": {(3,)}}]) == {"a": {(1,), (3,)}, "b": {(2,)}}
+
+
+def test_an_empty_system() -> None:
+    rules = system_rules()
+    system = system_model("none", (), {}, evaluate(rules, {}), {})
+    assert (system.nodes, system.connectors, system.inclusions) == ((), (), ())
+    assert {"topic-type-mismatch", "missing-file"} <= {check.id for check in rules.checks}

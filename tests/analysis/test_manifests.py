@@ -1,0 +1,101 @@
+"""What manifests declare, and what files of packages show that they need."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
+from rosarch.extractor.launch import Files, PackagePath, compose
+
+
+def package(root: Path, name: str, manifest: str = "", **files: str) -> Path:
+    folder = root / name
+    for path, text in {"package.xml": f"<package>\n<name>{folder.name}</name>\n{manifest}</package>", **files}.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+    return folder
+
+
+def needs(found: tuple[Declared, ...], name: str) -> set[tuple[str, str, int]]:
+    return {(need.name, need.how, need.line) for one in found if one.name == name for need in one.needs}
+
+
+def test_imports(tmp_path: Path) -> None:
+    source = (
+        '"""\nimport text\n"""\nimport os\nimport robot.arm\nimport beside\nfrom nav_msgs.msg import Odometry\nfrom nav_msgs.msg import Path\n'
+        "import tf as t  # frames\nimport json, cv2\nfrom .near import x\nfrom rospy import init_node\ntry:\n    import optional\nexcept ImportError:\n    pass\n"
+    )
+    package(tmp_path, "robot", "<depend>rospy</depend>", **{"scripts/a.py": source, "scripts/beside.py": "", "test/b.py": "import tested"})
+    package(tmp_path, "robot/inner", **{"c.py": "import of_inner"})
+    found = declared(tmp_path)
+    assert needs(found, "robot") == {("nav_msgs", "interfaces", 7), ("tf", "code", 9)}
+    assert needs(found, "inner") == {("of_inner", "code", 1)}
+
+
+def test_headers(tmp_path: Path) -> None:
+    header = (
+        "#ifndef ROBOT_H\n#define ROBOT_H\n#include <map>\n#include <nav_msgs/msg/path.hpp>\n# include <robot/robot.h>\n"
+        "#ifdef WITH_LAMP\n#include <lamp/lamp.h>\n#endif\n#include <driver/driver.h>\n#endif\n"
+    )
+    package(
+        tmp_path, "robot", **{"include/robot/robot.h": header, "src/a.cpp": "#if X\n#include <off/off.h>\n#endif\n#include <on/on.h>\n"}
+    )
+    assert needs(declared(tmp_path), "robot") == {("nav_msgs", "header", 4), ("driver", "header", 9), ("on", "header", 4)}
+
+
+def test_rows(tmp_path: Path) -> None:
+    model = '<mesh filename="package://meshes/a.dae"/> <!-- package://old/b.dae -->\n$(find driver)'
+    launch = '<launch><include file="$(find driver)/a.launch"/></launch>'
+    package(
+        tmp_path, "robot", "<exec_depend>lamp</exec_depend>\n<test_depend>gtest</test_depend>\n", **{"a.urdf": model, "a.launch": launch}
+    )
+    package(tmp_path, "meshes", "<depend>far</depend>")
+    package(
+        tmp_path, "driver", **{"a.launch": "<launch/>", "a.cpp": "#include <nowhere/a.h>\n#include <known/a.h>\n#include <x_msgs/A.h>\n"}
+    )
+    package(tmp_path, "lamp", "<depend>bulb</depend>\n")
+    package(tmp_path, "bulb", "<!-- <depend>off</depend> -->\n<depend>lamp</depend>\n")
+    composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
+    rows = manifest_rows(composition, declared(tmp_path), tmp_path, {"known"})
+    assert rows["launch_file_of"] == {("robot/a.launch", "robot")}
+    assert rows["package_manifest"] == {("robot", "robot/package.xml:4:1"), ("driver", "driver/package.xml:2:1")}
+    assert rows["package_needs"] == {
+        ("robot/a.urdf:1:1", "robot", "meshes", "file"),
+        ("robot/a.urdf:2:1", "robot", "driver", "file"),
+        ("driver/a.cpp:2:1", "driver", "known", "header"),
+        ("driver/a.cpp:3:1", "driver", "x_msgs", "header"),
+    }
+    assert rows["package_known"] == {("meshes",), ("driver",), ("known",)}
+    assert rows["package_depends"] == {("robot", "lamp"), ("robot", "gtest"), ("lamp", "bulb"), ("bulb", "lamp"), ("meshes", "far")}
+    assert rows["package_unordered"] == {
+        ("bulb", "lamp", "bulb/package.xml:4:1", 0),
+        ("lamp", "bulb", "lamp/package.xml:3:1", 1),
+        ("robot", "lamp", "robot/package.xml:3:1", 2),
+    }
+
+
+def test_what_stands_in_a_comment_only_is_set_aside(tmp_path: Path) -> None:
+    node = '<launch><node pkg="store" type="a" name="a"/></launch>'
+    package(tmp_path, "robot", "<depend>lamp</depend>\n<!-- <depend>lamp</depend> <run_depend>store</run_depend> -->", **{"a.launch": node})
+    composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
+    assert manifest_rows(composition, declared(tmp_path), tmp_path, ())["package_set_aside"] == {("robot", "store")}
+
+
+def test_the_folder_may_be_named_from_where_one_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = package(tmp_path, "robot")
+    monkeypatch.chdir(tmp_path)
+    assert [one.folder for one in declared(Path())] == [str(folder)]
+
+
+def test_a_package_that_is_not_built_needs_nothing(tmp_path: Path) -> None:
+    package(tmp_path, "robot", **{"a.py": "import tf\n", "COLCON_IGNORE": ""})
+    package(tmp_path, "arm", **{"a.py": "import tf\n"})
+    found = declared(tmp_path)
+    assert (needs(found, "robot"), needs(found, "arm")) == (set(), {("tf", "code", 1)})
+
+
+def test_a_manifest_that_cannot_be_read(tmp_path: Path) -> None:
+    package(tmp_path, "robot").joinpath("package.xml").write_bytes(b"\xff<package>")
+    assert declared(tmp_path) == ()
