@@ -5,8 +5,8 @@
 
 `edits` derives all rows of the components at PATH (sources, or better facts) as `rosarch watch` does, edits one rule, and derives again:
 once so that no row changes, and once so that the rule is gone. Rules of rosarch's are edited in a copy. By default an own rule and
-`core/behavior/reactive.dl` are edited. `experiment` runs three variants on all systems of TRUTH, facts being extracted before. Prints Markdown
-tables, of several runs the median. Processor time is of all processes.
+`core/behavior/reactive.dl` are edited. `experiment` runs three variants on all systems of TRUTH, facts being extracted before. Prints
+Markdown tables, of several runs the median. Processor time is of all processes.
 """
 
 from __future__ import annotations

@@ -117,7 +117,7 @@ class Commands(Group):
 def load_command(name: str) -> Any:
     """A sub-command, a group of its own or a function."""
     module, _, attribute = COMMANDS[name].partition(":")
-    found = getattr(import_module(f"rosarch.cli.{module}"), attribute or module)
+    found = getattr(import_module(f"rosarch.cli.commands.{module}"), attribute or module)
     app = typer.Typer(rich_markup_mode=None)
     if isinstance(found, typer.Typer):
         app.add_typer(found, name=name, cls=Group)

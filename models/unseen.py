@@ -1,4 +1,4 @@
-"""What was not seen of components and systems: the reasons that rules give for it (`core/nodes/openness.dl`, `system/openness.dl`), in words."""
+"""What was not seen of components and systems, in words: the reasons that rules give (`openness.dl` of components and systems)."""
 
 from __future__ import annotations
 

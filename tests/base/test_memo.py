@@ -268,9 +268,9 @@ def test_a_cache_that_cannot_be_written(tree: Path, tmp_path: Path) -> None:
 SCRIPT = """
 import sys
 from pathlib import Path
-from rosarch.extractor.cache import Cache
-from rosarch.extractor.files import read_file
-from rosarch.extractor.memo import Memo
+from rosarch.base.cache import Cache
+from rosarch.base.files import read_file
+from rosarch.base.memo import Memo
 tree, cache = map(Path, sys.argv[1:])
 while True:
     for number in range(20):

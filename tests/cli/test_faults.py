@@ -141,7 +141,7 @@ def test_a_cache_without_room(rosarch: Callable, workspace: Path, tmp_path: Path
 def test_outputs_without_room(rosarch: Callable, workspace: Path, tmp_path: Path, words: tuple[str, ...]) -> None:
     """A limit of the size of files, from when they are written, stands for a full disk below them."""
     code = (
-        "import resource, signal, sys; from rosarch.cli.main import main; from rosarch.datalog import whole; from rosarch.extractor import facts_text\n"
+        "import resource, signal, sys; from rosarch.cli.main import main; from rosarch.base import whole; from rosarch.extractor import facts_text\n"
         "signal.signal(signal.SIGXFSZ, signal.SIG_IGN); write = whole._missing\n"
         "def limited(folder):\n    resource.setrlimit(resource.RLIMIT_FSIZE, (150, 150))\n    return write(folder)\n"
         f"whole._missing = lambda folder: (limited if 'out' in folder.parts else write)(folder)\n"
