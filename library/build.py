@@ -11,6 +11,7 @@ from rosarch.base.files import path_below
 from rosarch.base.whole import write_whole
 from rosarch.library.model import GENERATED
 from rosarch.library.reading import COMPONENT_KINDS
+from rosarch.models import formula
 from rosarch.models.component import MANAGED, ComponentModel, Parameter, Port, default_value
 
 UNKNOWN = "?"
@@ -92,6 +93,7 @@ def _port(port: Port) -> dict[str, Any]:
         latched=port.latched,
         via=None if port.via in ("plain", "bind", "lambda", "options") else port.via,
         implicit=port.implicit,
+        conditional=formula.text(port.guard),
     )
 
 

@@ -115,3 +115,32 @@ def test_a_broken_file_is_told(rosarch: Callable, tmp_path: Path) -> None:
     outcome = rosarch("library", "list", "--library", tmp_path, "-p", "joy")
     assert outcome.code == 0
     assert outcome.err == f"library: 1\n  {tmp_path}/bad.json:1:1: file: `package` is missing\n1 diagnostic\n"
+
+
+SOURCE = """
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "n");
+  ros::NodeHandle nh;
+  bool use_control;
+  ros::param::param("~use_control", use_control, false);
+  ros::Publisher always = nh.advertise<std_msgs::Bool>("always", 1);
+  if (use_control) {
+    ros::Publisher sometimes = nh.advertise<std_msgs::Bool>("sometimes", 1);
+    ros::spin();
+  }
+  ros::spin();
+}
+"""
+
+
+def test_conditions_of_ports_are_kept(rosarch: Callable, tmp_path: Path) -> None:
+    package = tmp_path / "ws" / "p"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text("<package><name>p</name><depend>roscpp</depend><depend>std_msgs</depend></package>")
+    (package / "CMakeLists.txt").write_text("find_package(catkin REQUIRED COMPONENTS roscpp std_msgs)\nadd_executable(n n.cpp)\n")
+    (package / "n.cpp").write_text(SOURCE)
+    assert rosarch("library", "build", tmp_path / "ws", *ORIGIN, "-o", tmp_path / "own").code == 0
+    found = find("p", "n", [tmp_path / "own"])
+    assert found and {port.name: port.conditional for port in found.ports} == {"always": None, "sometimes": "use_control"}
