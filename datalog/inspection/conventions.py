@@ -26,7 +26,7 @@ from rosarch.datalog.program import Program, RelationDecl
 
 MOST_ATTRIBUTES = 6
 NAME = re.compile(r"(_?[a-z][a-z0-9]*(_[a-z0-9]+)*\.)?_?[a-z][a-z0-9]*(_[a-z0-9]+)*")
-_CERTAINTY = re.compile(r"(?:^|(?<=[.]) )(Must|May|Demand)\b(?:, given ((?:`\w+`(?:, | and )?)+))?(?=[.,])", re.MULTILINE)
+_CERTAINTY = re.compile(r"(?:^|(?<=[.]) )(Must|May|Demand)\b(?:, given ((?:`\w+`(?:, | and )?)+))?(?=[.,])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class Certainty:
 
 def certainty(declaration: RelationDecl) -> Certainty:
     """The certainty of the rows of a relation, as its comment tells."""
-    found = _CERTAINTY.search(declaration.doc)
+    found = _CERTAINTY.search(" ".join(declaration.doc.split()))
     return Certainty(found[1], frozenset(re.findall(r"`(\w+)`", found[2] or ""))) if found else Certainty("")
 
 

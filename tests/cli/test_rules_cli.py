@@ -167,5 +167,5 @@ def test_rules_doc_and_list(rosarch: Run, tmp_path: Path) -> None:
     assert "\n### port\n\n`port(port: Port)` · output, line " in text
     assert rosarch("rules", "doc").out == text
     done = rosarch("rules", "list", "port_t*")
-    assert done.out.startswith("output   port_type(port: Port, type: symbol)  rules/core/ports/ports.dl:")
+    assert done.out.startswith("output   port_type(port: Port, type: symbol)  rules/core/ports/port_types.dl:")
     assert rosarch("rules", "list", "zzzz").err == "rosarch: error: no relation zzzz\n"

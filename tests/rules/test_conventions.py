@@ -85,6 +85,35 @@ def test_the_rules_keep_to_their_conventions() -> None:
     assert [diagnostic.headline for diagnostic in lint_rules()] == []
 
 
+# fields at the head of a check that reports print as they stand, in one line
+ONE_LINE = re.compile(r"// (help|recommendation|message): ")
+
+
+def test_no_line_is_longer_than_140() -> None:
+    found = [
+        f"{path.relative_to(RULES).as_posix()}:{number}"
+        for path in FILES
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if len(line) > 140 and not (path in CHECKS and ONE_LINE.match(line))
+    ]
+    assert found == []
+
+
+def test_files_of_the_core_are_short() -> None:
+    lines = {
+        path.relative_to(RULES).as_posix(): len(path.read_text(encoding="utf-8").splitlines()) for path in (RULES / "core").rglob("*.dl")
+    }
+    assert {name: count for name, count in lines.items() if count >= 300} == {}
+
+
+def test_the_map_names_every_file() -> None:
+    """The README of the rules has a line for each file, whose path is given from `core`, `api` or `system` on, and names no other."""
+    named = set(re.findall(r"`([\w/]+\.dl)`", (Path(__file__).parents[2] / "rules" / "README.md").read_text(encoding="utf-8")))
+    there = {path.relative_to(RULES / folder).as_posix() for folder in ("core", "api", "system") for path in (RULES / folder).rglob("*.dl")}
+    assert sorted(there - named) == []
+    assert sorted(name for name in named if name not in there and not (RULES / name).is_file()) == []
+
+
 def test_inputs_are_the_schema() -> None:
     found = {
         (path.relative_to(RULES).parts[0], name)
