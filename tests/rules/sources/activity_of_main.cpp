@@ -25,7 +25,7 @@
 // expect: Count = count : { _main_stack(F) }, Count = 2
 // expect-not: reachable(F), function_name(F, "rehearse")
 // expect: N = count : { _sending_block(_) }, N = 6
-// expect-not: _ends_loops(_)
+// expect-not: ends_loops(_)
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
 

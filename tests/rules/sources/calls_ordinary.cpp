@@ -35,7 +35,7 @@
 // expect-not: _calls_quality(_, _); _profile(_, _); _entry_call(_, _, _); port_quality(_, _, _); quality(_, _, _, _)
 // functions that hand on
 // expect-not: chained_role(_, _, _); _called_inside(_, _); captured(_, _, _); _other_callee(_, _); _generic_type(_, _); _types(_, _)
-// expect-not: template_made_with(_, _); _unfit(_, _); _typed_role(_); _twin(_, _, _, _, _, _); _twin_name(_); _instance_told(_, _); _leaves(_, _, _)
+// expect-not: template_made_with(_, _); call_unfit(_, _); _typed_role(_); twin_port(_, _, _, _, _, _); _twin_name(_); _instance_told(_, _); _leaves(_, _, _)
 // expect-not: _passes(_, _, _)
 // names and texts
 // expect-not: _asked(_, _); _asks(_, _, _); _asks_for(_, _); _folder(_, _); _relative(_); _wanted_join(_, _); calculation(_, _, _, _)

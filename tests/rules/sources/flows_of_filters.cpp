@@ -4,7 +4,7 @@
 // expect: port_flow([_, _, "/info"], [_, _, "/mark"], "control", "reactive")
 // expect: port_flow([_, "tf_listener", _], [_, _, "/mark"], "data", "kept")
 // expect: synchronised([_, _, "/image"], [_, _, "/info"])
-// expect-not: _generic_type(_, _); joins(_, _, _); _relative(_); _off_connection(_, _); parameter_operand_type(_, _); _value_of_renewal(_); _as_named(_)
+// expect-not: _generic_type(_, _); joins(_, _, _); _relative(_); _off_connection(_, _); parameter_operand_type(_, _); _value_of_renewal(_); calls_as_named(_)
 #include <geometry_msgs/PointStamped.h>
 #include <message_filters/subscriber.h>
 #include <message_filters/time_synchronizer.h>

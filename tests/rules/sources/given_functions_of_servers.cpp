@@ -1,7 +1,7 @@
 // Servers of one class do in a thread what each was given.
 // expect-only: reactive * -> *
 // expect: N = count : { value_from(_, _, _) }, N = 3, 2 = count : { port_handler(_, _) }, 3 = count : { _runs_in_main(_) }
-// expect-not: _unfit(_, _); _enters_all(_, _); result_value(_, _)
+// expect-not: call_unfit(_, _); _enters_all(_, _); result_value(_, _)
 // expect: 6 = count : { as_given(_, _, _) }, 8 = count : { constant_text(_, _) }, 2 = count : { given_callback(_, _) }
 #include <functional>
 #include <future>
