@@ -13,7 +13,7 @@ from rosarch.analysis.cache import ModelCache
 from rosarch.base.cache import Cache
 from rosarch.base.limits import LIMITS, SOURCE_SECONDS
 from rosarch.base.pool import Failure, default_jobs, meanwhile, run_tasks
-from rosarch.extractor.stored import Facts, read_stored
+from rosarch.extractor.stored_facts import Facts, read_stored
 from rosarch.models.component import ComponentModel, Relations, build_models, distinct
 from rosarch.models.node_configuration import NodeConfiguration
 from rosarch.rule_programs.sets import SHIPPED, RuleSet, is_loaded_soon, model_program, rules_digest

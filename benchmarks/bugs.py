@@ -25,7 +25,7 @@ import yaml
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
 from rosarch.analysis.systems.reading import Reading
-from rosarch.analysis.systems.requests import Surroundings, parse_request
+from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.cli.inputs import extraction_cache
 from rosarch.findings.model import Finding
 
@@ -58,7 +58,7 @@ def check_tree(bug: dict[str, Any], side: str, place: Place) -> tuple[Finding, .
         return text.replace("${T}", str(tree)).replace("${B}", str(bugs))
 
     environment = {name: filled(str(value)) for name, value in bug.get("env", {}).items()}
-    where = Surroundings(tree, place.package_path(bug), environment)
+    where = LaunchEnvironment(tree, place.package_path(bug), environment)
     texts = []
     for launch in bug["launch"]:
         words = [*launch.get("args", ()), *launch.get(f"args_{side}", ())]

@@ -36,7 +36,7 @@ def check_folder(folder: Path) -> Path:
 
 def check_sources(folder: Path) -> Path:
     """`folder`, when it is one that can be read, and not facts."""
-    from rosarch.extractor.stored import has_facts
+    from rosarch.extractor.stored_facts import has_facts
 
     if has_facts(folder):
         raise InputError(f"{folder}: facts, where a folder of sources is needed")
@@ -45,7 +45,7 @@ def check_sources(folder: Path) -> Path:
 
 def check_input(path: Path) -> Path:
     """`path`, when it is a folder that can be read, or a text of facts."""
-    from rosarch.extractor.stored import is_facts_text
+    from rosarch.extractor.stored_facts import is_facts_text
 
     if os.path.isfile(path) and not is_facts_text(path):
         raise InputError(f"{path}: neither a folder nor a text of facts")
@@ -113,7 +113,7 @@ def load_analysis(
     check_input(folder)
     check_engine(engine)
     with progress() as report:
-        from rosarch.extractor.stored import has_facts
+        from rosarch.extractor.stored_facts import has_facts
         from rosarch.rule_programs.choice import SHIPPED
 
         if has_facts(folder):

@@ -29,7 +29,7 @@ from rosarch.cli.options import (
     parse_defines,
 )
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
-from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, Systems, load_surrounding
+from rosarch.cli.systems import Environment, Launches, PackagePath, SystemInputs, Systems, load_shared_facts
 from rosarch.cli.terminal import show_diagnostics
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ class Question(Reading):
             raise InputError("--launch asks about whole systems; --package and --component are about components")
         from rosarch.extractor.selection import SelectedComponent
 
-        shared, found = load_surrounding(self.systems_in(self.folder, self.launches, rules))
+        shared, found = load_shared_facts(self.systems_in(self.folder, self.launches, rules))
         show_diagnostics(shared.diagnostics, self.verbose)
         yield [SelectedComponent(launch.name, "", self.folder, partial(shared.rows, launch)) for launch in found]
 

@@ -19,11 +19,11 @@ from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
     from rosarch.analysis.systems.analysis import SystemAnalysis
-    from rosarch.analysis.systems.checked import Checked
+    from rosarch.analysis.systems.check_result import CheckResult
     from rosarch.analysis.systems.influences import Told
     from rosarch.analysis.systems.reading import Reading
-    from rosarch.analysis.systems.requests import Request, Surroundings
-    from rosarch.analysis.systems.shared import Launch, Surrounding
+    from rosarch.analysis.systems.requests import LaunchEnvironment, Request
+    from rosarch.analysis.systems.shared import Launch, SharedFacts
     from rosarch.base.memo import Memo
     from rosarch.extractor.units import Progress
     from rosarch.findings.configuration import Configuration
@@ -88,21 +88,21 @@ def load_systems(inputs: SystemInputs, configuration: Configuration | None = Non
 
     When some are `required`, a workspace without launch files is refused.
     """
-    where = _surroundings(inputs, configuration)
+    where = _environment(inputs, configuration)
     with _confined(inputs, where):
         return _analyze(inputs, configuration, where, _memo(inputs, where), required=required)
 
 
-def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked:
+def check_systems(inputs: SystemInputs, configuration: Configuration) -> CheckResult:
     """What is wrong with these systems, see `load_systems`; as it was found before when nothing has changed since.
 
     In a workspace without launch files it is each program by itself.
     """
-    where = _surroundings(inputs, configuration)
+    where = _environment(inputs, configuration)
     memo = _memo(inputs, where)
 
-    def check() -> Checked:
-        from rosarch.analysis.systems.checked import checked
+    def check() -> CheckResult:
+        from rosarch.analysis.systems.check_result import checked
 
         return checked(_analyze(inputs, configuration, where, memo, required=True, alone=True))
 
@@ -115,15 +115,15 @@ def check_systems(inputs: SystemInputs, configuration: Configuration) -> Checked
         return memo.recall(["check", os.path.abspath(inputs.folder), os.getcwd(), *asked], folders, check)
 
 
-def load_surrounding(inputs: SystemInputs, configuration: Configuration | None = None) -> tuple[Surrounding, list[Launch]]:
+def load_shared_facts(inputs: SystemInputs, configuration: Configuration | None = None) -> tuple[SharedFacts, list[Launch]]:
     """The launches that the options name, or else the configuration, and what is known around them, for questions about the systems."""
-    from rosarch.analysis.systems.shared import surrounding
+    from rosarch.analysis.systems.shared import shared_facts
 
     with progress() as report:
-        where = _surroundings(inputs, configuration)
+        where = _environment(inputs, configuration)
         launches = _launches(inputs, configuration, where)
         with _confined(inputs, where):
-            return surrounding(inputs.folder, launches, _reading(inputs, configuration, report), _memo(inputs, where)), launches
+            return shared_facts(inputs.folder, launches, _reading(inputs, configuration, report), _memo(inputs, where)), launches
 
 
 def tell_systems(
@@ -132,7 +132,7 @@ def tell_systems(
     """The systems, how often their topics are sent on, by rules of data flow what influences what, and (see `tell`) why all that is so."""
     from rosarch.analysis.systems.influences import tell
 
-    shared, launches = load_surrounding(inputs, configuration)
+    shared, launches = load_shared_facts(inputs, configuration)
     with progress() as report:
         analysis, told = tell(shared, launches, _reading(inputs, configuration, report), shorten)
     if not analysis.systems:
@@ -144,16 +144,16 @@ def text_reader(inputs: SystemInputs, configuration: Configuration | None = None
     """Reads texts for reports on these systems: from where the analysis may read; None for what cannot be read."""
     from rosarch.base.files import folder_reader
 
-    return folder_reader(inputs.folder, *_readable(inputs, _surroundings(inputs, configuration)))
+    return folder_reader(inputs.folder, *_readable(inputs, _environment(inputs, configuration)))
 
 
-def _confined(inputs: SystemInputs, where: Surroundings) -> AbstractContextManager[None]:
+def _confined(inputs: SystemInputs, where: LaunchEnvironment) -> AbstractContextManager[None]:
     from rosarch.base.boundary import confined, ros_package_path
 
     return confined([*_readable(inputs, where), *ros_package_path()])
 
 
-def _readable(inputs: SystemInputs, where: Surroundings) -> list[Path]:
+def _readable(inputs: SystemInputs, where: LaunchEnvironment) -> list[Path]:
     """What may be read: the workspace, the package path, and what else the options name."""
     named = [*(inputs.library or ()), *(inputs.rules.own if inputs.rules else ())]
     requests = _requests(inputs, None)
@@ -165,7 +165,7 @@ def _readable(inputs: SystemInputs, where: Surroundings) -> list[Path]:
 def _analyze(
     inputs: SystemInputs,
     configuration: Configuration | None,
-    where: Surroundings,
+    where: LaunchEnvironment,
     memo: Memo | None,
     *,
     required: bool,
@@ -196,7 +196,7 @@ def _reading(inputs: SystemInputs, configuration: Configuration | None, report: 
     return Reading(inputs.rules or SHIPPED, library, inputs.engine.value, inputs.jobs, inputs.timeout, inputs.defines, cache, report, rates)
 
 
-def _memo(inputs: SystemInputs, where: Surroundings) -> Memo | None:
+def _memo(inputs: SystemInputs, where: LaunchEnvironment) -> Memo | None:
     """What is known of earlier runs; nothing of those of another program than rosarch's own engine, which may be another one now."""
     from rosarch.base.memo import Memo
 
@@ -204,7 +204,7 @@ def _memo(inputs: SystemInputs, where: Surroundings) -> Memo | None:
     return Memo(cache, where.variables()) if cache and inputs.engine is Engine.embedded else None
 
 
-def _launches(inputs: SystemInputs, configuration: Configuration | None, where: Surroundings) -> list[Launch]:
+def _launches(inputs: SystemInputs, configuration: Configuration | None, where: LaunchEnvironment) -> list[Launch]:
     from rosarch.analysis.systems.launches import given, unincluded
     from rosarch.analysis.systems.requests import LaunchWordError
 
@@ -228,8 +228,8 @@ def _requests(inputs: SystemInputs, configuration: Configuration | None) -> list
     return [Request(choice.files, choice.arguments) for choice in configuration.launch]
 
 
-def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> Surroundings:
-    from rosarch.analysis.systems.requests import Surroundings
+def _environment(inputs: SystemInputs, configuration: Configuration | None) -> LaunchEnvironment:
+    from rosarch.analysis.systems.requests import LaunchEnvironment
 
     check_sources(inputs.folder)
     check_engine(inputs.engine)
@@ -242,4 +242,4 @@ def _surroundings(inputs: SystemInputs, configuration: Configuration | None) -> 
         folders = [check_folder(Path(folder)) for folder in configuration.package_path] or folders
     environment.update(parse_environment(inputs.environment))
     given = [check_folder(folder) for folder in inputs.package_path or ()]
-    return Surroundings(inputs.folder, (inputs.folder, *(given or folders)), environment)
+    return LaunchEnvironment(inputs.folder, (inputs.folder, *(given or folders)), environment)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rich.progress import TaskID
 
     from rosarch.analysis.systems.analysis import SystemAnalysis
-    from rosarch.analysis.systems.checked import Checked
+    from rosarch.analysis.systems.check_result import CheckResult
     from rosarch.base.diagnostics import Diagnostic
 
 REFRESH_SECONDS = 0.1
@@ -59,7 +59,7 @@ def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool, base: Pat
     sys.stderr.write(diagnostics_text(diagnostics, base or Path.cwd(), complete=verbose))
 
 
-def show_remaining(analysis: SystemAnalysis | Checked, folder: Path, verbose: bool) -> None:
+def show_remaining(analysis: SystemAnalysis | CheckResult, folder: Path, verbose: bool) -> None:
     """Tell on stderr what of systems was not understood: all of it, or in short what no finding tells."""
     from rosarch.reports.diagnostics import diagnostics_summary
 

@@ -22,7 +22,7 @@ from rosarch.datalog.files.cells import read_number, show_cell
 from rosarch.datalog.language.domain import domain
 from rosarch.extractor.facts import schema, validate
 from rosarch.extractor.manifest import ManifestError, content_hash, require_unchanged
-from rosarch.extractor.stored import FIRST, Facts, StoredFacts
+from rosarch.extractor.stored_facts import FIRST, Facts, StoredFacts
 
 Row = tuple[Any, ...]
 

@@ -14,7 +14,7 @@ from rosarch.base.hints import hint, hint_or_all
 from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.datalog import read_facts
 from rosarch.extractor.facts import schema
-from rosarch.extractor.stored import has_facts, read_stored
+from rosarch.extractor.stored_facts import has_facts, read_stored
 
 if TYPE_CHECKING:
     from rosarch.extractor.units import Progress

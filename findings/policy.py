@@ -11,7 +11,7 @@ from rosarch.base.path_patterns import path_matches
 from rosarch.extractor.suppressions import Suppression
 from rosarch.findings.baseline import Baseline, BaselineEntry, compare
 from rosarch.findings.model import Finding
-from rosarch.findings.suppressed import COMMENT_CHECKS, Suppressed, suppress
+from rosarch.findings.suppressions import COMMENT_CHECKS, Suppressed, suppress
 from rosarch.findings.withheld import Withheld
 from rosarch.rule_programs.checks import SEVERITIES, Check
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from rosarch.findings.model import Finding
-from rosarch.models.unseen import OpenPart
+from rosarch.models.openness import OpenPart
 
 
 @dataclass(frozen=True)

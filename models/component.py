@@ -17,9 +17,9 @@ from rosarch.models.guards import Guards
 from rosarch.models.node_configuration import InnerNode, PluginTold
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
+from rosarch.models.openness import Unseen
 from rosarch.models.switches import switched_json
 from rosarch.models.traits import Trait, traits
-from rosarch.models.unseen import Unseen
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]

@@ -8,7 +8,7 @@ from importlib import import_module
 from itertools import groupby
 from typing import Any
 
-from rosarch.analysis.systems.checked import Scope
+from rosarch.analysis.systems.check_result import Scope
 from rosarch.base.places import Place
 from rosarch.findings.model import Finding
 from rosarch.findings.policy import Reported

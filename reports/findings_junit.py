@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 from rosarch.findings.model import Finding
 from rosarch.findings.policy import Policy, Reported
-from rosarch.findings.suppressed import Suppressed
+from rosarch.findings.suppressions import Suppressed
 from rosarch.reports.findings import Setting
 from rosarch.reports.printable import printable
 from rosarch.rule_programs.checks import Check

@@ -13,7 +13,7 @@ from rosarch.base.places import Place
 from rosarch.findings.baseline import BaselineEntry
 from rosarch.findings.model import Evidence, Finding
 from rosarch.findings.policy import Reported
-from rosarch.findings.suppressed import Suppressed
+from rosarch.findings.suppressions import Suppressed
 from rosarch.reports.findings import Setting, tool_version
 from rosarch.reports.printable import json_text, printable
 from rosarch.rule_programs.checks import Check

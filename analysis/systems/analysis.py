@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from rosarch.analysis.systems.reading import Reading, rules_hash
-from rosarch.analysis.systems.shared import Launch, Surrounding, SystemFacts, surrounding
+from rosarch.analysis.systems.shared import Launch, SharedFacts, SystemFacts, shared_facts
 from rosarch.base.cache import Cache, hash_of
 from rosarch.base.diagnostics import Diagnostic
 from rosarch.base.memo import Memo, stage_version
@@ -43,10 +43,10 @@ Maker = Callable[["SystemRules", Launch, Rows, Reading], Made]
 def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | None = None, memo: Memo | None = None) -> SystemAnalysis:
     """Compose the nodes that `launches` start from their components, and check each system, by the rules of `reading`.
 
-    See `surrounding` for the components.
+    See shared_facts for the components.
     """
     reading = reading or Reading()
-    shared = surrounding(root, launches, reading, memo)
+    shared = shared_facts(root, launches, reading, memo)
     found: dict[int, Composed | Failure] = {}
     for index, outcome in each_system("system", shared, launches, reading, _system):
         found[index] = outcome
@@ -55,7 +55,7 @@ def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | N
     return gathered(shared, launches, found)
 
 
-def gathered(shared: Surrounding, launches: Sequence[Launch], found: Mapping[int, Composed | Failure]) -> SystemAnalysis:
+def gathered(shared: SharedFacts, launches: Sequence[Launch], found: Mapping[int, Composed | Failure]) -> SystemAnalysis:
     """What was found of launches, by their indices, as one."""
     made = {index: outcome for index, outcome in found.items() if not isinstance(outcome, Failure)}
     diagnostics = list(shared.diagnostics)
@@ -68,7 +68,7 @@ def gathered(shared: Surrounding, launches: Sequence[Launch], found: Mapping[int
     return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
 
 
-def findings_in(shared: Surrounding, launches: Sequence[Launch], reading: Reading) -> tuple[Finding, ...]:
+def findings_in(shared: SharedFacts, launches: Sequence[Launch], reading: Reading) -> tuple[Finding, ...]:
     """What checks find in the systems of `launches`; all in this process, and nothing is kept."""
     from rosarch.rule_programs.sets import system_rules
 
@@ -78,7 +78,7 @@ def findings_in(shared: Surrounding, launches: Sequence[Launch], reading: Readin
 
 def each_system(
     stage: str,
-    shared: Surrounding,
+    shared: SharedFacts,
     launches: Sequence[Launch],
     reading: Reading,
     make: Maker[Made],

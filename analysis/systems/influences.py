@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from rosarch.analysis.systems.analysis import Composed, SystemAnalysis, composed, each_system, gathered
 from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.reasons import Started, system_reasons
-from rosarch.analysis.systems.shared import Launch, Surrounding
+from rosarch.analysis.systems.shared import Launch, SharedFacts
 from rosarch.base.pool import Failure
 from rosarch.datalog import Result
 from rosarch.datalog.inspection.clauses import rules_of
@@ -44,7 +44,7 @@ class Told:
 
 
 def tell(
-    shared: Surrounding, launches: Sequence[Launch], reading: Reading, shorten: Callable[[str], str] | None
+    shared: SharedFacts, launches: Sequence[Launch], reading: Reading, shorten: Callable[[str], str] | None
 ) -> tuple[SystemAnalysis, Mapping[str, Told]]:
     """The systems, and what is told of each by its name; with proofs, when it is told how paths of rule files are shown.
 

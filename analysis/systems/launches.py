@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from rosarch.analysis.systems.requests import LaunchWordError, Request, Surroundings
+from rosarch.analysis.systems.requests import LaunchEnvironment, LaunchWordError, Request
 from rosarch.analysis.systems.shared import Launch
 from rosarch.base import tracing
 from rosarch.extractor.launch import PackagePath, compose, launch_files, top_level
@@ -20,7 +20,7 @@ NO_LAUNCH_FILE = "missing"
 MAX_MATRIX = 256  # systems of one launch with several values for its arguments
 
 
-def given(requests: Iterable[Request], where: Surroundings) -> list[Launch]:
+def given(requests: Iterable[Request], where: LaunchEnvironment) -> list[Launch]:
     """The launches of requests. Files are absolute, or below the current folder or the workspace.
 
     Raises:
@@ -37,14 +37,14 @@ def given(requests: Iterable[Request], where: Surroundings) -> list[Launch]:
     return found
 
 
-def unincluded(where: Surroundings, jobs: int | None = None) -> list[Launch]:
+def unincluded(where: LaunchEnvironment, jobs: int | None = None) -> list[Launch]:
     """A launch for each launch file of the workspace that no other includes; see `top_level`."""
     files = where.files()
     found = top_level(launch_files(os.path.abspath(where.root)), files, where.variables(), jobs)
     return [Launch(_shown(path, where.root), (_shown(path, where.root),), composed, files.packages) for path, composed in found.items()]
 
 
-def by_themselves(where: Surroundings, defines: Mapping[str, str] | None = None) -> list[Launch]:
+def by_themselves(where: LaunchEnvironment, defines: Mapping[str, str] | None = None) -> list[Launch]:
     """For a workspace without launch files: each program that its packages build, as a node by itself.
 
     What runs beside it, and which parameters it is given, is not known. Of packages without programs there is what their files say.
@@ -89,7 +89,7 @@ def _path(word: str, root: Path) -> str:
     raise LaunchWordError(f"{word}: no such launch file, neither here nor below {root}")
 
 
-def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: Surroundings) -> Launch:
+def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: LaunchEnvironment) -> Launch:
     files = where.files()
     composition = compose(paths, arguments, files=files, environment=where.variables())
     words = (*(_shown(path, where.root) for path in paths), *(f"{name}:={value}" for name, value in arguments.items()))

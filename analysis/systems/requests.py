@@ -23,7 +23,7 @@ class LaunchWordError(ValueError):
 
 
 @dataclass(frozen=True)
-class Surroundings:
+class LaunchEnvironment:
     """Where launch files are composed: the workspace, where packages are looked for, the robot's environment variables."""
 
     root: Path

@@ -42,7 +42,7 @@ from rosarch.models.system.rows import Rows, merged
 
 if TYPE_CHECKING:
     from rosarch.analysis.components import Analysis
-    from rosarch.extractor.stored import Facts
+    from rosarch.extractor.stored_facts import Facts
     from rosarch.extractor.workspace import Component, Diagnostic
     from rosarch.extractor.workspace.built import Built
     from rosarch.library import Library, LibraryComponent
@@ -147,7 +147,7 @@ class Components:
 
 
 @dataclass(frozen=True)
-class Surrounding:
+class SharedFacts:
     """What all launches of a workspace share: its components, what launch files name of it, what was not understood, what users say.
 
     `said` are the words that the sources of each component say.
@@ -189,7 +189,7 @@ class Surrounding:
         """The facts about one system."""
         return self.facts(launch).rows()
 
-    def with_models(self, launches: Sequence[Launch], models: Iterable[ComponentModel]) -> Surrounding:
+    def with_models(self, launches: Sequence[Launch], models: Iterable[ComponentModel]) -> SharedFacts:
         """What there is if the components that are among `models` have the models there."""
         components = self.components.with_models(models)
         named = {**self.named, **set_rows([launch.composition for launch in launches], components.models)}
@@ -212,7 +212,7 @@ class SystemFacts:
         return hash_of([rows_digest(self.own), *(interface.digest for interface in self.interfaces)])
 
 
-def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: Memo | None = None) -> Surrounding:
+def shared_facts(root: Path, launches: Sequence[Launch], reading: Reading, memo: Memo | None = None) -> SharedFacts:
     """Analyse the components that `launches` start: those below `root`, of others those of the library (that in `reading` first)."""
     needed = _Needed(launches)
     top = os.path.abspath(root)
@@ -242,7 +242,7 @@ def surrounding(root: Path, launches: Sequence[Launch], reading: Reading, memo: 
     named = merged([there, first_rows(compositions, root), set_rows(compositions, components.models), container_rows(compositions)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
-    return Surrounding(root, components, named, said, manifests, tuple(dict.fromkeys(found)), given)
+    return SharedFacts(root, components, named, said, manifests, tuple(dict.fromkeys(found)), given)
 
 
 def _absolute(folders: Sequence[Path]) -> list[str]:

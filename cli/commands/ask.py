@@ -14,11 +14,11 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import ModelFormat
 from rosarch.cli.questions import SystemQuestion, asks
-from rosarch.cli.systems import load_surrounding
+from rosarch.cli.systems import load_shared_facts
 from rosarch.cli.terminal import emit, show_diagnostics
 
 if TYPE_CHECKING:
-    from rosarch.analysis.systems.shared import Launch, Surrounding
+    from rosarch.analysis.systems.shared import Launch, SharedFacts
     from rosarch.models.system.asking import Causes, Rate
     from rosarch.rule_programs.sets import SystemRules
 
@@ -50,7 +50,7 @@ def ask(
         check_folder(folder)
         chosen = question.rules()
         rules = replace(chosen, flows=True) if isinstance(parsed, Causes) else chosen
-        shared, found = load_surrounding(question.inputs(rules), load_configuration(folder, config, shipped_checks()))
+        shared, found = load_shared_facts(question.inputs(rules), load_configuration(folder, config, shipped_checks()))
         show_diagnostics(shared.diagnostics, question.verbose)
         if not found:
             raise InputError(f"{folder}: no launch file below this folder")
@@ -61,7 +61,7 @@ def ask(
         raise InputError(str(error)) from None
 
 
-def _answers(asked: Causes | Rate, rules: SystemRules, shared: Surrounding, launches: Sequence[Launch], engine: str, *, json: bool) -> str:
+def _answers(asked: Causes | Rate, rules: SystemRules, shared: SharedFacts, launches: Sequence[Launch], engine: str, *, json: bool) -> str:
     from rosarch.models.system.asking import Rate
     from rosarch.models.system.chains import ask_chain
     from rosarch.models.system.rates import ask_rates

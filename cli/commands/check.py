@@ -31,7 +31,7 @@ from rosarch.cli.systems import check_systems, text_reader
 from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
-    from rosarch.analysis.systems.checked import Checked
+    from rosarch.analysis.systems.check_result import CheckResult
     from rosarch.findings.withheld import Withheld
     from rosarch.rule_programs.checks import Check
     from rosarch.rule_programs.choice import RuleSet
@@ -88,7 +88,7 @@ def check(
         raise typer.Exit(reported.exit_code)
 
 
-def _withheld(checked: Checked, closed: Checked) -> tuple[Withheld, ...]:
+def _withheld(checked: CheckResult, closed: CheckResult) -> tuple[Withheld, ...]:
     """What would be claimed of these systems in a closed world, and is not."""
     from rosarch.findings.withheld import withheld
 

@@ -33,7 +33,7 @@ def checks(
 ) -> None:
     """List the checks with their severity, or explain some: what each finds, why that is bad, an example, what to do."""
     from rosarch.base.hints import hint
-    from rosarch.findings.suppressed import COMMENT_CHECKS
+    from rosarch.findings.suppressions import COMMENT_CHECKS
     from rosarch.reports.checks import explanation_text, list_text, reference_markdown, sections_markdown
     from rosarch.rule_programs.sets import system_rules
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.observed import Bag, Every, MasterUri, Seconds, Source, observe_and_compare
+from rosarch.cli.observation_inputs import Bag, Every, MasterUri, Seconds, Source, observe_and_compare
 from rosarch.cli.options import Format
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines

@@ -66,7 +66,7 @@ def diff(
 
     def load(state: State) -> Snapshot:
         from rosarch.analysis.comparison import Snapshot
-        from rosarch.extractor.stored import has_facts
+        from rosarch.extractor.stored_facts import has_facts
         from rosarch.rule_programs.sets import system_rules
 
         analysis = reading.analysis(rules, state.folder, packages)
@@ -101,7 +101,7 @@ def compare_states(old: str, new: str, output_format: DiffFormat, load: Load) ->
 def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
     """Both sides as paths; revisions are written to temporary folders, which are called alike."""
     from rosarch.base.scratch import scratch_folder
-    from rosarch.extractor.stored import is_facts_text
+    from rosarch.extractor.stored_facts import is_facts_text
 
     with scratch_folder() as temporary:
         commits = [None if os.path.isdir(side) or is_facts_text(Path(side)) else _commit(side) for side in (old, new)]

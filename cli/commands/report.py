@@ -13,7 +13,7 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.options import path_argument
 from rosarch.cli.outputs import write_output
 from rosarch.cli.questions import SystemQuestion, asks
-from rosarch.cli.reported import load_subject
+from rosarch.cli.report_content import load_subject
 from rosarch.cli.terminal import emit
 
 Page = Annotated[

@@ -16,11 +16,11 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_engine, check_folder, extraction_cache, read_input
 from rosarch.cli.options import Engine, path_argument
 from rosarch.cli.questions import Reading, asks
-from rosarch.cli.systems import SystemInputs, load_surrounding, load_systems
+from rosarch.cli.systems import SystemInputs, load_shared_facts, load_systems
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 if TYPE_CHECKING:
-    from rosarch.analysis.systems.shared import Launch, Surrounding
+    from rosarch.analysis.systems.shared import Launch, SharedFacts
     from rosarch.datalog import Program
     from rosarch.evaluation.expectations.run import CaseOutcome
     from rosarch.findings.configuration import Configuration
@@ -98,9 +98,9 @@ class WorkspaceSystems:
         return load_configuration(self.inputs.folder, None, system_rules(self.rules).checks)
 
     @cached_property
-    def around(self) -> tuple[Surrounding, list[Launch]]:
+    def around(self) -> tuple[SharedFacts, list[Launch]]:
         """The launches, and what is known around them."""
-        return load_surrounding(self.inputs, self._configuration)
+        return load_shared_facts(self.inputs, self._configuration)
 
     def findings(self, _models: Sequence[ComponentModel]) -> Sequence[Finding]:
         return load_systems(self.inputs, self._configuration).findings

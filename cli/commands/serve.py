@@ -62,7 +62,7 @@ def _remake(question: SystemQuestion, link: str | None, chains: bool, proofs: bo
 
 def _make(question: SystemQuestion, link: str | None, chains: bool, proofs: bool, current: Path) -> None:
     from rosarch.cli.live_server import put_document, put_error
-    from rosarch.cli.reported import load_subject
+    from rosarch.cli.report_content import load_subject
     from rosarch.reports.html.document import report_document
 
     try:

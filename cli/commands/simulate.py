@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.composed import ScenarioFile, load_composed, load_scenario
+from rosarch.cli.composition_inputs import ScenarioFile, load_composed, load_scenario
 from rosarch.cli.errors import InputError
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines

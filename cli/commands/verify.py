@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.cli.composed import ScenarioFile, load_composed, load_scenario
+from rosarch.cli.composition_inputs import ScenarioFile, load_composed, load_scenario
 from rosarch.cli.errors import FINDINGS, InputError
 from rosarch.cli.inputs import read_input
 from rosarch.cli.options import path_argument

@@ -26,7 +26,7 @@ Candidates: TypeAlias = Callable[[Path], Sequence[Entry]]
 
 
 @dataclass(frozen=True, slots=True)
-class Checked:
+class CheckResult:
     """A program after its checks: the text of each of its files by resolved path, and what was found, errors first."""
 
     entry: Entry
@@ -59,7 +59,7 @@ class Programs:
         self._parse = ParseMemory()
         self._names: dict[str, tuple[str, Names]] = {}
         self._entries: dict[Path, Entry] = {}
-        self._checked: dict[Entry, Checked] = {}
+        self._checked: dict[Entry, CheckResult] = {}
 
     def edit(self, path: Path, text: str) -> None:
         """Take this text instead of the file."""
@@ -81,12 +81,12 @@ class Programs:
         """Forget what the file is part of, and programs that are incomplete: they may lack just this file."""
         self._checked = {entry: c for entry, c in self._checked.items() if not c.holds(path) and not c.errors}
 
-    def program(self, path: Path) -> Checked:
+    def program(self, path: Path) -> CheckResult:
         """The program that a file is part of: of those that could be meant, the one with the fewest errors."""
         entry = self._entries.get(path)
         if entry is not None:
             return self.check(entry)
-        best: Checked | None = None
+        best: CheckResult | None = None
         for candidate in self.candidates(path):
             found = self.check(candidate)
             if found.holds(path) and (best is None or found.errors < best.errors):
@@ -98,18 +98,18 @@ class Programs:
         self._entries[path] = best.entry
         return best
 
-    def check(self, entry: Entry) -> Checked:
+    def check(self, entry: Entry) -> CheckResult:
         """Check a program."""
         if entry not in self._checked:
             self._checked[entry] = self._check(entry)
         return self._checked[entry]
 
-    def _check(self, entry: Entry) -> Checked:
+    def _check(self, entry: Entry) -> CheckResult:
         try:
             reading = Reading(instead=entry.instead)
             unit, sources, report = read_program(entry.roots, reading=reading, edited=self.edited, parse=self._parse)
         except DatalogError as error:
-            return Checked(entry, {}, tuple(error.diagnostics))
+            return CheckResult(entry, {}, tuple(error.diagnostics))
         texts = {_resolved(p): text for p, text in sources.texts.items()}
         errors = list(report.errors)
         try:
@@ -118,7 +118,7 @@ class Programs:
             errors += [d for d in error.diagnostics if d not in errors]
         except RecursionError:
             errors.append(Diagnostic(TOO_DEEP, deepest(sources.parsed)))
-        return Checked(entry, texts, (*errors, *report.warnings))
+        return CheckResult(entry, texts, (*errors, *report.warnings))
 
     def text(self, path: Path) -> str:
         """The text of a file as it is being edited, or as it is on disk; empty when it cannot be read."""

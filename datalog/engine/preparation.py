@@ -9,12 +9,12 @@ from rosarch.datalog.language.anonymous_records import resolve_records
 from rosarch.datalog.language.components import instantiate
 from rosarch.datalog.language.errors import Report
 from rosarch.datalog.language.inlining import check_cycles, inline_clauses, inlined_relations
-from rosarch.datalog.language.semantics import Checked, check
+from rosarch.datalog.language.semantics import CheckResult, check
 from rosarch.datalog.language.syntax import Relation, Unit
 from rosarch.datalog.language.witness import ground_witnesses
 
 
-def prepare(unit: Unit, report: Report, bits: int = 32) -> tuple[Checked, int]:
+def prepare(unit: Unit, report: Report, bits: int = 32) -> tuple[CheckResult, int]:
     """The checked program, and how many of its clauses are written rather than made by a qualifier.
 
     Raises DatalogError with all errors found. `bits` is the width of numbers.
@@ -41,7 +41,7 @@ def _inlined(relation: Relation, excluded: set[str]) -> bool:
     return "no_inline" not in relation.qualifiers and relation.name not in excluded
 
 
-def _checked(unit: Unit, report: Report, bits: int) -> tuple[Checked, int]:
+def _checked(unit: Unit, report: Report, bits: int) -> tuple[CheckResult, int]:
     written = len(unit.clauses)
     for relation in unit.relations:
         if "eqrel" in relation.qualifiers and len(relation.attributes) == 2:

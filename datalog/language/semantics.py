@@ -41,7 +41,7 @@ CHOICE = "choice-domain"
 
 
 @dataclass(slots=True)
-class Checked:
+class CheckResult:
     """A program that passed every check."""
 
     unit: Unit
@@ -51,7 +51,7 @@ class Checked:
     clauses: dict[str, list[tuple[Clause, ClauseTypes]]]
 
 
-def check(unit: Unit, report: Report, bits: int = 32) -> Checked:
+def check(unit: Unit, report: Report, bits: int = 32) -> CheckResult:
     """Run every check; raises DatalogError with all errors found. `bits` is the width of numbers."""
     types = build_types(unit.types, report, bits)
     relations = _check_relations(unit, types, report)
@@ -76,7 +76,7 @@ def check(unit: Unit, report: Report, bits: int = 32) -> Checked:
     _check_counters(usable, strata, report)
     _check_plans(usable, strata, report)
     report.raise_errors()
-    return Checked(unit, types, relations, strata, grouped)
+    return CheckResult(unit, types, relations, strata, grouped)
 
 
 def _check_relations(unit: Unit, types: Types, report: Report) -> dict[str, Relation]:

@@ -10,9 +10,9 @@ from functools import partial
 from rosarch.datalog import Program, Result
 from rosarch.datalog.inspection.mutation import Case as MutationCase
 from rosarch.datalog.inspection.rows import Row
+from rosarch.evaluation.expectations.actual import Found, ObservedComponent, is_source
 from rosarch.evaluation.expectations.cases import Case
 from rosarch.evaluation.expectations.elements import FINDING
-from rosarch.evaluation.expectations.found import Found, ObservedComponent, is_source
 from rosarch.evaluation.expectations.grammar import Expectation
 from rosarch.evaluation.expectations.judgement import unmet
 from rosarch.evaluation.expectations.run import Running, observed

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 from rosarch.base.hints import hint
 from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.datalog import Program
+from rosarch.evaluation.expectations.actual import Found, Systems, is_source, require_query
 from rosarch.evaluation.expectations.alone import Alone
 from rosarch.evaluation.expectations.cases import Case
 from rosarch.evaluation.expectations.elements import FINDING
-from rosarch.evaluation.expectations.found import Found, Systems, is_source, require_query
 from rosarch.evaluation.expectations.grammar import Expectation, ExpectationError
 from rosarch.evaluation.expectations.judgement import Unmet, unmet
 from rosarch.extractor.pipeline import extract

@@ -21,7 +21,7 @@ from rosarch.evaluation.experiments.subjects import Subject
 from rosarch.evaluation.experiments.truth import Truth, TruthError, read_truth
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.manifest import content_hash
-from rosarch.extractor.stored import has_facts, is_facts_text, read_stored
+from rosarch.extractor.stored_facts import has_facts, is_facts_text, read_stored
 from rosarch.rule_programs.own_files import own_files
 from rosarch.rule_programs.sets import SHIPPED, RuleSet, component_program, find_options, rule_set
 from rosarch.rule_programs.variants import RuleSetError, decisions

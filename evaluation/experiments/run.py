@@ -16,7 +16,7 @@ from rosarch.datalog import Program
 from rosarch.datalog.language.values import ValueWriter, symbols
 from rosarch.evaluation.experiments.comparison import Document
 from rosarch.evaluation.experiments.subjects import OpenSubject
-from rosarch.extractor.stored import Facts
+from rosarch.extractor.stored_facts import Facts
 from rosarch.models.component import build_models, to_json
 from rosarch.rule_programs.sets import SHIPPED, RuleSet
 

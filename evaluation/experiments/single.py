@@ -15,7 +15,7 @@ from rosarch.evaluation.experiments.run import Cell, Configuration, Runner
 from rosarch.evaluation.experiments.scores import Score, score
 from rosarch.evaluation.experiments.subjects import Extracting, Subject, about, opened
 from rosarch.evaluation.experiments.truth import Truth, TruthError, read_models, systems
-from rosarch.extractor.stored import is_facts_text
+from rosarch.extractor.stored_facts import is_facts_text
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace import Diagnostic

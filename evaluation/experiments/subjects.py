@@ -12,7 +12,7 @@ from rosarch.base.cache import Cache, hash_of, rows_digest
 from rosarch.base.hints import hint
 from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.evaluation.experiments.truth import Truth, TruthError
-from rosarch.extractor.stored import Facts, has_facts, read_stored
+from rosarch.extractor.stored_facts import Facts, has_facts, read_stored
 
 if TYPE_CHECKING:
     from rosarch.extractor.units import Progress

@@ -24,7 +24,7 @@ class Word:
 
 
 @dataclass(frozen=True)
-class Surroundings:
+class CMakeEnvironment:
     """What a condition may ask the evaluator."""
 
     value: Callable[[str], str | None]
@@ -40,7 +40,7 @@ class ConditionError(ValueError):
     """The words do not form a condition."""
 
 
-def evaluate(words: Sequence[Word], around: Surroundings) -> bool:
+def evaluate(words: Sequence[Word], around: CMakeEnvironment) -> bool:
     """The truth of a condition."""
     parser = _Condition(words, around)
     result = parser.disjunction()
@@ -68,7 +68,7 @@ _UNARY = {"EXISTS", "COMMAND", "DEFINED", "TARGET", "POLICY", "TEST", "IS_DIRECT
 
 
 class _Condition:
-    def __init__(self, words: Sequence[Word], around: Surroundings) -> None:
+    def __init__(self, words: Sequence[Word], around: CMakeEnvironment) -> None:
         self.words = words
         self.around = around
         self.position = 0

@@ -10,7 +10,7 @@ import os
 import re
 from typing import TYPE_CHECKING
 
-from rosarch.extractor.workspace.cmake_conditions import Surroundings
+from rosarch.extractor.workspace.cmake_conditions import CMakeEnvironment
 
 if TYPE_CHECKING:
     from rosarch.extractor.workspace.evaluator import Evaluator
@@ -19,9 +19,9 @@ _NEWEST = "9999"  # true, and newer than any version that a condition asks for
 _RESULT = re.compile(r"_(?:FOUND|DIRS?|CONFIG|VERSION|LIBRARY|LIBRARIES|LIBS|INCLUDES|DEFINITIONS|EXECUTABLE)$")
 
 
-def surroundings(run: Evaluator) -> Surroundings:
+def cmake_environment(run: Evaluator) -> CMakeEnvironment:
     """What the conditions of an evaluation may ask."""
-    return Surroundings(
+    return CMakeEnvironment(
         value=lambda name: _value(run, name),
         defined=lambda name: _is_defined(run, name),
         is_command=run.is_command,

@@ -20,7 +20,7 @@ from rosarch.extractor.workspace.cmake_conditions import ConditionError, Word
 from rosarch.extractor.workspace.cmake_conditions import evaluate as condition_holds
 from rosarch.extractor.workspace.cmake_expand import expand, join_list, split_list
 from rosarch.extractor.workspace.cmake_limits import ELEMENT, MAX_DEPTH, MAX_TEXT, MAX_VALUE, MAX_WORDS, OutOfTime, time_limit
-from rosarch.extractor.workspace.cmake_questions import surroundings
+from rosarch.extractor.workspace.cmake_questions import cmake_environment
 from rosarch.extractor.workspace.cmake_state import (
     Call,
     Directory,
@@ -102,7 +102,7 @@ class Evaluator:
         self.current: tuple[str, Command] | None = None
         self.global_properties: dict[str, str] = {}
         self.included: set[str] = set()
-        self.around = surroundings(self)
+        self.around = cmake_environment(self)
 
     # -- values ---------------------------------------------------------------------------------------------------------------
 

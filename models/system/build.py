@@ -8,9 +8,9 @@ from typing import Any, Literal
 
 from rosarch.base.places import Place
 from rosarch.datalog import Result
+from rosarch.models.openness import OpenPart, reason_text
 from rosarch.models.system.model import Connector, Inclusion, SystemModel, SystemNode, SystemPort
 from rosarch.models.system.rows import Rows, grouped
-from rosarch.models.unseen import OpenPart, reason_text
 from rosarch.rule_programs.checks import evidence_of, shown_as
 from rosarch.rule_programs.sets import SystemRules
 

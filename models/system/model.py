@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rosarch.base.places import Place
-from rosarch.models.unseen import OpenPart
+from rosarch.models.openness import OpenPart
 
 CONNECTOR_KINDS = ("topic", "service", "action")
 

@@ -9,7 +9,7 @@ import pytest
 from rosarch.analysis.systems.analysis import SystemAnalysis, analyze_systems
 from rosarch.analysis.systems.launches import given
 from rosarch.analysis.systems.reading import Reading
-from rosarch.analysis.systems.requests import Surroundings, parse_request
+from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.base.places import Place
 from rosarch.models.system.build import evaluate, system_model
 from rosarch.models.system.model import Connector, Inclusion
@@ -34,7 +34,7 @@ LAUNCH = """<launch>
 def analysis(workspace: Path) -> SystemAnalysis:
     (workspace / "talker" / "main.launch").write_text(LAUNCH)
     (workspace / "talker" / "part.launch").write_text('<launch>\n<node pkg="talker" type="talker" name="two"/>\n</launch>')
-    where = Surroundings(workspace, (workspace,), {})
+    where = LaunchEnvironment(workspace, (workspace,), {})
     return analyze_systems(workspace, given([parse_request("talker/main.launch")], where), Reading(jobs=1))
 
 
@@ -84,7 +84,7 @@ def test_inclusions_and_diagnostics(analysis: SystemAnalysis, workspace: Path) -
 def test_one_system_that_fails_costs_that_system(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("a", "b"):
         (workspace / "talker" / f"{name}.launch").write_text('<launch><node pkg="talker" type="talker" name="t"/></launch>')
-    launches = given([parse_request("talker/a.launch"), parse_request("talker/b.launch")], Surroundings(workspace, (workspace,), {}))
+    launches = given([parse_request("talker/a.launch"), parse_request("talker/b.launch")], LaunchEnvironment(workspace, (workspace,), {}))
 
     def broken(name: str, *rest: object) -> object:
         if name == "talker/a.launch":

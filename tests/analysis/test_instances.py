@@ -9,7 +9,7 @@ import pytest
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
 from rosarch.analysis.systems.reading import Reading
-from rosarch.analysis.systems.requests import Surroundings, parse_request
+from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.models.component import component_of
 from rosarch.models.node_configuration import PluginTold, told_to
 from rosarch.models.system.model import SystemModel
@@ -145,7 +145,7 @@ def system(tmp_path_factory: pytest.TempPathFactory) -> SystemModel:
     files["main.launch.py"] = LAUNCH.replace("__PARAMS__", str(package / "params.yaml"))
     for name, text in files.items():
         (package / name).write_text(text)
-    where = Surroundings(root, (root,), {})
+    where = LaunchEnvironment(root, (root,), {})
     analysis = analyze_systems(root, given([parse_request("host/main.launch.py")], where), Reading(jobs=1))
     return analysis.systems[0]
 
@@ -241,7 +241,7 @@ def test_what_may_be_reconfigured_is_not_decided(tmp_path: Path) -> None:
     }.items():  # fmt: skip
         (tmp_path / "cam" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "cam" / name).write_text(text)
-    where = Surroundings(tmp_path, (tmp_path,), {})
+    where = LaunchEnvironment(tmp_path, (tmp_path,), {})
     analysis = analyze_systems(tmp_path, given([parse_request("cam/main.launch")], where), Reading(jobs=1))
     (system,) = analysis.systems
     assert [name for name in ("/one", "/two") if "/raw" in ports_of(system, name)] == ["/one"]
@@ -334,7 +334,7 @@ def test_texts_are_followed_through_what_they_decide(tmp_path: Path) -> None:
     for name, text in files.items():
         (tmp_path / "grid" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "grid" / name).write_text(text)
-    where = Surroundings(tmp_path, (tmp_path,), {})
+    where = LaunchEnvironment(tmp_path, (tmp_path,), {})
     (system,) = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1)).systems
     assert ports_of(system, "/cart/local/grid") == {"/cart/laser/scan", "/cart/cloud", "/cart/zones", "/cart/local/state"}
     assert ports_of(system, "/grid") == {"/map", "/mask", "/state"}
@@ -382,7 +382,7 @@ def test_a_text_decides_what_a_callback_does(tmp_path: Path) -> None:
     for name, text in files.items():
         (tmp_path / "grid" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "grid" / name).write_text(text)
-    where = Surroundings(tmp_path, (tmp_path,), {})
+    where = LaunchEnvironment(tmp_path, (tmp_path,), {})
     analysis = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1))
     models = {model.title: model for model in analysis.models}
     found = {node.name: [reaction.must for reaction in models[node.component].behavior.reactive] for node in analysis.systems[0].nodes}

@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from rosarch.analysis.systems.launches import given, unincluded
-from rosarch.analysis.systems.requests import LaunchWordError, Request, Surroundings, parse_request
+from rosarch.analysis.systems.requests import LaunchEnvironment, LaunchWordError, Request, parse_request
 
 
 @pytest.fixture
-def where(tmp_path: Path) -> Surroundings:
+def where(tmp_path: Path) -> LaunchEnvironment:
     """A workspace with a package and three launch files, one of which another includes."""
     package = tmp_path / "robot"
     package.mkdir()
@@ -22,7 +22,7 @@ def where(tmp_path: Path) -> Surroundings:
     )
     (package / "part.launch").write_text('<launch><node pkg="p" type="t" name="part"/></launch>')
     (package / "tools.launch").write_text('<launch><node pkg="p" type="t" name="tools"/></launch>')
-    return Surroundings(tmp_path, (tmp_path,), {"ROBOT": "r2"})
+    return LaunchEnvironment(tmp_path, (tmp_path,), {"ROBOT": "r2"})
 
 
 def test_requests() -> None:
@@ -48,11 +48,11 @@ def test_bad_requests(text: str, message: str) -> None:
     assert str(caught.value) == message
 
 
-def nodes(where: Surroundings, *texts: str) -> dict[str, list[str]]:
+def nodes(where: LaunchEnvironment, *texts: str) -> dict[str, list[str]]:
     return {launch.name: [node.full_name for node in launch.composition.nodes] for launch in given(map(parse_request, texts), where)}
 
 
-def test_each_combination_of_values_is_a_launch(where: Surroundings) -> None:
+def test_each_combination_of_values_is_a_launch(where: LaunchEnvironment) -> None:
     assert nodes(where, "robot/main.launch x:=3,4 y:=5") == {
         "robot/main.launch x:=3 y:=5": ["/n_3_5_r2", "/part"],
         "robot/main.launch x:=4 y:=5": ["/n_4_5_r2", "/part"],
@@ -60,30 +60,30 @@ def test_each_combination_of_values_is_a_launch(where: Surroundings) -> None:
     assert given([parse_request("robot/main.launch x:=3")], where)[0].words == ("robot/main.launch", "x:=3")
 
 
-def test_files_are_started_together_or_one_by_one(where: Surroundings) -> None:
+def test_files_are_started_together_or_one_by_one(where: LaunchEnvironment) -> None:
     assert nodes(where, "robot/part.launch robot/tools.launch") == {"robot/part.launch robot/tools.launch": ["/part", "/tools"]}
     assert nodes(where, "robot/part.launch", "robot/tools.launch") == {"robot/part.launch": ["/part"], "robot/tools.launch": ["/tools"]}
 
 
 def test_files_are_absolute_or_below_the_current_folder_or_the_workspace(
-    where: Surroundings, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    where: LaunchEnvironment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path / "robot")
     assert list(nodes(where, "part.launch", "robot/part.launch", f"{tmp_path}/robot/part.launch")) == ["robot/part.launch"]
 
 
-def test_a_file_that_is_not_there(where: Surroundings) -> None:
+def test_a_file_that_is_not_there(where: LaunchEnvironment) -> None:
     with pytest.raises(LaunchWordError) as caught:
         nodes(where, "robot/gone.launch")
     assert str(caught.value) == f"robot/gone.launch: no such launch file, neither here nor below {where.root}"
 
 
-def test_too_many_combinations(where: Surroundings) -> None:
+def test_too_many_combinations(where: LaunchEnvironment) -> None:
     values = ",".join(map(str, range(17)))
     with pytest.raises(LaunchWordError) as caught:
         nodes(where, f"robot/main.launch x:={values} y:={values}")
     assert str(caught.value) == "more than 256 combinations of arguments"
 
 
-def test_files_that_no_other_includes(where: Surroundings) -> None:
+def test_files_that_no_other_includes(where: LaunchEnvironment) -> None:
     assert [launch.name for launch in unincluded(where)] == ["robot/main.launch", "robot/tools.launch"]

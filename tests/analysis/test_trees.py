@@ -9,7 +9,7 @@ import pytest
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
 from rosarch.analysis.systems.reading import Reading
-from rosarch.analysis.systems.requests import Surroundings, parse_request
+from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.extractor.behavior_trees import TreeNode, nodes_of
 from rosarch.models.system.model import SystemModel
 
@@ -153,7 +153,7 @@ def _system(folder: Path, client: str = OWN, parameters: str = "", trees: dict[s
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
-    where = Surroundings(folder, (folder,), {})
+    where = LaunchEnvironment(folder, (folder,), {})
     (system,) = analyze_systems(folder, given([parse_request("launch/all.launch.py")], where), Reading(jobs=1)).systems
     return system
 

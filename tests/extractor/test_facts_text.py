@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from rosarch.extractor.manifest import ManifestError
-from rosarch.extractor.stored import has_facts, read_stored
+from rosarch.extractor.stored_facts import has_facts, read_stored
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "examples" / "facts" / "docking_states.txt"

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rosarch.base.places import Place
 from rosarch.findings.model import Evidence, Finding
-from rosarch.findings.suppressed import UNUSED_SUPPRESSION
+from rosarch.findings.suppressions import UNUSED_SUPPRESSION
 from rosarch.rule_programs.checks import Check
 
 SOURCES = {

@@ -8,7 +8,7 @@ from handmade_findings import STYLE, finding
 
 from rosarch.base.places import Place
 from rosarch.findings.withheld import withheld
-from rosarch.models.unseen import OpenPart
+from rosarch.models.openness import OpenPart
 
 DRIVER = OpenPart("/driver", "demo/driver has no model", Place("a.launch", 1, 1))
 INCLUDE = OpenPart("", "the included file b.launch was not read", Place("a.launch", 2, 1))

@@ -10,7 +10,7 @@ from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, not
 from handmade_findings import CHECKS, FULL, MISMATCH, STYLE, finding
 from systems import node, small, system
 
-from rosarch.analysis.systems.checked import scope_of
+from rosarch.analysis.systems.check_result import scope_of
 from rosarch.base.places import Place
 from rosarch.findings.model import Evidence
 from rosarch.findings.policy import Policy, apply_policy

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from rosarch.cli.check_options import load_configuration, make_policy
 from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.inputs import check_sources
-from rosarch.cli.proven import prove_components
 from rosarch.cli.questions import SystemQuestion
+from rosarch.cli.report_proofs import prove_components
 from rosarch.cli.systems import tell_systems, text_reader
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ def _judged(
     question: SystemQuestion, rules: RuleSet, configuration: Configuration, composed: SystemAnalysis, read: Callable[[str], str | None]
 ) -> Reported:
     """The findings as the configuration wants them, those that comments suppress apart."""
-    from rosarch.analysis.systems.checked import checked
+    from rosarch.analysis.systems.check_result import checked
     from rosarch.extractor.suppressions import find_suppressions
     from rosarch.findings.policy import apply_policy
     from rosarch.rule_programs.sets import system_rules

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rosarch.findings.model import Finding
-from rosarch.models.unseen import OpenPart
+from rosarch.models.openness import OpenPart
 
 if TYPE_CHECKING:
     from rosarch.analysis.systems.analysis import SystemAnalysis
@@ -26,7 +26,7 @@ class Scope:
 
 
 @dataclass(frozen=True)
-class Checked:
+class CheckResult:
     """What was found and not understood, the files that it rests on, in which comments may say what is intended, and what was not seen."""
 
     findings: tuple[Finding, ...]
@@ -36,13 +36,13 @@ class Checked:
     unseen: tuple[OpenPart, ...] = ()
 
 
-def checked(analysis: SystemAnalysis) -> Checked:
+def checked(analysis: SystemAnalysis) -> CheckResult:
     """What a check needs of an analysis."""
     paths = {path for model in analysis.models for path in model.sources}
     paths |= {evidence.place.path for finding in analysis.findings for evidence in finding.evidence}
     paths |= {place.path for system in analysis.systems for node in system.nodes for place in node.lines}
     unseen = {part for system in analysis.systems for part in system.unseen}
-    return Checked(analysis.findings, analysis.diagnostics, tuple(sorted(paths)), scope_of(analysis.systems), tuple(sorted(unseen)))
+    return CheckResult(analysis.findings, analysis.diagnostics, tuple(sorted(paths)), scope_of(analysis.systems), tuple(sorted(unseen)))
 
 
 def scope_of(systems: Collection[SystemModel]) -> Scope:

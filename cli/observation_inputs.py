@@ -13,7 +13,7 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import path_argument
 from rosarch.cli.questions import SystemQuestion
-from rosarch.cli.systems import load_surrounding
+from rosarch.cli.systems import load_shared_facts
 from rosarch.cli.terminal import show_diagnostics
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def _load(question: SystemQuestion) -> _System:
 
     folder = check_folder(question.folder)
     rules = question.rules()
-    shared, launches = load_surrounding(question.inputs(rules), load_configuration(folder, None, shipped_checks()))
+    shared, launches = load_shared_facts(question.inputs(rules), load_configuration(folder, None, shipped_checks()))
     show_diagnostics(shared.diagnostics, question.verbose)
     if len(launches) != 1:
         known = ", ".join(launch.name for launch in launches) or "none"
