@@ -1,4 +1,5 @@
 # make demo: analyse an example workspace.  make test: run the tests.  make lint: check style and types.
+# make docs: build the documentation as a site, in build/site; a dead link fails.
 # make facts: extract the facts of the examples again, which are shipped as texts.
 # Needs Python 3.10 or newer (choose one with PYTHON=...); everything else is installed into .venv.
 
@@ -7,7 +8,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 COMPILE := $(BIN)/python -m rosarch.rule_programs.compile
 
-.PHONY: demo test lint format facts clean
+.PHONY: demo test lint format docs facts clean
 
 demo: $(VENV)/.installed
 	@$(COMPILE)
@@ -26,6 +27,9 @@ format: $(VENV)/.installed-dev
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
 
+docs: $(VENV)/.installed-docs
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
+
 facts: $(VENV)/.installed
 	rm -f examples/facts/*.txt
 	@for folder in examples/*/src; do \
@@ -41,6 +45,10 @@ $(BIN)/python:
 $(VENV)/.installed: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
 	@$(COMPILE)
+	@touch $@
+
+$(VENV)/.installed-docs: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[docs]'
 	@touch $@
 
 $(VENV)/.installed-dev: pyproject.toml | $(BIN)/python

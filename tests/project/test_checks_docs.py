@@ -1,4 +1,4 @@
-"""What `docs/checks.md` shows is so."""
+"""What `docs/checks.md` and `docs/ci.md` show is so."""
 
 from __future__ import annotations
 
@@ -19,8 +19,10 @@ from rosarch.reports.findings import FORMATS, Setting, report_text
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/checks.md").read_text(encoding="utf-8")
+CI = (ROOT / "docs/ci.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
-IDS = ("topic-type-mismatch", "near-miss-topic", "unused-suppression", "suppression-without-reason")
+HOOK = re.findall(r"^```yaml\n(repos:.*?)^```$", CI, re.MULTILINE | re.DOTALL)[0]
+IDS = ("topic-type-mismatch", "topic-name-mismatch", "unused-suppression", "suppression-without-reason")
 
 
 def blocks(language: str) -> list[str]:
@@ -42,7 +44,7 @@ def test_the_finding() -> None:
         "src/base/src/base.cpp": SOURCES["base/src/base.cpp"].replace("\t", "  "),
     }
     reported = apply_policy([found], Policy(), checks=CHECKS)
-    assert report_text("text", reported, Setting(sources.get)) == blocks("")[0]
+    assert report_text("text", reported, Setting(sources.get)) == blocks("text")[0]
 
 
 def test_the_configuration() -> None:
@@ -53,7 +55,7 @@ def test_the_configuration() -> None:
 
 
 def test_the_comments() -> None:
-    both = ("topic-type-mismatch", "near-miss-topic")
+    both = ("topic-type-mismatch", "topic-name-mismatch")
     found = {
         path: [(each.checks, each.first, each.last, bool(each.reason)) for each in suppressions_in(path, text)]
         for path, text in (("a.cpp", blocks("cpp")[0]), ("a.launch", blocks("xml")[0]), ("a.yaml", blocks("yaml")[1]))
@@ -66,21 +68,21 @@ def test_the_comments() -> None:
 
 
 def test_words() -> None:
-    assert tuple(re.findall(r"^\| `(\w+)` \|", TEXT, re.MULTILINE)) == FORMATS
+    assert tuple(re.findall(r"^\| `(\w+)` \|", CI, re.MULTILINE)) == FORMATS
     assert f"`--fail-on {'|'.join(THRESHOLDS)}`" in TEXT
     assert f"# id or pattern: {', '.join(CHOICES[:-1])} or {CHOICES[-1]}" in TEXT
     for identifier in ("unused-suppression", "suppression-without-reason"):
         assert f"`{identifier}`" in TEXT
 
 
-@pytest.mark.parametrize("block", blocks("yaml"))
+@pytest.mark.parametrize("block", [*blocks("yaml"), *re.findall(r"^```yaml\n(.*?)^```$", CI, re.MULTILINE | re.DOTALL)])
 def test_every_yaml_block_is_yaml(block: str) -> None:
     assert isinstance(yaml.safe_load(block), dict)
 
 
 def test_the_hook() -> None:
     (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text())
-    assert yaml.safe_load(blocks("yaml")[-1])["repos"][0]["hooks"][0]["id"] == hook["id"]
+    assert yaml.safe_load(HOOK)["repos"][0]["hooks"][0]["id"] == hook["id"]
     assert hook["entry"].split()[:2] == ["rosarch", "check"]
     assert (hook["language"], hook["pass_filenames"]) == ("python", False)
     changed = ["src/a.cpp", "p/CMakeLists.txt", "CMakeLists.txt", "l/a.launch", "package.xml", "c/a.yaml", "c/a.yml", "msg/A.msg"]

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import re
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
-import pytest
 import yaml
 
 from rosarch.evaluation.experiments.truth import read_truth
@@ -15,17 +13,7 @@ from rosarch.evaluation.experiments.truth_fields import LISTS
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/experiments.md").read_text(encoding="utf-8")
-COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL) for line in block.splitlines()]
 YAML = re.findall(r"```yaml\n(.*?)```", TEXT, re.DOTALL)
-
-
-@pytest.mark.parametrize("command", COMMANDS)
-def test_commands_run(command: str, rosarch: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "examples").symlink_to(ROOT / "examples")
-    monkeypatch.chdir(tmp_path)
-    outcome = rosarch(*shlex.split(command, comments=True)[1:])
-    assert (outcome.code, outcome.err) == (0, "")
-    assert outcome.out
 
 
 def test_the_truth_is_truth(tmp_path: Path) -> None:
