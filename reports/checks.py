@@ -12,7 +12,7 @@ from rosarch.rule_programs.checks import SEVERITIES, Check
 _WIDTH = 120
 _HEAD = """# Reference of checks
 
-[Checking a workspace](checks.md) tells how findings are reported. This page is what `rosarch rules checks --format markdown`
+[Checking a workspace](checks.md) explains how findings are reported. This page is what `rosarch rules checks --format markdown`
 prints: it is made from the heads of the files in `rules/checks/`.
 """
 

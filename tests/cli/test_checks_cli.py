@@ -22,7 +22,7 @@ def test_a_line_for_each_check(rosarch: Callable) -> None:
     assert severities == sorted(severities, key=["error", "warning", "note"].index)
     counts = [severities.count(word) for word in ("error", "warning", "note")]
     assert lines[-1] == f"{len(severities)} checks: {counts[0]} errors, {counts[1]} warnings, {counts[2]} notes"
-    assert re.search(r"^error    topic-type-mismatch +Topic published and read with different message types$", outcome.out, re.MULTILINE)
+    assert re.search(r"^error    topic-type-mismatch +Publisher and subscriber with different message types$", outcome.out, re.MULTILINE)
 
 
 def test_an_explanation(rosarch: Callable) -> None:

@@ -129,15 +129,15 @@ def test_contradictions_have_both_proofs(rosarch: Callable, workspace: Path) -> 
     told = outcome.out[outcome.out.index("demo/filter.cpp:13") :]
     name = f"recording {bag}"
     assert told == (
-        "demo/filter.cpp:13: warning: 50 of 100 messages on /raw were answered on /smooth, where /filter should answer each"
+        "demo/filter.cpp:13: warning: 50 of 100 messages on /raw were answered on /smooth, but /filter should answer each"
         "  [observed-answer-missing]\n"
         "  demo/demo.launch:1: /filter is started\n"
         f"  {name}:2: 50 messages on /smooth of /filter, 10 a second\n"
-        "demo/filter.cpp:13: warning: /smooth has the type geometry_msgs/PoseStamped; by the source of /filter it is geometry_msgs/PointStamped"
+        "demo/filter.cpp:13: warning: /smooth has the type geometry_msgs/PoseStamped, but the source of /filter says geometry_msgs/PointStamped"
         "  [observed-type-differs]\n"
         "  demo/demo.launch:1: /filter is started\n"
         f"  {name}:2: 50 messages on /smooth of /filter, 10 a second\n"
-        "demo/motor.cpp:8: warning: 4.0 messages a second pass through /current; /motor and others that send there send 10.0 at least"
+        "demo/motor.cpp:8: warning: 4.0 messages per second pass through /current, but /motor and others that send there send 10.0 at least"
         "  [observed-rate-differs]\n"
         "  demo/demo.launch:1: /motor is started\n"
         f"  {name}:3: 20 messages on /current of /motor, 4 a second\n"

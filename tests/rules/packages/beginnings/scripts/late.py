@@ -12,7 +12,7 @@ def main():
         rclpy.spin(node)
     except KeyboardInterrupt:
         pass
-    node.create_subscription(String, 'x', print, 1)  # expect: finding after-spin "/late makes this only when its spin has ended"
+    node.create_subscription(String, 'x', print, 1)  # expect: finding after-spin "/late makes this only after its spin has ended"
     node.create_timer(1.0, tick)  # expect: finding after-spin "*makes this*"
     rclpy.shutdown()
 

@@ -13,7 +13,7 @@ class A(Node):
 
 
 def main():
-    rclpy.spin(A())  # expect: finding library-not-started "/noinit uses rclpy, and nothing in its program starts that"
+    rclpy.spin(A())  # expect: finding library-not-started "/noinit uses rclpy, which nothing in its program initialises"
 
 
 if __name__ == '__main__':

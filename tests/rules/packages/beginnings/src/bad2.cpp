@@ -12,7 +12,7 @@ public:
 };
 int main(int argc, char ** argv)
 {
-  auto node = std::make_shared<A>();  // expect: finding library-not-started "/bad2 uses rclcpp, and nothing in its program starts that"
+  auto node = std::make_shared<A>();  // expect: finding library-not-started "/bad2 uses rclcpp, which nothing in its program initialises"
   rclcpp::spin(node);
   rclcpp::shutdown();
 }

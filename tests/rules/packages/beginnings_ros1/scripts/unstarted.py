@@ -4,4 +4,4 @@ from std_msgs.msg import String
 
 pub = rospy.Publisher('x', String, queue_size=1)
 rospy.Subscriber('y', String, print)
-rospy.spin()  # expect: finding library-not-started "/unstarted uses rospy, and nothing in its program starts that"
+rospy.spin()  # expect: finding library-not-started "/unstarted uses rospy, which nothing in its program initialises"

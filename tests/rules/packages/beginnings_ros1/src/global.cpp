@@ -1,6 +1,6 @@
 #include <ros/ros.h>
 #include <std_msgs/String.h>
-ros::NodeHandle nh;  // expect: finding library-started-late "/global makes what needs roscpp before it starts that"
+ros::NodeHandle nh;  // expect: finding library-started-late "/global uses roscpp before it initialises it"
 int main(int argc, char **argv) {
   ros::init(argc, argv, "global");
   ros::Publisher pub = nh.advertise<std_msgs::String>("x", 1);

@@ -11,11 +11,11 @@ ros::Publisher parts_pub, objects_pub, many_pub, paced_pub, either_pub;
 void onTrigger(const std_msgs::String& trigger) {
   parts_pub.publish(trigger);
   parts_pub.publish(trigger);
-  if (!trigger.data.empty()) parts_pub.publish(trigger);  // expect: finding burst-overflows "/camera sends 3 messages at once on /parts, /viewer has a queue of 2"
+  if (!trigger.data.empty()) parts_pub.publish(trigger);  // expect: finding burst-overflows "/camera sends 3 messages at once on /parts, but /viewer has a queue of 2"
   for (char letter : trigger.data) {
     std_msgs::String object;
     object.data = letter;
-    objects_pub.publish(object);  // expect: finding burst-overflows "/camera sends many messages at once on /objects, /viewer has a queue of 1"
+    objects_pub.publish(object);  // expect: finding burst-overflows "/camera sends many messages at once on /objects, but /viewer has a queue of 1"
     many_pub.publish(object);
   }
   if (trigger.data.empty()) {

@@ -16,12 +16,12 @@ class Dock {
   Dock() {
     report_pub_ = nh_.advertise<std_msgs::String>("report", 1);
     timer_ = nh_.createTimer(ros::Duration(1.0), &Dock::onTimer, this);
-    goal_sub_ = nh_.subscribe("question", 1, &Dock::onGoal, this);  // expect: finding ignored-in-state "/dock does nothing with /question while Dock::mode_ is Mode::STOPPED, and it stays so"
+    goal_sub_ = nh_.subscribe("question", 1, &Dock::onGoal, this);  // expect: finding ignored-in-state "/dock ignores /question while Dock::mode_ is Mode::STOPPED, and it stays so"
     stop_sub_ = nh_.subscribe("stop", 1, &Dock::onStop, this);
     pause_sub_ = nh_.subscribe("answer", 1, &Dock::onAnswer, this);
     map_sub_ = nh_.subscribe("map", 1, &Dock::onMap, this);
     log_sub_ = nh_.subscribe("log", 1, &Dock::onLog, this);
-    settings_sub_ = nh_.subscribe("settings", 1, &Dock::onSettings, this);  // expect: finding ignored-in-state "/dock does nothing with /settings while Dock::phase_ is Phase::AWAY, as it is when the only message is sent"
+    settings_sub_ = nh_.subscribe("settings", 1, &Dock::onSettings, this);  // expect: finding ignored-in-state "/dock ignores /settings while Dock::phase_ is Phase::AWAY, as it is when the only message is sent"
   }
 
  private:
@@ -60,7 +60,7 @@ class Dock {
       paused_ = true;
     }
     if (mode_ == RUNNING && phase_ == AWAY) phase_ = READY;
-    if (phase_ == APPROACHING) phase_ = DOCKED;  // expect: finding state-not-reached "/dock asks whether Dock::phase_ is Phase::APPROACHING, to which nothing leads"
+    if (phase_ == APPROACHING) phase_ = DOCKED;  // expect: finding state-not-reached "/dock tests whether Dock::phase_ is Phase::APPROACHING, which no sequence of inputs reaches"
     if (phase_ == DOCKED) {                      // expect: finding state-not-reached "/dock asks whether Dock::phase_ is Phase::DOCKED,*"
       phase_ = APPROACHING;
       report_pub_.publish(last_);

@@ -23,7 +23,7 @@ void onPose(const std_msgs::Empty& pose) {
 
 void waitForAction() {
   Client driver("drive", true), other("soon", true);
-  while (!driver.waitForServer(ros::Duration(5.0))) ROS_INFO("waiting");  // expect: finding waits-for-ever "/planner waits with no limit for the action /drive, which no node provides"
+  while (!driver.waitForServer(ros::Duration(5.0))) ROS_INFO("waiting");  // expect: finding waits-for-ever "/planner waits without a time limit for the action /drive, which no node provides"
   other.waitForServer(ros::Duration(5.0));
 }
 
@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   ros::ServiceClient reset = nh.serviceClient<std_srvs::Empty>("reset_map");
   ros::ServiceClient served = nh.serviceClient<std_srvs::Empty>("left");
   ros::ServiceClient maybe = nh.serviceClient<std_srvs::Empty>("maybe");
-  clear.waitForExistence();                         // expect: finding waits-for-ever "/planner waits with no limit for the service /clear_map, which no node provides"
+  clear.waitForExistence();                         // expect: finding waits-for-ever "/planner waits without a time limit for the service /clear_map, which no node provides"
   ros::service::waitForService("reset_map", -1);    // expect: finding waits-for-ever "*the service /reset_map,*"
   ros::service::waitForService("left");             // somebody serves it
   maybe.waitForExistence(ros::Duration(2.0));       // with a limit

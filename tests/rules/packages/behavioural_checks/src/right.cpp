@@ -5,7 +5,7 @@
 
 class Right {
  public:
-  Right() : client_(nh_.serviceClient<std_srvs::Empty>("left")), early_(nh_.serviceClient<std_srvs::Empty>("early")) {  // expect: finding circular-wait "/right waits for /left, which /left does not provide before it has got /right, and so on in a circle"
+  Right() : client_(nh_.serviceClient<std_srvs::Empty>("left")), early_(nh_.serviceClient<std_srvs::Empty>("early")) {  // expect: finding circular-wait "/right waits for /left, which /left provides only after it has received /right, and so on in a circle"
     early_.waitForExistence();
     while (ros::ok() && !client_.waitForExistence(ros::Duration(1.0))) ROS_INFO("no left yet");
   }

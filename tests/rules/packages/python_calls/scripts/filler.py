@@ -19,8 +19,8 @@ class Filler(Node):
         self.text = self.create_publisher(String, 'text', 10)
         self.sub = self.create_subscription(PoseStamped, 'pose', self.on_pose, 10)
         self.client = self.create_client(SetBool, 'go')
-        self.server = self.create_service(SetBool, 'stop', self.on_stop)  # expect: finding callback-misfit "/filler gives a callback that takes 1 arguments, and that is called with 2"
-        self.timer = self.create_timer(0.1, self.tick)  # expect: finding callback-misfit "/filler gives a callback that takes 1 arguments, and that is called with 0"
+        self.server = self.create_service(SetBool, 'stop', self.on_stop)  # expect: finding callback-misfit "/filler passes a callback that takes 1 arguments, but is called with 2"
+        self.timer = self.create_timer(0.1, self.tick)  # expect: finding callback-misfit "/filler passes a callback that takes 1 arguments, but is called with 0"
         self.other = self.create_subscription(String, 'other', lambda: None, 10)  # expect: finding callback-misfit "*takes 0 arguments*called with 1"
         self.buffer = Buffer()
         self.buffer.lookup_transform('map', 'base')  # expect: finding call-refused "*lookup_transform without time*"
@@ -55,9 +55,9 @@ class Filler(Node):
         for pose in poses.poses:
             pose.place.x = 1.0  # expect: finding field-absent "*place*"
         poses.poses[0].place = 3  # expect: finding field-absent "*place*"
-        self.text.publish('text')  # expect: finding sent-misfit "/filler sends std_msgs/String on /text and is given what is str"
+        self.text.publish('text')  # expect: finding sent-misfit "/filler sends std_msgs/String on /text, but is given str"
         self.text.publish(Twist())  # expect: finding sent-misfit "*a message of geometry_msgs/Twist"
-        self.text.publish(String('text'))  # expect: finding message-misbuilt "/filler makes a std_msgs/String of 1 values without names, and its class takes 0"
+        self.text.publish(String('text'))  # expect: finding message-misbuilt "/filler constructs a std_msgs/String from 1 positional values, but its class takes 0"
         self.client.call_async(SetBool.Response())  # expect: finding sent-misfit "*SetBoolRequest*SetBoolResponse"
 
 

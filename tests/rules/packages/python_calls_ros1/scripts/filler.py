@@ -40,7 +40,7 @@ text.publish('text')
 text.publish(4)  # expect: finding sent-misfit "*is given what is int"
 number.publish(4)
 number.publish('4')  # expect: finding sent-misfit "*is given what is str"
-twist.publish(1.0)  # expect: finding sent-misfit "/filler sends geometry_msgs/Twist on /twist and is given what is float"
+twist.publish(1.0)  # expect: finding sent-misfit "/filler sends geometry_msgs/Twist on /twist, but is given float"
 twist.publish(1, 2, 3)  # expect: finding sent-misfit "*is given what is 3 values"
 twist.publish(Twist())
 print(go(True).success)

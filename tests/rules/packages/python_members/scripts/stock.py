@@ -9,9 +9,9 @@ services.added = 1
 rospy.init_node("stock")
 services.fill(True)
 services.fill(data=True)
-services.fill(True, data=True)  # expect: finding mixed-arguments "/stock calls fill with arguments by place and by name, which rospy refuses with a TypeError"
+services.fill(True, data=True)  # expect: finding mixed-arguments "/stock calls fill with positional and keyword arguments, which rospy rejects with a TypeError"
 pub = rospy.Publisher("stock", Header, queue_size=1)
-pub.publish(1, frame_id="x")  # expect: finding mixed-arguments "/stock calls publish with arguments by place and by name, which rospy refuses with a TypeError"
+pub.publish(1, frame_id="x")  # expect: finding mixed-arguments "/stock calls publish with positional and keyword arguments, which rospy rejects with a TypeError"
 pub.publish(*[1], frame_id="x")
 services.late(True)
 services.added += 1

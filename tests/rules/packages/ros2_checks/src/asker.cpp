@@ -38,7 +38,7 @@ public:
 private:
   bool ask() {
     auto result = same_->async_send_request(std::make_shared<Trigger::Request>());
-    if (result.wait_for(1s) != std::future_status::ready) return false;  // expect: finding callback-deadlock "a callback of /asker waits for the answer of /same, which cannot come before it ends: both belong to one callback group, which is not reentrant"
+    if (result.wait_for(1s) != std::future_status::ready) return false;  // expect: finding callback-deadlock "a callback of /asker waits for the response of /same, which cannot arrive before the callback ends: both belong to one callback group, which is not reentrant"
     return result.get()->success;
   }
   void onGo(const Text &) {

@@ -14,7 +14,7 @@ public:
     declare_parameter<bool>("verbose");
     declare_parameter("limit", rclcpp::PARAMETER_DOUBLE);  // expect: param limit type=double op=declare
     declare_parameter("any", rclcpp::ParameterValue(1));
-    declare_parameter<std::string>("map");  // expect: finding parameter-required "/settings declares the parameter /settings/map without a default, and nobody sets it"
+    declare_parameter<std::string>("map");  // expect: finding parameter-required "/settings declares the parameter /settings/map without a default, but nothing sets it"
     declare_parameter("model", rclcpp::PARAMETER_STRING);  // expect: finding parameter-required "*/settings/model*"
     rcl_interfaces::msg::ParameterDescriptor descriptor;
     descriptor.dynamic_typing = true;
