@@ -255,12 +255,13 @@ def _compiled(paths: Sequence[Path], extra_source: str, reading: Reading, bits: 
     """The program, and the hashes of its files."""
     from rosarch.datalog.language.sources import EXTRA_SOURCE, TOO_DEEP, deepest, read_program  # a cached program does without
 
-    unit, sources, report = read_program(paths, extra_source, reading)
-    try:
-        program = compile_unit(unit, sources, report, bits, on_demand=on_demand)
-    except RecursionError:
-        report.error(TOO_DEEP, deepest(sources.parsed))
-        raise DatalogError(report.errors[-1:]) from None
+    with engine.collector_paused():
+        unit, sources, report = read_program(paths, extra_source, reading)
+        try:
+            program = compile_unit(unit, sources, report, bits, on_demand=on_demand)
+        except RecursionError:
+            report.error(TOO_DEEP, deepest(sources.parsed))
+            raise DatalogError(report.errors[-1:]) from None
     return program, {path: cache.digest(path) for path in sources.texts if path != EXTRA_SOURCE}
 
 

@@ -11,7 +11,7 @@ from rosarch.datalog.editor.occurrences import Names, names_of
 from rosarch.datalog.engine.preparation import prepare
 from rosarch.datalog.language.errors import DatalogError, Diagnostic, Report
 from rosarch.datalog.language.preprocess import Reading
-from rosarch.datalog.language.sources import TOO_DEEP, ParseMemory, deepest, read_program, read_text
+from rosarch.datalog.language.sources import TOO_DEEP, deepest, read_program, read_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,6 @@ class Programs:
     def __init__(self, candidates: Candidates) -> None:
         self.candidates = candidates
         self.edited: dict[str, str] = {}
-        self._parse = ParseMemory()
         self._names: dict[str, tuple[str, Names]] = {}
         self._entries: dict[Path, Entry] = {}
         self._checked: dict[Entry, CheckResult] = {}
@@ -107,7 +106,7 @@ class Programs:
     def _check(self, entry: Entry) -> CheckResult:
         try:
             reading = Reading(instead=entry.instead)
-            unit, sources, report = read_program(entry.roots, reading=reading, edited=self.edited, parse=self._parse)
+            unit, sources, report = read_program(entry.roots, reading=reading, edited=self.edited)
         except DatalogError as error:
             return CheckResult(entry, {}, tuple(error.diagnostics))
         texts = {_resolved(p): text for p, text in sources.texts.items()}

@@ -20,7 +20,7 @@ from rosarch.datalog.language.components import instantiate
 from rosarch.datalog.language.errors import Report
 from rosarch.datalog.language.preprocess import Reading
 from rosarch.datalog.language.semantics import check
-from rosarch.datalog.language.sources import ParseMemory, Sources, read_program
+from rosarch.datalog.language.sources import Sources, read_program
 from rosarch.datalog.language.strata import components, dependencies, reachable, turned_around
 from rosarch.datalog.language.syntax import Directive, Relation, Unit
 from rosarch.datalog.program import Program, RelationDecl, compile_unit, declarations
@@ -65,7 +65,6 @@ class RuleHistory:
         self.extra_source = extra_source
         self.reading = Reading(instead=tuple(sorted((instead or {}).items())))
         self.bits = bits
-        self._parse = ParseMemory()
         self._base: Unit | None = None
 
     def whole(self) -> Program:
@@ -100,7 +99,7 @@ class RuleHistory:
         return Edit(declarations(unit, types), affected, part(first) if first else None, part, reads)
 
     def _read(self) -> tuple[Unit, Sources, Report]:
-        unit, sources, report = read_program(self.roots, self.extra_source, self.reading, parse=self._parse)
+        unit, sources, report = read_program(self.roots, self.extra_source, self.reading)
         return instantiate(unit, report), sources, report
 
 

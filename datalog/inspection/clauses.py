@@ -17,9 +17,8 @@ from rosarch.datalog.engine.preparation import prepare
 from rosarch.datalog.language.clause_text import TOKEN
 from rosarch.datalog.language.errors import Location, Report
 from rosarch.datalog.language.inference import ClauseTypes
-from rosarch.datalog.language.parser import parse_text
 from rosarch.datalog.language.preprocess import Reading
-from rosarch.datalog.language.sources import Sources, _Loader, collect
+from rosarch.datalog.language.sources import Sources, _Loader, collect, remembered
 from rosarch.datalog.language.strata import dependencies
 from rosarch.datalog.language.syntax import Clause, Relation, Unit
 from rosarch.datalog.language.tree import Include, Item
@@ -112,7 +111,7 @@ class _KnownTexts(_Loader):
         if shown in entered or shown not in self.known:
             return []
         entered.add(shown)
-        return self._splice(parse_text(self.known[shown], shown, self.report, self.sources.texts), entered)
+        return self._splice(remembered(self.known[shown], shown, self.report, self.sources.texts), entered)
 
     def find(self, item: Include) -> Path:
         """The known file that an `.include` names."""
@@ -140,7 +139,8 @@ def _kept(program: Program) -> Rules:
         known = cache.load(files, _ENTRY)
     if known is not None and known[0] == program.hash:
         return cast(Rules, known[1])
-    found = _read(program)
+    with collector_paused():
+        found = _read(program)
     cache.store(files, _ENTRY, {}, (program.hash, found))
     return found
 

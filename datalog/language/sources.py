@@ -5,10 +5,9 @@ from __future__ import annotations
 import errno
 import hashlib
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeAlias
 
 from rosarch.datalog.language.errors import DatalogError, Diagnostic, Location, Report
 from rosarch.datalog.language.overrides import Overridden, drop_overridden
@@ -67,19 +66,15 @@ def read_text(path: Path, shown: str, included_at: Location | None, report: Repo
         return None
 
 
-Parse: TypeAlias = Callable[[str, str, Report, dict[str, str]], Sequence[Item]]
 _NOTHING: Mapping[str, str] = {}
 
 
 class _Loader:
-    def __init__(
-        self, report: Report, sources: Sources, reading: Reading, edited: Mapping[str, str] = _NOTHING, parse: Parse = parse_text
-    ) -> None:
+    def __init__(self, report: Report, sources: Sources, reading: Reading, edited: Mapping[str, str] = _NOTHING) -> None:
         self.report = report
         self.sources = sources
         self.reading = reading
         self.edited = edited
-        self.parse_text = parse
         self.instead = {old.resolve(): new for old, new in reading.instead}
 
     def parse_file(self, path: Path, shown: str, included_at: Location | None, entered: set[str]) -> list[Item]:
@@ -101,7 +96,7 @@ class _Loader:
             text = expand(text, shown, self.report, texts, macros=reading.macros, folders=reading.folders)
         self.sources.parsed[shown] = text
         try:
-            items = self.parse_text(text, shown, self.report, texts)
+            items = remembered(text, shown, self.report, texts)
         except RecursionError:
             self.report.error(TOO_DEEP, deepest({shown: text}))
             return []
@@ -176,35 +171,40 @@ def collect(items: Sequence[Item], report: Report) -> Unit:
     return unit
 
 
-@dataclass(slots=True)
-class ParseMemory:
-    """Parses texts, and gives the same items again for a text that a file had the last time."""
+_MEMORY: dict[str, tuple[str, Sequence[Item], Report]] = {}
+_MOST = 1000  # files that are remembered
 
-    _last: dict[str, tuple[str, Sequence[Item], Report]] = field(default_factory=dict)
 
-    def __call__(self, text: str, shown: str, report: Report, texts: dict[str, str]) -> Sequence[Item]:
-        """The items of a text, with its errors in the report; as `parse_text`."""
-        known = self._last.get(shown)
-        if known is None or known[0] != text:
-            own = Report(texts)
-            known = self._last[shown] = text, parse_text(text, shown, own, texts), own
-        for diagnostic in known[2].errors:
-            report.error(diagnostic.message, diagnostic.location, diagnostic.hint)
-        return known[1]
+def remembered(text: str, shown: str, report: Report, texts: dict[str, str]) -> Sequence[Item]:
+    """The items of a text, with its errors in the report, as `parse_text`: the same again for a text that the file had the last time.
+
+    Programs share most of their files: those that are edited, with each other, with their variants, and with the rules behind them.
+    """
+    if "#line " in text:  # its places depend on other files
+        return parse_text(text, shown, report, texts)
+    known = _MEMORY.pop(shown, None)
+    if known is None or known[0] != text:
+        own = Report(texts)
+        known = text, parse_text(text, shown, own, texts), own
+    _MEMORY[shown] = known
+    if len(_MEMORY) > _MOST:
+        del _MEMORY[next(iter(_MEMORY))]
+    for diagnostic in known[2].errors:
+        report.error(diagnostic.message, diagnostic.location, diagnostic.hint)
+    return known[1]
 
 
 def read_program(
-    paths: Sequence[Path], extra_source: str = "", reading: Reading | None = None, *,
-    edited: Mapping[str, str] = _NOTHING, parse: Parse = parse_text,
-) -> tuple[Unit, Sources, Report]:  # fmt: skip
+    paths: Sequence[Path], extra_source: str = "", reading: Reading | None = None, *, edited: Mapping[str, str] = _NOTHING
+) -> tuple[Unit, Sources, Report]:
     """Parse root files, everything they include, and `extra_source` after them.
 
     Each file is parsed once, wherever and however often it is included (souffle needs `.once` for that); within each component, once more.
-    `edited` are texts to take instead of files, by resolved path; `parse` may remember what it made of a text.
+    `edited` are texts to take instead of files, by resolved path.
     """
     sources = Sources()
     report = Report(sources.texts)
-    loader = _Loader(report, sources, reading or Reading(), edited, parse)
+    loader = _Loader(report, sources, reading or Reading(), edited)
     items: list[Item] = []
     entered: set[str] = set()
     for path in paths:

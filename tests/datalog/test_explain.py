@@ -68,7 +68,7 @@ def test_rules_that_were_read_before_are_not_parsed_again(load: Callable[[str], 
         raise AssertionError("parsed again")
 
     monkeypatch.setattr(clauses, "_known", {})
-    monkeypatch.setattr(clauses, "parse_text", refuse)
+    monkeypatch.setattr(clauses, "remembered", refuse)
     assert [proof_text(explain(program, FACTS, goal)) for goal in goals] == first
 
 
