@@ -11,8 +11,7 @@ from rosarch.datalog.language.errors import Diagnostic
 from rosarch.extractor.manifest import rules_folder
 from rosarch.rule_programs.checks import evidence_of, shown_as
 from rosarch.rule_programs.own_files import own_files
-from rosarch.rule_programs.sets import RuleSet, component_program, rule_set, system_rules
-from rosarch.rule_programs.variants import decisions
+from rosarch.rule_programs.sets import RuleSet, chosen_variants, component_program, other_variants, rule_set, system_rules
 
 
 def lint_rules(own: Sequence[Path] = ()) -> list[Diagnostic]:
@@ -24,11 +23,9 @@ def lint_rules(own: Sequence[Path] = ()) -> list[Diagnostic]:
         DatalogError: the rules are wrong.
     """
     found = _lint(rule_set(own), own)
-    for decision in () if own else decisions():
-        for variant in decision.variants:
-            if variant.path != decision.default:
-                own_file = str(variant.path)
-                found += [d for d in _lint(rule_set(variants={decision.name: variant.name})) if d.location and d.location.path == own_file]
+    for chosen in () if own else other_variants():
+        files = {str(path) for decision, path in chosen_variants(chosen) if path != decision.default}
+        found += [diagnostic for diagnostic in _lint(chosen) if diagnostic.location and diagnostic.location.path in files]
     return sorted(set(found), key=lambda diagnostic: diagnostic.location or ("", 0, 0))
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -78,6 +79,13 @@ def _checked_options(rules: RuleSet, given: Mapping[str, str]) -> tuple[tuple[st
         if problem := known[name].problem(value):
             raise RuleSetError(problem)
     return tuple(sorted((name, value) for name, value in given.items() if value != known[name].default))
+
+
+def other_variants() -> Iterator[RuleSet]:
+    """Rules with the variants that ship and are no default: as few as have each of them, with one of every decision at a time."""
+    others = [[(decision.name, each.name) for each in decision.variants if each.path != decision.default] for decision in decisions()]
+    for chosen in zip_longest(*others):
+        yield rule_set(variants=dict(each for each in chosen if each))
 
 
 def component_program(rules: RuleSet = SHIPPED) -> Program:

@@ -166,7 +166,6 @@ def test_a_cache_that_is_damaged_no_folder_or_out_of_reach(
 ) -> None:
     (workspace / "talker" / "t.launch").write_text('<launch><node name="t" pkg="talker" type="talker"/></launch>\n')
     cache = tmp_path / "cache"
-    shutil.copytree(os.environ["ROSARCH_CACHE_DIR"], cache)
     monkeypatch.setenv("ROSARCH_CACHE_DIR", str(cache))
     expected = rosarch("check", workspace, "--format", "json")
     assert expected.code in (0, 1)

@@ -13,15 +13,6 @@ from rosarch.datalog import DatalogError, Program, load_program
 Rows = Mapping[str, Iterable[tuple[Any, ...]]]
 
 
-@pytest.fixture(scope="session", autouse=True)
-def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterable[None]:
-    """Keep compiled programs out of the user's cache."""
-    patch = pytest.MonkeyPatch()
-    patch.setenv("ROSARCH_CACHE_DIR", str(tmp_path_factory.mktemp("cache")))
-    yield
-    patch.undo()
-
-
 @pytest.fixture
 def load(tmp_path: Path) -> Callable[[str], Program]:
     """Load a program from its text; the file is called `p.dl`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import rules_folder
 from rosarch.extractor.pipeline import extract
 from rosarch.rule_programs.lint import lint_rules
-from rosarch.rule_programs.sets import component_program, rule_set, system_rules
+from rosarch.rule_programs.sets import component_program, other_variants, system_rules
 from rosarch.rule_programs.variants import Decision, decisions
 
 RULES = rules_folder()
@@ -43,10 +44,8 @@ DECISIONS = decisions()
 def programs() -> list[Mapping[str, RelationDecl]]:
     """The relations of the rules of components and of systems, checks included, with each of the variants."""
     found = [load_declarations([RULES / "component.dl", RULES / "flows.dl"]), load_declarations([RULES / "system.dl", *CHECKS])]
-    for decision in DECISIONS:
-        for variant in decision.variants:
-            rules = rule_set(variants={decision.name: variant.name})
-            found.append(component_program(rules).relations if decision.program == "component" else system_rules(rules).program.relations)
+    for rules in other_variants():
+        found += [component_program(replace(rules, flows=True)).relations, system_rules(rules).program.relations]
     return found
 
 

@@ -1,4 +1,4 @@
-"""Sources of `sources/` that say in comments what is expected of them: one extraction for all, each a component of its own.
+"""Sources of `sources/` that say in comments what is expected of them: one extraction for those about one thing, each a component of its own.
 
 A file `<subject>_<what>.cpp` (or `.py`), or a package of `packages/`, is about that subject of `rules/core`, or about checks of the systems that the
 launch files of the package start. Those of `hints/` are told hints.
@@ -6,7 +6,9 @@ launch files of the package start. Those of `hints/` are told hints.
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Callable, Iterator
+from functools import cache, partial
+from itertools import groupby
 from pathlib import Path
 
 import pytest
@@ -14,7 +16,7 @@ import pytest
 from rosarch.cli.commands.rules_test import systems_of
 from rosarch.cli.questions import Reading
 from rosarch.evaluation.expectations.alone import Alone
-from rosarch.evaluation.expectations.cases import find_cases
+from rosarch.evaluation.expectations.cases import Case, find_cases
 from rosarch.evaluation.expectations.run import FileOutcome, Running, run_cases
 from rosarch.reports.expectations import file_text
 from rosarch.rule_programs.sets import SHIPPED, rule_set
@@ -29,19 +31,41 @@ NAMES = sorted(
 )
 
 
-@pytest.fixture(scope="module")
-def outcomes() -> dict[str, FileOutcome]:
-    """What became of each file."""
-    found = {}
-    for folder, rules in FOLDERS.items():
-        systems = systems_of(rules, Reading(jobs=1)) if folder == "packages" else partial(Alone, rules=rules, engine="embedded")
-        how = Running(rules, systems, jobs=1)
-        files = [file for case in run_cases(find_cases([HERE / folder]).cases, how) for file in case.files]
-        found.update({str(file.path.relative_to(HERE)): file for file in files})
-    return found
+def cases(folder: Path) -> Iterator[Case]:
+    """The workspaces of a folder, and its single sources by what they are about: as much as one extraction is for."""
+    for case in find_cases([folder]).cases:
+        if case.sources is None:
+            yield case
+        for _, sources in groupby(case.sources or (), subject):
+            names = {path.name: path for path in sources}
+            yield Case(case.root, tuple(names.values()), tuple(each for each in case.expectations if each.marked.path in names))
+
+
+def subject(path: Path) -> str:
+    return path.stem.partition("_")[0]
+
+
+Outcomes = dict[Path, FileOutcome]
+
+
+def outcomes(folder: str, case: Case) -> Outcomes:
+    """What became of each file of a case."""
+    rules = FOLDERS[folder]
+    systems = systems_of(rules, Reading(jobs=1)) if folder == "packages" else partial(Alone, rules=rules, engine="embedded")
+    (outcome,) = run_cases([case], Running(rules, systems, jobs=1))
+    return {file.path: file for file in outcome.files}
+
+
+@cache
+def by_file(folder: str) -> dict[Path, Callable[[], Outcomes]]:
+    """What is to be asked for the outcome of a file: each case is run once, when the first of its files is asked about."""
+    run = [(case, cache(partial(outcomes, folder, case))) for case in cases(HERE / folder)]
+    return {case.root / each.marked.path: outcome for case, outcome in run for each in case.expectations}
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_expectations_are_met(outcomes: dict[str, FileOutcome], name: str) -> None:
-    assert outcomes[name].expected > 0
-    assert not outcomes[name].unmet, file_text(outcomes[name])
+def test_expectations_are_met(name: str) -> None:
+    path = HERE / name
+    outcome = by_file(name.partition("/")[0])[path]()[path]
+    assert outcome.expected > 0
+    assert not outcome.unmet, file_text(outcome)
