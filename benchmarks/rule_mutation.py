@@ -79,18 +79,17 @@ def cases_of_systems(program: Program, jobs: int | None) -> Iterator[Case]:
     yield from finding_cases(find_cases([RULES / "packages"]).cases, of_workspaces(jobs))
     for workspace in sorted({path.parents[1] for path in (TOP / "examples").glob("*/expected/*.txt")}):
         yield from example_cases(workspace, jobs)
-    for path in (*test_systems.CASES, *test_checks.CASES):
-        facts, own = system_cases.facts_and_program(path)
+    for case in (*test_systems.CASES, *test_checks.CASES):
+        facts, own = system_cases.facts_and_program(case)
         if own is not program:
             continue
         rows = program.evaluate(facts, keep="all").all_rows()
-        name = f"{path.parent.name}/{path.stem}"
-        if path in test_systems.CASES:
-            yield Case(name, rows, frozenset(test_systems.expectations(path)))
+        if case in test_systems.CASES:
+            yield Case(f"systems/{case.id}", rows, frozenset(test_systems.expectations(case)))
             continue
-        check = read_check(TOP / "rules" / "checks" / f"{path.parent.name}.dl")
+        check = read_check(TOP / "rules" / "checks" / case.path.name)
         told = {relation for _, type_ in check.columns for relation in (evidence_of(type_), shown_as(type_))} & program.relations.keys()
-        yield Case(name, rows, frozenset({check.relation, *told}), partial(finds_other, check, program, rows))
+        yield Case(case.id, rows, frozenset({check.relation, *told}), partial(finds_other, check, program, rows))
 
 
 def example_cases(workspace: Path, jobs: int | None) -> Iterator[Case]:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from system_cases import case_of, facts_and_program
+
 from rosarch.analysis.systems.reasons import Started, system_reasons
-from rosarch.datalog import load_program
 from rosarch.extractor.launch import Composition, Files, PackagePath, compose
-from rosarch.extractor.manifest import rules_folder
 from rosarch.models.derivations import Derivations
 from rosarch.rule_programs.sets import system_rules
 
-CASES = Path(__file__).parents[1] / "rules"
+CASES = Path(__file__).parents[1] / "rules" / "systems"
 OUTER = """<launch>
   <arg name="sim" default="true"/>
   <group if="$(arg sim)">
@@ -95,14 +95,13 @@ def test_what_python_starts(tmp_path: Path) -> None:
     ]
 
 
-def reasons(case: str, *, chains: bool) -> Derivations:
+def reasons(file: str, name: str, *, chains: bool) -> Derivations:
     """Those of a case of the tests of rules."""
     rules = system_rules()
-    facts = load_program([rules_folder() / "system_schema.dl", CASES / "checks" / "shorthand.dl", CASES / "systems" / case])
-    given = facts.evaluate({}, keep="all")
-    rows = {name: set(given.rows(name)) for name in rules.program.inputs}
+    facts, _ = facts_and_program(case_of(CASES / file, name))
+    rows = {relation: set(found) for relation, found in facts.items()}
     nothing = Started(Composition((), (), (), (), (), ()), Path())
-    return system_reasons(rules, rows, rules.program.evaluate(rows, keep="all"), case, nothing, str, chains=chains)
+    return system_reasons(rules, rows, rules.program.evaluate(rows, keep="all"), name, nothing, str, chains=chains)
 
 
 def below(found: Derivations, key: str) -> set[str]:
@@ -117,7 +116,7 @@ def below(found: Derivations, key: str) -> set[str]:
 
 
 def test_rates_are_proven_down_to_the_clock_that_sets_them_off() -> None:
-    found = reasons("topic_rates_in_a_chain.dl", chains=False)
+    found = reasons("topic_rates.dl", "in_a_chain", chains=False)
     assert {key for key in found.roots if key.startswith("topic_low")} == {"topic_low /image", "topic_low /tracks", "topic_low /plan"}
     assert 'interface_loop("camera", "camera.cpp:8", 25, "")' in below(found, "topic_high /found")
     assert 'interface_loop("tracker", "tracker.cpp:8", 10, "")' in below(found, "topic_low /plan")
@@ -126,7 +125,7 @@ def test_rates_are_proven_down_to_the_clock_that_sets_them_off() -> None:
 
 
 def test_steps_of_chains_are_proven() -> None:
-    found = reasons("chains_can.dl", chains=True)
+    found = reasons("chains.dl", "can", chains=True)
     inside = "/filter f_in > /filter f_out"
     assert 'interface_port_flow("filter", "f_in", "f_out", "data", "reactive")' in below(found, f"chain_step {inside}")
     assert f"certain_step {inside}" not in found.roots

@@ -1,7 +1,7 @@
 """Checks, each with cases in which it must fire and cases in which it must stay silent.
 
-`checks/<id>/*.dl` are facts, with the shorthand of `checks/shorthand.dl`. `// expect: message` and, if told, `// at: path:line` after it are the
-findings that this check must make there; files called `silent*` have none. Other checks do not count.
+`checks/<id>.dl` has its cases: facts, with the shorthand of `checks/shorthand.dl`, below lines `// case: name`. `// expect: message` and, if told,
+`// at: path:line` after it are the findings that this check must make there; cases called `silent*` have none. Other checks do not count.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import pytest
-from system_cases import facts_and_program
+from system_cases import Case, check_cases, facts_and_program
 
 from rosarch.base.places import Place
 from rosarch.extractor.manifest import rules_folder
@@ -21,14 +21,13 @@ from rosarch.models.system.build import evaluate
 from rosarch.rule_programs.checks import check_files, read_check
 from rosarch.rule_programs.sets import SystemRules
 
-HERE = Path(__file__).parent / "checks"
-CASES = sorted(HERE.glob("*/*.dl"))
+CASES = check_cases()
 EXPECT = re.compile(r"^// expect: (.*)(?:\n// at: (.*))?$", re.MULTILINE)
 
 
 @lru_cache
-def found(case: Path) -> list[Finding]:
-    check = read_check(rules_folder() / "checks" / f"{case.parent.name}.dl")
+def found(case: Case) -> list[Finding]:
+    check = read_check(rules_folder() / "checks" / case.path.name)
     facts, program = facts_and_program(case)
     rules = SystemRules(program, (check,))
     result = evaluate(rules, facts, keep=("place",))
@@ -36,10 +35,10 @@ def found(case: Path) -> list[Finding]:
     return findings(rules.checks, result, places, "demo")
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.parent.name}/{case.stem}")
-def test_case(case: Path) -> None:
-    expected = EXPECT.findall(case.read_text(encoding="utf-8"))
-    assert bool(expected) != case.stem.startswith("silent")
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_case(case: Case) -> None:
+    expected = EXPECT.findall(case.text)
+    assert bool(expected) != case.name.startswith("silent")
     actual = sorted({(finding.message, str(finding.place)) for finding in found(case)})
     assert [message for message, _ in actual] == sorted(message for message, _ in expected)
     told = {message: place for message, place in expected if place}
@@ -48,5 +47,5 @@ def test_case(case: Path) -> None:
 
 @pytest.mark.parametrize("path", check_files(), ids=lambda path: path.stem)
 def test_every_check_fires_and_stays_silent(path: Path) -> None:
-    names = {case.stem.partition("_")[0] for case in CASES if case.parent.name == path.stem}
+    names = {case.name.partition("_")[0] for case in CASES if case.path.name == path.name}
     assert {"fires", "silent"} <= names

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from hand_made import load, system_of
 from intervals import derived, facts, inputs, outside
-from system_cases import facts_and_program
+from system_cases import Case, cases_in, facts_and_program
 
 from rosarch.base.places import Place
 from rosarch.behavior.composition.inputs import Entry, Inputs
@@ -20,9 +20,9 @@ from rosarch.behavior.simulation.engine import simulate
 from rosarch.models.system.build import evaluate, system_model
 from rosarch.rule_programs.sets import SHIPPED, system_rules
 
-TESTS = Path(__file__).parents[1]
-PROPERTIES = sorted((TESTS / "verification" / "systems").glob("*.yml"))
-RATES = sorted((TESTS / "rules" / "systems").glob("topic_rates_*.dl"))
+TESTS = Path(__file__).parents[2]
+PROPERTIES = sorted((TESTS / "behavior" / "verification" / "systems").glob("*.yml"))
+RATES = cases_in(TESTS / "rules" / "systems" / "topic_rates.dl")
 DURATION = 10.0
 
 
@@ -39,9 +39,9 @@ def test_systems_of_properties(path: Path) -> None:
     assert outside(rates, record) == []
 
 
-@pytest.mark.parametrize("path", RATES, ids=lambda path: path.stem)
-def test_systems_of_rates(path: Path) -> None:
-    rows = facts_and_program(path)[0]
+@pytest.mark.parametrize("case", RATES, ids=lambda case: case.name)
+def test_systems_of_rates(case: Case) -> None:
+    rows = facts_and_program(case)[0]
     places = {row[0]: Place(*row[1:]) for row in rows["place"]}
     places |= {place: Place("demo.launch", 2, 1) for _, _, place in rows["started_at"] if place not in places}
     model = system_model("by hand", (), rows, evaluate(system_rules(SHIPPED), rows), places)
@@ -52,7 +52,7 @@ def test_systems_of_rates(path: Path) -> None:
     record = simulate(system, Scenario(Inputs(entries, anything=False)), seed=1, duration=DURATION)
     other = unlike(system, rows, given)
     assert outside([rate for rate in derived(rows) if rate.topic not in other], record) == []
-    assert record.times.keys() - other or path.stem in ("topic_rates_given", "topic_rates_of_tools")
+    assert record.times.keys() - other or case.name in ("given", "of_tools")
 
 
 def document(component: str, rows: Mapping[str, Any], places: Mapping[str, Place]) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from rosarch.evaluation.expectations.mutation import mutation_cases
 from rosarch.evaluation.expectations.run import Running
 from rosarch.evaluation.expectations.system_mutation import finding_cases
 from rosarch.rule_programs.sets import SHIPPED, component_program
-from tests.rules.system_cases import facts_and_program
+from tests.rules.system_cases import case_of, facts_and_program
 
 CHECKS = Path(__file__).resolve().parents[2] / "rules" / "checks"
 
@@ -74,7 +74,7 @@ def test_findings_that_are_gone_are_noticed(tmp_path: Path) -> None:
 
 def test_systems_in_which_checks_find_other_things(tmp_path: Path) -> None:
     """The systems of a workspace are looked at together: what one of them has, another need not have."""
-    facts, _ = facts_and_program(CHECKS / "topic-type-mismatch" / "fires.dl")
+    facts, _ = facts_and_program(case_of(CHECKS / "topic-type-mismatch.dl", "fires"))
     (tmp_path / "package.xml").write_text("<package><name>demo</name></package>")
     (tmp_path / "demo.launch").write_text("<launch>\n  <!-- expect: finding topic-type-mismatch -->\n  <group/>\n</launch>\n")
     expected = find_cases([tmp_path]).cases
