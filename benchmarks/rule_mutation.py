@@ -2,7 +2,7 @@
 
     benchmarks/rule_mutation.py [FILE...] [--systems] [--sample N] [--seed N] [--list]
 
-The cases of the rules of components are the drop-in tests of `tests/rules`, sources in `tests` that say what is expected of them, and the
+The cases of the rules of components are those of `tests/rules/components`, sources in `tests` that say what is expected of them, and the
 workspaces of `examples` whose models are written by hand. Those of the rules of systems and of checks are `tests/rules/systems` and
 `tests/rules/checks`. Exit code 1 below the figures to reach: 95 % of the clauses fire, 80 % of the mutants are killed.
 """
@@ -32,12 +32,12 @@ from rosarch.findings.of_systems import findings
 from rosarch.models.component import ComponentModel, to_json
 from rosarch.models.system.build import system_model, told_by
 from rosarch.rule_programs.checks import Check, evidence_of, read_check, shown_as
-from rosarch.rule_programs.mutation import drop_in_cases, judge_all, mutants_of, workspace_cases
+from rosarch.rule_programs.mutation import judge_all, mutants_of, workspace_cases
 from rosarch.rule_programs.sets import SHIPPED, component_program, rule_set, system_rules
 
 TOP = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOP / "tests" / folder) for folder in ("rules", "models")]
-import system_cases  # noqa: E402
+import rule_cases  # noqa: E402
 import test_behavior  # noqa: E402
 import test_checks  # noqa: E402
 import test_systems  # noqa: E402
@@ -51,7 +51,10 @@ Rows = Mapping[str, Collection[Row]]
 
 def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
     """All that the tests look at of components."""
-    yield from drop_in_cases(program, RULES)
+    for case in rule_cases.component_cases():
+        yield Case(
+            case.id, program.evaluate(rule_cases.component_facts(case), keep="all").all_rows(), frozenset(rule_cases.expectations(case))
+        )
     how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=jobs)
     yield from mutation_cases(program, find_cases([RULES / "sources", TESTS / "project"]).cases, how)
     yield from mutation_cases(program, find_cases([RULES / "packages"]).cases, of_workspaces(jobs))
@@ -80,12 +83,12 @@ def cases_of_systems(program: Program, jobs: int | None) -> Iterator[Case]:
     for workspace in sorted({path.parents[1] for path in (TOP / "examples").glob("*/expected/*.txt")}):
         yield from example_cases(workspace, jobs)
     for case in (*test_systems.CASES, *test_checks.CASES):
-        facts, own = system_cases.facts_and_program(case)
+        facts, own = rule_cases.facts_and_program(case)
         if own is not program:
             continue
         rows = program.evaluate(facts, keep="all").all_rows()
         if case in test_systems.CASES:
-            yield Case(f"systems/{case.id}", rows, frozenset(test_systems.expectations(case)))
+            yield Case(f"systems/{case.id}", rows, frozenset(rule_cases.expectations(case)))
             continue
         check = read_check(TOP / "rules" / "checks" / case.path.name)
         told = {relation for _, type_ in check.columns for relation in (evidence_of(type_), shown_as(type_))} & program.relations.keys()
@@ -149,7 +152,7 @@ def main() -> int:
     parser.add_argument("--jobs", type=int)
     parser.add_argument("--list", action="store_true", help="clauses that never fire and mutants that survive")
     given = parser.parse_args()
-    program = system_cases.whole() if given.systems else component_program()
+    program = rule_cases.whole() if given.systems else component_program()
     cases = list(cases_of_systems(program, given.jobs) if given.systems else cases_of(program, given.jobs))
     fired = coverage(program, (Result.of(case.rows, program) for case in cases))
     test = MutationTest(program, cases)

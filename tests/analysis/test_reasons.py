@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from system_cases import case_of, facts_and_program
+from rule_cases import case_of, facts_and_program
 
 from rosarch.analysis.systems.reasons import Started, system_reasons
 from rosarch.extractor.launch import Composition, Files, PackagePath, compose

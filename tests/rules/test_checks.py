@@ -11,7 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import pytest
-from system_cases import Case, check_cases, facts_and_program
+from rule_cases import Case, check_cases, facts_and_program
 
 from rosarch.base.places import Place
 from rosarch.extractor.manifest import rules_folder

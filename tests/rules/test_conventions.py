@@ -79,6 +79,7 @@ def test_every_decision_is_documented_and_has_two_answers(decision: Decision) ->
     assert [variant.name for variant in decision.variants if not variant.doc.endswith(".")] == []
 
 
+@pytest.mark.slow
 def test_the_rules_keep_to_their_conventions() -> None:
     """Comments, certainty, names, and no relation that is of no use: what `rosarch rules lint` tells of anybody's rules."""
     assert [diagnostic.headline for diagnostic in lint_rules()] == []
@@ -135,6 +136,7 @@ def test_outputs_are_in_one_file() -> None:
     assert found == {"export.dl", "flows.dl", "system/export.dl"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [path.relative_to(RULES).as_posix() for path in FILES])
 def test_private_relations_stay_in_their_file(name: str) -> None:
     code = re.sub(r'//[^\n]*|"(?:\\.|[^"\\])*"', "", (RULES / name).read_text(encoding="utf-8"))

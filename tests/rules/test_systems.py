@@ -1,18 +1,13 @@
-"""The rules of systems. `systems/*.dl` have cases: facts, with the shorthand of `checks/shorthand.dl`, below lines `// case: name`.
-
-`// expect: relation(a, b)` is a row that must come out, and all rows of a relation that is named so are told; records are written `[a, b, c]`.
-`// none: relation` names one that must be empty, `// none: relation("a", _); ...` rows that must not be there.
-"""
+"""The rules of systems. `systems/*.dl` have cases, see `rule_cases.py`, with the shorthand of `checks/shorthand.dl`."""
 
 from __future__ import annotations
 
-import re
 import shutil
 from collections import Counter
 from pathlib import Path
 
 import pytest
-from system_cases import Case, cases_in, check_cases, evaluated, program_of, whole
+from rule_cases import Case, cases_in, check_cases, evaluated, expectations, nothing, program_of, unwanted, whole
 
 from rosarch.datalog.files.facts import show_cell
 from rosarch.datalog.inspection.rule_coverage import Collector
@@ -21,27 +16,6 @@ from rosarch.datalog.language.errors import Location
 HERE = Path(__file__).parent
 CASES = [case for path in sorted((HERE / "systems").glob("*.dl")) for case in cases_in(path)]
 CHECK_CASES = check_cases()
-EXPECT = re.compile(r"^// expect: (\w+)\((.*)\)$", re.MULTILINE)
-NONE = re.compile(r"^// none: (.*)$", re.MULTILINE)
-ATOM = re.compile(r"(\w+)\((.*)\)")
-
-
-def expectations(case: Case) -> dict[str, list[str]]:
-    found: dict[str, list[str]] = {name: [] for name in nothing(case) if name.isidentifier()}
-    for name, row in EXPECT.findall(case.text):
-        found.setdefault(name, []).append(row)
-    return {name: sorted(rows) for name, rows in found.items()}
-
-
-def nothing(case: Case) -> list[str]:
-    return [each for line in NONE.findall(case.text) for each in line.split("; ")]
-
-
-def unwanted(case: Case) -> list[tuple[str, re.Pattern[str]]]:
-    """Relations, with what rows they must not have."""
-    atoms = [match.groups() for match in map(ATOM.fullmatch, nothing(case)) if match]
-    cells = [(name, arguments.replace('"', "").split(", ")) for name, arguments in atoms]
-    return [(name, re.compile(", ".join("[^,]*" if cell == "_" else re.escape(cell) for cell in row))) for name, row in cells]
 
 
 def rows(case: Case, relations: list[str], engine: str) -> dict[str, list[str]]:
@@ -66,6 +40,7 @@ def test_souffle_derives_the_same(case: Case) -> None:
     assert rows(case, relations, "souffle") == rows(case, relations, "embedded")
 
 
+@pytest.mark.slow
 def test_every_clause_fires_in_some_case() -> None:
     """Those of `rules/system`, each alternative by itself, in one of the components that it is instantiated in."""
     collector = Collector(whole())

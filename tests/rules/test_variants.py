@@ -146,6 +146,7 @@ def found(program: Program, facts: Facts, decision: str, engine: str = "embedded
     return sorted({f"{texts[condition]} {sense}" for _, _, condition, sense, _ in rows if condition}, key=lambda text: text.lstrip("!"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("decision", "variant"), CASES)
 def test_variant(facts_of: Callable[[str], Facts], decision: str, variant: str) -> None:
     program = component_program(rule_set(variants={decision: variant}))
@@ -187,6 +188,7 @@ def names_program(tmp_path: Path, chosen: tuple[str, ...]) -> Program:
     return system_rules(rule_set([path], {"name-matching": chosen[0]}, options)).program
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("chosen", SIMILAR, ids=" ".join)
 def test_names(tmp_path: Path, chosen: tuple[str, ...]) -> None:
     result = names_program(tmp_path, chosen).evaluate({}, keep=["similar_names"])

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from hand_made import load, system_of
 from intervals import derived, facts, inputs, outside
-from system_cases import Case, cases_in, facts_and_program
+from rule_cases import Case, cases_in, facts_and_program
 
 from rosarch.base.places import Place
 from rosarch.behavior.composition.inputs import Entry, Inputs

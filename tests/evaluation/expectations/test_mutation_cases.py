@@ -6,13 +6,17 @@ from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
+import pytest
+
 from rosarch.evaluation.expectations.alone import Alone
 from rosarch.evaluation.expectations.cases import find_cases
 from rosarch.evaluation.expectations.mutation import mutation_cases
 from rosarch.evaluation.expectations.run import Running
 from rosarch.evaluation.expectations.system_mutation import finding_cases
 from rosarch.rule_programs.sets import SHIPPED, component_program
-from tests.rules.system_cases import case_of, facts_and_program
+from tests.rules.rule_cases import case_of, facts_and_program
+
+pytestmark = pytest.mark.slow
 
 CHECKS = Path(__file__).resolve().parents[2] / "rules" / "checks"
 
