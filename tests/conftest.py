@@ -17,6 +17,27 @@ from rosarch.base.limits import LIMITS, Limits
 ROOT = Path(__file__).resolve().parent.parent
 
 
+FEW = 4  # cases of a test that a quick run has
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The option `--quick`."""
+    parser.addoption("--quick", action="store_true", help="leave out tests that are marked as slow, and all but a few cases of each other")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """With `--quick`, a few cases of each test that is not slow, as far apart as there are."""
+    if not config.getoption("quick"):
+        return
+    cases: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        if item.get_closest_marker("slow") is None:
+            cases.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    chosen = {id(item) for found in cases.values() for item in found[:: -(-len(found) // FEW)]}
+    config.hook.pytest_deselected(items=[item for item in items if id(item) not in chosen])
+    items[:] = [item for item in items if id(item) in chosen]
+
+
 @dataclass(frozen=True)
 class Outcome:
     """What a command ended with and wrote."""

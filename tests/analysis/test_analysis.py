@@ -16,6 +16,8 @@ from rosarch.models.system.model import Connector, Inclusion
 from rosarch.models.system.rows import merged
 from rosarch.rule_programs.sets import system_rules
 
+pytestmark = pytest.mark.slow
+
 LAUNCH = """<launch>
 <arg name="debug"/>
 <group ns="robot">

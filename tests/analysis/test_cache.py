@@ -83,6 +83,7 @@ def test_a_second_run_evaluates_nothing_and_gives_the_same_models(workspace: Pat
     assert documents(workspace, None) == first
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "components"),
     [
@@ -120,6 +121,7 @@ def test_a_source_whose_includes_macros_decide_is_not_kept(workspace: Path, tmp_
     assert documents(workspace, cache) == documents(workspace, None)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", [b"", b"no pickle", pickle.dumps("no model"), b"cno.such.module\nThing\n."])
 def test_a_damaged_entry_is_replaced(tmp_path: Path, workspace: Path, damage: bytes) -> None:
     cache = Cache(tmp_path / "cache")
@@ -136,6 +138,7 @@ def test_a_damaged_entry_is_replaced(tmp_path: Path, workspace: Path, damage: by
     assert {path: path.read_bytes() for path in models} == {path: before[path] for path in models}
 
 
+@pytest.mark.slow
 def test_runs_at_the_same_time(workspace: Path, tmp_path: Path) -> None:
     cache = Cache(tmp_path / "cache")
     with ProcessPoolExecutor(3, mp_context=get_context("spawn")) as pool:

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from precision import Judgement, Reported, counted, matched, read_judgements, table
 
+pytestmark = pytest.mark.slow
+
 
 def _finding(line: int, message: str = "a", *, system: str = "robot") -> Reported:
     return Reported(system, "missing-file", "a.launch", line, message)

@@ -90,6 +90,7 @@ def test_only_notes_are_no_failure(ws: Path, rosarch: Callable) -> None:
     assert rosarch("check", ws, "--fail-on", "note").code == 1
 
 
+@pytest.mark.slow
 def test_what_is_withheld_is_shown_with_what_was_not_seen(ws: Path, rosarch: Callable) -> None:
     (ws / "talker/listener.cpp").write_text(LISTENER.replace("  ros::spin();", "  absent::attach(nh);\n  ros::spin();"))
     (ws / "talker/robot.launch").write_text(ROBOT.replace('from="numbers"', 'from="figures"'))

@@ -193,6 +193,7 @@ UNSEEN = [CHANGES[name] for name in ("message", "script", "link")]
 """What has no finding here."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
 def test_a_change(robot: Path, check: Check, afresh: Check, done: list[str], change: Callable[[Path], object]) -> None:
     (robot / "launch" / "sometimes.launch").write_text('<launch><include file="$(find robot)/launch/more.launch"/></launch>')
@@ -207,6 +208,7 @@ def test_a_change(robot: Path, check: Check, afresh: Check, done: list[str], cha
         assert again != first
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "options",
     [

@@ -137,6 +137,7 @@ def test_a_cache_without_room(rosarch: Callable, workspace: Path, tmp_path: Path
         assert done.stderr.splitlines()[-1].startswith("rosarch: error: ")  # clang may have said something before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", [("analyze",), ("extract",), ("extract", "--text")])
 def test_outputs_without_room(rosarch: Callable, workspace: Path, tmp_path: Path, words: tuple[str, ...]) -> None:
     """A limit of the size of files, from when they are written, stands for a full disk below them."""
@@ -161,6 +162,7 @@ def test_an_analysis_that_fails_leaves_no_output_folder(rosarch: Callable, tmp_p
         assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_cache_that_is_damaged_no_folder_or_out_of_reach(
     rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -207,6 +209,7 @@ def test_serve_ends_with_one_line(workspace: Path, after: float) -> None:
             time.sleep(0.05)
 
 
+@pytest.mark.slow
 def test_runs_that_are_ended_at_random_are_no_harm(tmp_path: Path) -> None:
     """The benchmark, in small."""
     program = [

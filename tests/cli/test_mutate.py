@@ -6,6 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+pytestmark = pytest.mark.slow
+
 RULES = """\
 /// `call` is a call of a function of this `name` with an argument. May.
 .decl own_called(call: Expr, name: symbol)

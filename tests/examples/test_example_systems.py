@@ -13,6 +13,8 @@ from typing import Any
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 NAMES = sorted(path.parents[1].name for path in EXAMPLES.glob("*/expected/findings.txt"))
 SYSTEMS = sorted(path for path in EXAMPLES.glob("*/expected/*.txt") if path.name != "findings.txt")

@@ -9,6 +9,8 @@ import pytest
 
 from tests.examples.test_examples import EXAMPLES
 
+pytestmark = pytest.mark.slow
+
 QUERIES = [
     ("frame_tree", "localizer", "frame_lookup(_, End, Frame)", {("source", "base_link"), ("target", "odom")}),
     ("frame_tree", "localizer", "frame_broadcast(_, End, Frame)", {("parent", "map"), ("child", "odom")}),

@@ -72,6 +72,7 @@ def test_a_second_run_reads_nothing_and_gives_the_same_facts(workspace: Path, tm
     assert facts(workspace, cache) == first == facts(workspace, cache)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "text"),
     [
@@ -256,6 +257,7 @@ def test_headers_that_are_gone_are_read_again(workspace: Path, tmp_path: Path, s
     assert header.is_file()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_random_edits(workspace: Path, tmp_path: Path, seed: int) -> None:
     choose = random.Random(seed)

@@ -29,6 +29,7 @@ def command(directory: Path, source: Path, *words: str, output: str = "") -> dic
     return {**entry, "output": output} if output else entry
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["services_and_actions", "mobile_base"])
 def test_a_built_workspace_has_the_same_models(name: str, rosarch: Callable, tmp_path: Path) -> None:
     root = tmp_path / name

@@ -29,6 +29,7 @@ def test_a_text_has_the_facts_of_a_folder(rosarch: Callable, tmp_path: Path) -> 
     assert rosarch("analyze", TEXT, "--format", "json").out == rosarch("analyze", tmp_path, "--format", "json").out
 
 
+@pytest.mark.slow
 def test_rules_are_run_on_it_without_libclang(tmp_path: Path) -> None:
     (tmp_path / "own.dl").write_text('.decl named(name: symbol)\n.output named\nnamed(Name) :- port([_, "subscriber", Name]).\n')
     (tmp_path / "run.py").write_text(

@@ -21,6 +21,7 @@ def test_every_corpus_has_a_target() -> None:
     assert {path.name for path in (Path(__file__).parent / "corpus").iterdir()} == set(TARGETS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TARGETS)
 def test_no_input_is_too_much(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROSARCH_CACHE_DIR", "")  # restored afterwards: a run has a cache of its own

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from check_speed import make_workspace
 
 from rosarch.cli.systems import SystemInputs, load_shared_facts
@@ -23,6 +24,7 @@ def derived(folder: Path, nodes: int) -> dict[str, int]:
     return {name: result.count(name) for name in result.names()}
 
 
+@pytest.mark.slow
 def test_rows_grow_as_nodes_do(tmp_path: Path) -> None:
     small, large = derived(tmp_path / "small", 3 * BUS), derived(tmp_path / "large", 6 * BUS)
     assert large["connected"] == 2 * small["connected"] >= 2 * 3 * BUS * BUS

@@ -13,6 +13,8 @@ from rosarch.observation.master import Master
 from rosarch.observation.peer import MessageType, Peer
 from rosarch.observation.processes import wait_until
 
+pytestmark = pytest.mark.slow
+
 PACKAGE = """<package format="2"><name>demo</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.org">a</maintainer><license>BSD</license></package>"""
 BUILD = "project(demo)\nadd_executable(filter filter.cpp)\nadd_executable(motor motor.cpp)\n"

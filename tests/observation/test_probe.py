@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from nodes import EXAMPLES, build, needs_ros
 
+pytestmark = pytest.mark.slow
+
 DOCKING = "docking_states/src/auto_docking"
 CANCELLED = "  state_ = State::IDLE;\n  publishState();"
 

@@ -15,6 +15,8 @@ from rosarch.observation.private import Start, private_graph
 from rosarch.observation.processes import wait_until
 from rosarch.observation.statistics import Arrivals
 
+pytestmark = pytest.mark.slow
+
 DRIVE = "delivery_robot/src/delivery_robot/src/drive.cpp"
 LAMP = "docking_states/src/auto_docking/src/dock_lamp.cpp"
 BOOL = MessageType("std_msgs/Bool", "8b94c1b53db61fb6aed406028ad6332a")

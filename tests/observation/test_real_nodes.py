@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from recovered import OF_THE_LIBRARY, Node, compared, fetched
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("node", [node for node in OF_THE_LIBRARY if node.type in ("mux", "throttle")], ids=lambda node: node.type)
 def test_ports_of_topic_tools(node: Node, tmp_path_factory: pytest.TempPathFactory) -> None:

@@ -17,6 +17,8 @@ from rosarch.findings.model import Evidence
 from rosarch.findings.policy import CHOICES, THRESHOLDS, Policy, apply_policy
 from rosarch.reports.findings import FORMATS, Setting, report_text
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/checks.md").read_text(encoding="utf-8")
 CI = (ROOT / "docs/ci.md").read_text(encoding="utf-8")

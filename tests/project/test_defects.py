@@ -9,6 +9,10 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
+pytestmark = pytest.mark.slow
+
 DEFECTS = Path(__file__).parent / "defects"
 
 

@@ -108,6 +108,7 @@ def is_there(line: str) -> bool:
     return all(path.exists() and path != Path() for path in paths)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_what_is_shown_happens(name: str, rosarch: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)

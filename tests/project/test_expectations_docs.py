@@ -12,6 +12,8 @@ from rosarch.evaluation.expectations.comments import marked
 from rosarch.evaluation.expectations.elements import kinds
 from rosarch.evaluation.expectations.grammar import parse
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/expectations.md").read_text(encoding="utf-8")
 FOLLOWER = ROOT / "examples/expectations/wall_follower.cpp"

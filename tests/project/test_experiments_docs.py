@@ -6,10 +6,13 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 import yaml
 
 from rosarch.evaluation.experiments.truth import read_truth
 from rosarch.evaluation.experiments.truth_fields import LISTS
+
+pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/experiments.md").read_text(encoding="utf-8")

@@ -13,6 +13,8 @@ TEXT = (ROOT / "docs/launch.md").read_text(encoding="utf-8")
 FILE = """from launch import LaunchDescription
 import vendor
 
+pytestmark = pytest.mark.slow
+
 
 def generate_launch_description():
     return LaunchDescription([

@@ -17,6 +17,8 @@ from rosarch.base.places import Place
 from rosarch.reports.html.page import page_text
 from rosarch.reports.html.sources import Marks, cut, excerpts, places_in
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 VIEWER, STATIC = ROOT / "viewer", ROOT / "reports" / "html" / "static"
 

@@ -25,7 +25,7 @@ axe = pytest.importorskip("axe_playwright_python.sync_playwright")
 expect = playwright.expect
 
 BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-pytestmark = pytest.mark.skipif(BROWSER is None, reason="needs Chromium")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(BROWSER is None, reason="needs Chromium")]
 
 HOSTILE = "</script><img src=x onerror=window.pwned=1>\"'`${window.pwned=2}{{3&lt;\u202e"
 LONG = "/" + "a" * 10_000

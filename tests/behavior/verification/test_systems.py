@@ -42,6 +42,7 @@ def test_storm_agrees(file: Path) -> None:
     assert all((item.trace is None) is (item.verdict == HOLDS) for item in found)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_spin_agrees(file: Path) -> None:

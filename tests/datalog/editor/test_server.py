@@ -12,6 +12,8 @@ from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException
 from pygls.lsp.client import LanguageClient
 
+pytestmark = pytest.mark.slow
+
 RULES = """\
 /// The component reads `topic`.
 .decl reads(topic: symbol)

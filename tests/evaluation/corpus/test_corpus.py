@@ -21,6 +21,8 @@ from rosarch.evaluation.corpus import cluster as corpus_cluster
 from rosarch.evaluation.corpus.cluster import Cluster, run
 from rosarch.evaluation.corpus.task import Failed, Job, Unfinished, analyse
 
+pytestmark = pytest.mark.slow
+
 RULES = '.pragma "override" "port_queue"\nport_queue(Port, "7") :- port(Port).\n'
 LAUNCH = '<launch><node name="t" pkg="talker" type="talker"/></launch>\n'
 

@@ -14,6 +14,8 @@ import pytest
 import rosarch.evaluation.experiments.run as evaluation
 from rosarch.evaluation.experiments.run import Runner
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[3]
 EXPERIMENT = ROOT / "examples/experiments/state_variables.yml"
 TRUTH = "component: talker\npackage: talker\nsystem: ws\nports:\n  - {id: p1, kind: publisher, name: chatter, type: std_msgs/String, queue: 10}\n"

@@ -89,6 +89,7 @@ def test_deep_documents(tmp_path: Path) -> None:
     assert problems(expanded(tmp_path, deep), tmp_path) == ["robot.xacro:1:499: elements nested more than 150 deep"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "content",
     [

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine_documents import document
@@ -126,6 +127,7 @@ def react(machine: StateMachine, at: list[int], trigger: str, inputs: Values) ->
     return following, sent
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(
     st.fixed_dictionaries({"t": BODIES, "u": BODIES}),
