@@ -38,7 +38,7 @@ Ignored = Annotated[list[str] | None, typer.Option("--ignore", metavar="ID", hel
 Failing = Annotated[
     FailOn | None, typer.Option("--fail-on", help="The least severity that makes the exit code 1; warning by default.", show_default=False)
 ]
-ExitZero = Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever is found.")]
+ExitZero = Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever the findings.")]
 ConfigFile = Annotated[
     Path | None,
     typer.Option(
@@ -48,15 +48,16 @@ ConfigFile = Annotated[
 BaselineFile = Annotated[
     Path | None,
     typer.Option(
-        "--baseline", parser=path_argument, metavar="FILE", help="Report only what this baseline does not know.", show_default=False
+        "--baseline", parser=path_argument, metavar="FILE", help="Report only findings that are not in this baseline.", show_default=False
     ),
 ]
 NewBaseline = Annotated[
     Path | None,
-    typer.Option("--write-baseline", parser=path_argument, metavar="FILE", help="Write what is found as a baseline.", show_default=False),
+    typer.Option("--write-baseline", parser=path_argument, metavar="FILE", help="Write the findings as a baseline.", show_default=False),
 ]
 ShowWithheld = Annotated[
-    bool, typer.Option("--withheld", help="Show also what is not claimed because not all was seen, with what was not. Never fails the run.")
+    bool,
+    typer.Option("--withheld", help="Also show findings withheld because something was not seen, and what that was. Never fails the run."),
 ]
 Talkative = Annotated[bool, typer.Option("--verbose", "-v", help="Show notes in the text report, and every diagnostic.")]
 

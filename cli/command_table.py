@@ -42,41 +42,36 @@ COMMANDS = {
 """Where each is, `module` or `module:name`."""
 SUMMARIES = {
     "extract": "Read the packages below DIR and write their facts, one folder of Soufflé .facts files per node or nodelet.",
-    "analyze": "Say what each node and nodelet below DIR is connected to: its ports, with types and source lines, and its parameters.",
+    "analyze": "List the ports and parameters of each node and nodelet below DIR, with types and source lines.",
     "diff": "Compare two folders or git revisions: ports, rates, reactions, states, connections, findings. Exits with 1 when something"
     " differs.",
-    "launch": "Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything.",
-    "check": "Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit"
-    " together.",
-    "report": "Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings.",
-    "serve": "Serve the report on this machine only, and make it anew whenever sources or rules are saved. Ends with Ctrl-C.",
+    "launch": "List the nodes that launch files start, with names, remappings and parameters, without running anything.",
+    "check": "Check the systems that launch files below DIR start: report names, types, parameters and files that do not fit together.",
+    "report": "Write a report on the packages below DIR as one HTML page: components, graphs, state machines, findings.",
+    "serve": "Serve the report on this machine only, and update it whenever sources or rules are saved. Ends with Ctrl-C.",
     "corpus": "Analyse and check many workspaces, each as a task of a Dask cluster. Exits with 2 when one failed, else 1 when one has"
     " findings.",
-    "verify": "Say whether temporal properties hold in the system that launch files start, whatever comes from outside.",
-    "simulate": "Run the system that launch files start, in simulated time: rates, queues, lost messages, latencies.",
-    "observe": "Tell what a recording or a live graph shows of the system that launch files start, and what of that the sources do not"
-    " say.",
-    "compare": "Count, for each kind of element, what is predicted of a system and what a recording or a live graph shows of it.",
-    "probe": "Run a node by itself, put messages in that its model tells of, and say which reactions and transitions it really has.",
-    "doctor": "Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it.",
-    "ask": "Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what; how often.",
-    "query": "List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR.",
-    "explain": "Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about.",
-    "why-not": "Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there.",
+    "verify": "Check temporal properties of the system that launch files start, whatever comes from outside.",
+    "simulate": "Simulate the system that launch files start: rates, queues, lost messages, latencies.",
+    "observe": "Compare a recording or a live graph with the system that launch files start, and report what the sources do not show.",
+    "compare": "Count, for each kind of element, how many the model predicts and how many a recording or a live graph shows.",
+    "probe": "Run one node, send it the messages of its model, and report which reactions and transitions it really has.",
+    "doctor": "Report what was replaced, missing, unresolved or slow in the packages below DIR, and what to do about it.",
+    "ask": "Answer a QUESTION about the systems that launch files below DIR start: which message can, or must, cause which, and how often.",
+    "query": "List the rows that match QUERY, for each node and nodelet below DIR.",
+    "explain": "Print the proof of ROW: the rules and rows it depends on, down to the source lines.",
+    "why-not": "Show, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that exist.",
     "show": "Show one aspect of a system.",
     "export": "Write systems in the languages of other tools.",
-    "library": "The interfaces of common components, for systems that use them without their source.",
+    "library": "List, show and build interfaces of components whose source is missing.",
     "rules": "Run, test and document rules.",
-    "score": "Analyse the components that TRUTH is about and say how much of it was found, how much of what was found is true, and what"
-    " agrees.",
-    "experiment": "Run every variant on every subject: precision, recall and F1 with intervals, differences, whether these are chance, and"
-    " the cost.",
-    "options": "List the options of the rules, and the decisions that have several variants, with their defaults.",
-    "new": "Begin a check, a relation or the API of a library: rules, docs and a test that passes.",
-    "watch": "Print what rules derive and, whenever a rule or a source is saved, what that has changed. Ends with Ctrl-C.",
-    "browse": "Look through relations: what each holds, its rows, the proof of a row and the source it is about.",
-    "language-server": "Serve the Language Server Protocol on stdin and stdout, for rule files; editors start this themselves"
-    " (docs/editor.md).",
+    "score": "Score the models of the components in TRUTH: recall, precision, F1, and how far attributes agree.",
+    "experiment": "Compare variants of the analysis on many subjects: precision, recall and F1 with intervals, tests, cost.",
+    "options": "List the options of the rules, and the decisions with several variants, with their defaults.",
+    "new": "Create a check, a relation or the API of a library: rules, docs and a test that passes.",
+    "watch": "Print what rules derive, and what changes whenever a rule or a source is saved. Ends with Ctrl-C.",
+    "browse": "Browse relations in the terminal: what each means, its rows, the proof of a row, the source.",
+    "language-server": "Run the language server for rule files on stdin and stdout; editors start it themselves (docs/editor.md).",
 }
 """The first paragraph of the help of each."""
 

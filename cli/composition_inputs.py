@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 ScenarioFile = Annotated[
     Path | None,
     typer.Option(
-        "--scenario", parser=path_argument, metavar="FILE", help="What comes from outside, see docs/behavior.md.", show_default=False
+        "--scenario", parser=path_argument, metavar="FILE", help="The inputs from outside, see docs/behavior.md.", show_default=False
     ),
 ]
 

@@ -24,7 +24,7 @@ Facts = Mapping[str, list[tuple[Any, ...]]]
 Component = Annotated[
     str | None, typer.Option("--component", "-c", metavar="NAME", help="Only this one: NAME or PACKAGE/NAME.", show_default=False)
 ]
-Profiled = Annotated[bool, typer.Option("--profile", help="Tell on stderr which rules take the time.")]
+Profiled = Annotated[bool, typer.Option("--profile", help="Report on stderr which rules take the time.")]
 
 
 @contextmanager

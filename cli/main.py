@@ -14,7 +14,7 @@ from rosarch.cli.errors import run
 
 app = typer.Typer(
     name="rosarch",
-    help="Reads the source of a ROS system and says what the system is and does, without building or running it.",
+    help="Reads the source of a ROS system and reports its architecture, its behaviour and its faults, without building or running it.",
     epilog="Exit codes: 0 clean, 1 findings, 2 usage or input error. Reports go to stdout, everything else to stderr.",
     cls=Commands,
     invoke_without_command=True,
@@ -39,9 +39,9 @@ def root(
         bool, typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_print_version)
     ] = False,
     memory: Annotated[
-        int | None, typer.Option("--memory", metavar="MIB", min=16, help="What a worker process may have; 4096 by default.")
+        int | None, typer.Option("--memory", metavar="MIB", min=16, help="The memory limit of a worker process; 4096 by default.")
     ] = None,
-    _traceback: Annotated[bool, typer.Option("--traceback", help="Show where in rosarch an unexpected error arose.")] = False,
+    _traceback: Annotated[bool, typer.Option("--traceback", help="Show where in rosarch an unexpected error occurred.")] = False,
 ) -> None:
     """Print the help when no sub-command is named."""
     if memory:

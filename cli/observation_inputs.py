@@ -30,8 +30,8 @@ MasterUri = Annotated[
     str | None,
     typer.Option("--master", metavar="URI", help="The master of a live graph, such as http://localhost:11311.", show_default=False),
 ]
-Seconds = Annotated[float, typer.Option("--seconds", metavar="N", min=0, help="How long to look at the live graph.")]
-Every = Annotated[float, typer.Option("--every", metavar="S", min=0.1, help="Look at it every so many seconds.")]
+Seconds = Annotated[float, typer.Option("--seconds", metavar="N", min=0, help="How long to watch the live graph.")]
+Every = Annotated[float, typer.Option("--every", metavar="S", min=0.1, help="Look at it every S seconds.")]
 
 
 @dataclass(frozen=True)

@@ -89,7 +89,7 @@ Timeout = Annotated[
         help="The time limit of one source file; the rules of a component or system have five times as long.",
     ),
 ]
-Cached = Annotated[bool, typer.Option("--cache/--no-cache", help="Keep what is read from the sources, and read only what has changed.")]
+Cached = Annotated[bool, typer.Option("--cache/--no-cache", help="Cache what is read from the sources, and read only what has changed.")]
 EngineChoice = Annotated[Engine, typer.Option("--engine", help="What evaluates the rules; souffle must be on PATH.")]
 Libraries = Annotated[
     list[Path] | None,

@@ -22,7 +22,7 @@ Rules = Annotated[
         "-r",
         parser=path_argument,
         metavar="PATH",
-        help="A file or a folder of rules of your own, beside rosarch's; may be repeated.",
+        help="A file or a folder of rules of your own, in addition to rosarch's; may be repeated.",
         show_default=False,
     ),
 ]
@@ -31,7 +31,7 @@ Variants = Annotated[
     typer.Option(
         "--variant",
         metavar="DECISION=NAME",
-        help="Decide otherwise than by default, see `rosarch options`; may be repeated.",
+        help="Use another definition than the default, see `rosarch options`; may be repeated.",
         show_default=False,
     ),
 ]

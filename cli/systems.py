@@ -43,7 +43,9 @@ Launches = Annotated[
 PackagePath = Annotated[
     list[Path] | None,
     typer.Option(
-        metavar="DIR", help="Where packages are looked for, besides DIR; may be repeated. By default ROS_PACKAGE_PATH.", show_default=False
+        metavar="DIR",
+        help="Where to look for packages, in addition to DIR; may be repeated. By default ROS_PACKAGE_PATH.",
+        show_default=False,
     ),
 ]
 Systems = Annotated[
@@ -52,7 +54,7 @@ Systems = Annotated[
         "--launch",
         "-l",
         metavar="'FILE... [NAME:=VALUE ...]'",
-        help="Ask about the system that these launch files start, not about components; `*` for every one that DIR has. May be repeated.",
+        help="Ask about the system that these launch files start, not about components; `*` for every launch file in DIR. May be repeated.",
         show_default=False,
     ),
 ]

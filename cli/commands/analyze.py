@@ -34,7 +34,7 @@ def analyze(
         ModelFormat | None, typer.Option("--format", help="Report on stdout; a table by default, only its last line with --out.")
     ] = None,
 ) -> None:
-    """Say what each node and nodelet below DIR is connected to: its ports, with types and source lines, and its parameters."""
+    """List the ports and parameters of each node and nodelet below DIR, with types and source lines."""
     start = time.perf_counter()
     if out:
         check_output(out)

@@ -39,7 +39,7 @@ def ask(
     config: ConfigFile = None,
     output_format: Annotated[ModelFormat, typer.Option("--format", help="The form of the answer on stdout.")] = ModelFormat.table,
 ) -> None:
-    """Answer a QUESTION about the systems that launch files below DIR start: what can, or must, cause what; how often."""
+    """Answer a QUESTION about the systems that launch files below DIR start: which message can, or must, cause which, and how often."""
     from rosarch.models.system.asking import Causes, QuestionError, parse_question
     from rosarch.rule_programs.checks import shipped_checks
     from rosarch.rule_programs.sets import system_rules

@@ -12,7 +12,7 @@ from rosarch.cli.terminal import is_terminal
 
 @asks()
 def browse(question: Question) -> None:
-    """Look through relations: what each holds, its rows, the proof of a row and the source it is about."""
+    """Browse relations in the terminal: what each means, its rows, the proof of a row, the source."""
     from rosarch.datalog import RowStore
 
     try:

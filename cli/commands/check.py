@@ -54,7 +54,7 @@ def check(
     withheld: ShowWithheld = False,
     verbose: Talkative = False,
 ) -> None:
-    """Say what is wrong with the systems that launch files below DIR start: names, types, parameters, files that do not fit together."""
+    """Check the systems that launch files below DIR start: report names, types, parameters and files that do not fit together."""
     from rosarch.extractor.suppressions import find_suppressions
     from rosarch.reports.findings import scope_text
     from rosarch.rule_programs.choice import closed_world

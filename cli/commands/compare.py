@@ -21,7 +21,7 @@ def compare(
     every: Every = 1.0,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
 ) -> None:
-    """Count, for each kind of element, what is predicted of a system and what a recording or a live graph shows of it.
+    """Count, for each kind of element, how many the model predicts and how many a recording or a live graph shows.
 
     Under-approximation is the share of what was seen that was not predicted, over-approximation the share of what was predicted that
     was not seen.

@@ -22,7 +22,7 @@ Words = Annotated[
     typer.Argument(
         parser=path_argument,
         metavar="DIR|FILE...",
-        help="Workspaces, or files with one on each line; `#` begins a comment.",
+        help="Workspaces, or files with one on each line; `#` starts a comment.",
         show_default=False,
     ),
 ]
@@ -45,9 +45,7 @@ Workers = Annotated[
     int | None, typer.Option("--workers", metavar="N", min=1, help="Without --scheduler: processes; one per processor by default.")
 ]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Worker processes within each task.")]
-Retries = Annotated[
-    int, typer.Option("--retries", metavar="N", min=0, help="How often a task that was ended or took too long is tried again.")
-]
+Retries = Annotated[int, typer.Option("--retries", metavar="N", min=0, help="How often to retry a task that was killed or took too long.")]
 Limit = Annotated[float, typer.Option("--limit", metavar="SECONDS", min=0.001, help="The time limit of one workspace.")]
 
 

@@ -14,7 +14,7 @@ from rosarch.cli.terminal import emit, progress
 
 @asks("engine", "cached", "verbose")
 def doctor(reading: Reading, folder: Folder, packages: Packages = None) -> None:
-    """Tell what of the packages below DIR was replaced, missing, unresolved or slow, and what to do about it."""
+    """Report what was replaced, missing, unresolved or slow in the packages below DIR, and what to do about it."""
     variables = parse_defines(reading.defines)
     check_sources(folder)
     rules = reading.rules()

@@ -50,10 +50,10 @@ def experiment(
     engine: EngineChoice = Engine.embedded,
     jobs: Jobs = None,
     timeout: Timeout = SOURCE_SECONDS,
-    cached: Annotated[bool, typer.Option("--cache/--no-cache", help="Keep facts and results, and go on where a run stopped.")] = True,
+    cached: Annotated[bool, typer.Option("--cache/--no-cache", help="Cache facts and results, and continue where a run stopped.")] = True,
     verbose: Verbose = False,
 ) -> None:
-    """Run every variant on every subject: precision, recall and F1 with intervals, differences, whether these are chance, and the cost."""
+    """Compare variants of the analysis on many subjects: precision, recall and F1 with intervals, tests, cost."""
     from rosarch.base.cache import Cache
     from rosarch.cli.check_options import load_configuration
     from rosarch.cli.systems import SystemInputs, load_systems

@@ -31,7 +31,7 @@ def explain(
     show_rules: Annotated[bool, typer.Option("--show-rules", help="Print every rule under the row it derives.")] = False,
     most: Most = 1,
 ) -> None:
-    """Print the proof of ROW: the rules and rows it rests on, down to the source lines they are about."""
+    """Print the proof of ROW: the rules and rows it depends on, down to the source lines."""
     from rosarch.base.files import folder_reader
     from rosarch.datalog import Layout, RowStore, SourceLines, explain_all, proof_text
     from rosarch.datalog.inspection.prover import check_goal, has_rows, no_row
@@ -60,7 +60,7 @@ def why_not(
     question: Question,
     goal: Goal,
 ) -> None:
-    """Tell, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that are there."""
+    """Show, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that exist."""
     from rosarch.datalog import RowStore, why_not_text
     from rosarch.datalog import why_not as ask
     from rosarch.datalog.inspection.prover import check_goal

@@ -21,7 +21,9 @@ Out = Annotated[
         "--out", "-o", parser=path_argument, metavar="FACTS", help="The folder, or with --text the file, to write to.", show_default=False
     ),
 ]
-Text = Annotated[bool, typer.Option("--text", help="Write one text, for people to read; it is taken wherever such a folder is.")]
+Text = Annotated[
+    bool, typer.Option("--text", help="Write one text that people can read; every command that takes such a folder takes it too.")
+]
 
 
 def extract(

@@ -79,7 +79,7 @@ def graph(
     kinds: Kinds = None,
     focus: Focus = None,
     hops: Annotated[int, typer.Option("--hops", metavar="N", min=0, help="How many connectors away from --focus.")] = 1,
-    implicit: Annotated[bool, typer.Option("--implicit", help="Show connectors that only libraries make.")] = False,
+    implicit: Annotated[bool, typer.Option("--implicit", help="Show connectors that only libraries create.")] = False,
     leaves: Annotated[bool, typer.Option("--leaves/--no-leaves", help="Show connectors that are seen from one side only.")] = True,
     collapse: Collapse = None,
     group: Group = None,

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def language_server() -> None:
-    """Serve the Language Server Protocol on stdin and stdout, for rule files; editors start this themselves (docs/editor.md)."""
+    """Run the language server for rule files on stdin and stdout; editors start it themselves (docs/editor.md)."""
     from importlib.metadata import version
 
     try:

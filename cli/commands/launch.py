@@ -26,7 +26,7 @@ def launch(
         list[Path] | None,
         typer.Option(
             metavar="DIR",
-            help="Where packages are looked for; may be repeated. By default ROS_PACKAGE_PATH, or the workspace of the first FILE.",
+            help="Where to look for packages; may be repeated. By default ROS_PACKAGE_PATH, or the workspace of the first FILE.",
             show_default=False,
         ),
     ] = None,
@@ -34,10 +34,10 @@ def launch(
         list[str] | None,
         typer.Option("--env", metavar="NAME=VALUE", help="An environment variable of the robot; may be repeated.", show_default=False),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print what roslaunch would have in its memory, as JSON.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print nodes and parameters as JSON, as roslaunch holds them in memory.")] = False,
     verbose: Verbose = False,
 ) -> None:
-    """Say which nodes roslaunch would start, with which names, remappings and parameters, without running anything."""
+    """List the nodes that launch files start, with names, remappings and parameters, without running anything."""
     from rosarch.reports import launch_table
 
     if is_folder(words):

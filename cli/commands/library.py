@@ -17,7 +17,7 @@ from rosarch.cli.terminal import emit, show_diagnostics
 if TYPE_CHECKING:
     from rosarch.library import Library
 
-app = typer.Typer(help="The interfaces of common components, for systems that use them without their source.", no_args_is_help=False)
+app = typer.Typer(help="List, show and build interfaces of components whose source is missing.", no_args_is_help=False)
 
 
 @app.command("list")
@@ -41,7 +41,7 @@ def show(
     libraries: Libraries = None,
     output_format: Annotated[ModelFormat, typer.Option("--format", help="The form of the report on stdout.")] = ModelFormat.table,
 ) -> None:
-    """Show what is known of one component: its ports and parameters, and the file that tells."""
+    """Show one component: its ports and parameters, and the file they are from."""
     from rosarch.reports.library import component_json, component_text
 
     library = _library(libraries)

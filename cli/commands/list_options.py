@@ -12,7 +12,7 @@ from rosarch.cli.terminal import emit
 
 
 def options(own: Rules = None, as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False) -> None:
-    """List the options of the rules, and the decisions that have several variants, with their defaults."""
+    """List the options of the rules, and the decisions with several variants, with their defaults."""
     from rosarch.reports.choices import choices_json, choices_text
     from rosarch.rule_programs.sets import find_options
     from rosarch.rule_programs.variants import decisions

@@ -13,10 +13,11 @@ from rosarch.cli.options import path_argument
 from rosarch.cli.outputs import unwritable
 from rosarch.cli.terminal import emit
 
-app = typer.Typer(help="Begin a check, a relation or the API of a library: rules, docs and a test that passes.", no_args_is_help=False)
+app = typer.Typer(help="Create a check, a relation or the API of a library: rules, docs and a test that passes.", no_args_is_help=False)
 
 Into = Annotated[
-    Path, typer.Option("--into", parser=path_argument, metavar="DIR", help="The folder of your rules; made if need be.", show_default=True)
+    Path,
+    typer.Option("--into", parser=path_argument, metavar="DIR", help="The folder of your rules; created if missing.", show_default=True),
 ]
 FOLDER = Path("my_rules")
 

@@ -22,7 +22,7 @@ def observe(
     every: Every = 1.0,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
 ) -> None:
-    """Tell what a recording or a live graph shows of the system that launch files start, and what of that the sources do not say.
+    """Compare a recording or a live graph with the system that launch files start, and report what the sources do not show.
 
     Topics with rates, gaps and delays, nodes, services, parameters; what was predicted and seen, seen only, predicted only; names and
     rates that the sources leave open. Exits with 1 when what was seen contradicts what follows from the sources.

@@ -30,11 +30,15 @@ def probe(
     node: Probed,
     executable: Annotated[
         Path | None,
-        typer.Option("--executable", parser=path_argument, metavar="FILE", help="The node as it was built.", show_default=False),
+        typer.Option(
+            "--executable", parser=path_argument, metavar="FILE", help="The executable of the node, built by you.", show_default=False
+        ),
     ] = None,
-    only_plan: Annotated[bool, typer.Option("--plan", help="Run nothing; print what would be put in and what is expected.")] = False,
+    only_plan: Annotated[
+        bool, typer.Option("--plan", help="Run nothing; print the messages it would send and the reactions it expects.")
+    ] = False,
     seconds: Annotated[float, typer.Option("--time-limit", metavar="SECONDS", min=1, help="The time limit of all experiments.")] = 120.0,
-    trials: Annotated[int, typer.Option("--trials", metavar="N", min=1, help="Make so many experiments at a time.")] = 4,
+    trials: Annotated[int, typer.Option("--trials", metavar="N", min=1, help="How many experiments run at a time.")] = 4,
     scenario: Annotated[
         Path | None,
         typer.Option(
@@ -43,9 +47,9 @@ def probe(
     ] = None,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
 ) -> None:
-    """Run a node by itself, put messages in that its model tells of, and say which reactions and transitions it really has.
+    """Run one node, send it the messages of its model, and report which reactions and transitions it really has.
 
-    Names of ports that the sources leave open are told as it has them.
+    Names of ports that the sources leave open are reported as the running node has them.
 
     The node that was built runs under a private master on loopback, once for each experiment; all that it starts ends with it. Messages
     are made so that conditions hold. Exits with 1 when something of the model is refuted.

@@ -23,7 +23,7 @@ def query(
     most: Most = None,
     profile: Profiled = False,
 ) -> None:
-    """List the values of the variables of QUERY for which it holds, in each node and nodelet below DIR."""
+    """List the rows that match QUERY, for each node and nodelet below DIR."""
     from rosarch.datalog import query as ask
     from rosarch.datalog import table_text
     from rosarch.datalog.inspection.queries import check_query, table_values

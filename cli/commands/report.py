@@ -28,8 +28,10 @@ SourceUrl = Annotated[
         show_default=False,
     ),
 ]
-Chains = Annotated[bool, typer.Option("--chains", help="Follow data through components, for chains of cause and effect; takes longer.")]
-Proofs = Annotated[bool, typer.Option("--proofs/--no-proofs", help="Tell why: by which rules and facts; without, it takes less long.")]
+Chains = Annotated[bool, typer.Option("--chains", help="Follow data through components, for chains of cause and effect. Takes longer.")]
+Proofs = Annotated[
+    bool, typer.Option("--proofs/--no-proofs", help="Include proofs: the rules and facts behind each result. Faster without.")
+]
 _LINK = re.compile(r"(?!(?:javascript|data|vbscript):)[a-z][a-z0-9+.-]*://\S+", re.IGNORECASE)
 
 
@@ -37,7 +39,7 @@ _LINK = re.compile(r"(?!(?:javascript|data|vbscript):)[a-z][a-z0-9+.-]*://\S+", 
 def report(
     question: SystemQuestion, out: Page = Path("report.html"), source_url: SourceUrl = None, chains: Chains = False, proofs: Proofs = True
 ) -> None:
-    """Write all that is known of the packages below DIR as one page for a browser: components, graphs, state machines, findings."""
+    """Write a report on the packages below DIR as one HTML page: components, graphs, state machines, findings."""
     from rosarch.reports.html.document import report_document
     from rosarch.reports.html.page import page_text
     from rosarch.reports.labels import counted

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 app = typer.Typer(help="Run, test and document rules.", no_args_is_help=False)
 
 Files = Annotated[
-    list[Path] | None, typer.Argument(metavar="[FILE]...", help="Files of rules of your own, beside rosarch's.", show_default=False)
+    list[Path] | None, typer.Argument(metavar="[FILE]...", help="Files of rules of your own, in addition to rosarch's.", show_default=False)
 ]
 
 
@@ -56,7 +56,7 @@ def list_rules(
 def run(
     question: Question,
     files: Annotated[
-        list[Path], typer.Argument(metavar="FILE...", help="Files of rules of your own, beside rosarch's.", show_default=False)
+        list[Path], typer.Argument(metavar="FILE...", help="Files of rules of your own, in addition to rosarch's.", show_default=False)
     ],
     relations: Annotated[
         list[str] | None,
@@ -102,7 +102,7 @@ def lint(
         typer.Argument(metavar="[PATH]...", help="Rules of your own; by default rosarch's are looked at.", show_default=False),
     ] = None,
 ) -> None:
-    """Tell what rules do not keep to: comments that say when a row holds, names, relations of no use. Exit code 1 if there is anything."""
+    """Check the style of rules: comments that say when a row holds, names, relations without use. Exits with 1 when it reports any."""
     from rosarch.rule_programs.lint import lint_rules
 
     with datalog_errors():

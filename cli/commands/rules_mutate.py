@@ -24,7 +24,7 @@ def mutate(
         typer.Argument(parser=path_argument, metavar="[PATH]...", help="The tests, as for `rosarch rules test`."),
     ] = None,
     sample: Annotated[int | None, typer.Option("--sample", metavar="N", min=1, help="Only N mutants, chosen at random.")] = None,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", help="What the choice starts from.")] = 0,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", help="The seed of the choice.")] = 0,
 ) -> None:
     """Change rules of components a literal at a time and list the changes that no test notices; those of --rules, or rosarch's own.
 

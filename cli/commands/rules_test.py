@@ -34,7 +34,11 @@ def test(
     reading: Reading,
     paths: Annotated[
         list[Path] | None,
-        typer.Argument(parser=path_argument, metavar="[PATH]...", help="C++ files, workspaces, folders of them; else the current one."),
+        typer.Argument(
+            parser=path_argument,
+            metavar="[PATH]...",
+            help="C++ or Python files, workspaces, or folders of them; by default the current folder.",
+        ),
     ] = None,
     coverage: Annotated[
         bool, typer.Option("--coverage/--no-coverage", help="List the clauses that never fired in tests that are folders of facts.")

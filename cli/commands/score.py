@@ -50,7 +50,7 @@ Out = Annotated[
     ),
 ]
 Absent = Annotated[
-    bool, typer.Option("--allow-absent", help="Count components that SYSTEMS does not have as missed, instead of refusing their truth.")
+    bool, typer.Option("--allow-absent", help="Count components that SYSTEMS does not have as missed, instead of rejecting their truth.")
 ]
 Misses = Annotated[bool, typer.Option("--misses", help="List every element that is missed or extra.")]
 
@@ -76,7 +76,7 @@ def score(
     absent: Absent = False,
     output_format: Annotated[ScoreFormat, typer.Option("--format", help="The report on stdout.")] = ScoreFormat.text,
 ) -> None:
-    """Analyse the components that TRUTH is about and say how much of it was found, how much of what was found is true, and what agrees."""
+    """Score the models of the components in TRUTH: recall, precision, F1, and how far attributes agree."""
     from rosarch.evaluation.experiments.single import score_models
     from rosarch.evaluation.experiments.truth import TruthError, read_truth
     from rosarch.reports.scores import WRITERS

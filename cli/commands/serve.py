@@ -16,13 +16,13 @@ from rosarch.cli.inputs import check_sources
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit
 
-Port = Annotated[int, typer.Option("--port", metavar="N", min=0, max=65535, help="Where to listen; 0 for any port that is free.")]
+Port = Annotated[int, typer.Option("--port", metavar="N", min=0, max=65535, help="The port to listen on; 0 for any free port.")]
 LOOPBACK = "127.0.0.1"
 
 
 @asks()
 def serve(question: SystemQuestion, port: Port = 8750, source_url: SourceUrl = None, chains: Chains = False, proofs: Proofs = True) -> None:
-    """Serve the report on this machine only, and make it anew whenever sources or rules are saved. Ends with Ctrl-C."""
+    """Serve the report on this machine only, and update it whenever sources or rules are saved. Ends with Ctrl-C."""
     from rosarch.base.pool import alongside
     from rosarch.cli.live_server import serve_live
 

@@ -27,16 +27,16 @@ class RunFormat(str, Enum):
 def simulate(
     question: SystemQuestion,
     scenario: ScenarioFile = None,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="What is left to chance comes out the same for the same N.")] = 0,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="The seed of random choices; the same N gives the same run.")] = 0,
     duration: Annotated[float, typer.Option("--duration", metavar="SECONDS", min=0.001, max=1e6, help="The simulated time.")] = 10.0,
     output_format: Annotated[
         RunFormat, typer.Option("--format", help="Figures, figures with all events, events, or Mermaid diagrams of the beginning.")
     ] = RunFormat.text,
 ) -> None:
-    """Run the system that launch files start, in simulated time: rates, queues, lost messages, latencies.
+    """Simulate the system that launch files start: rates, queues, lost messages, latencies.
 
-    The nodes are state machines that are made from their source; nothing is executed. What comes from outside and how long things take
-    are told by a scenario, see docs/behavior.md.
+    The nodes are state machines that are made from their source; nothing is executed. A scenario says what comes from outside and how
+    long things take, see docs/behavior.md.
     """
     from rosarch.behavior.simulation.engine import TooManyEventsError
     from rosarch.behavior.simulation.engine import simulate as run

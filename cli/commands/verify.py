@@ -58,7 +58,9 @@ def verify(
     names: Annotated[
         list[str] | None, typer.Option("--property", metavar="NAME", help="Only this property; may be repeated.", show_default=False)
     ] = None,
-    checker: Annotated[Checker | None, typer.Option("--checker", help="By default the one that is installed.", show_default=False)] = None,
+    checker: Annotated[
+        Checker | None, typer.Option("--checker", help="The model checker; by default the one that is installed.", show_default=False)
+    ] = None,
     scenario: ScenarioFile = None,
     bound: Annotated[int, typer.Option("--bound", metavar="N", min=1, max=250, help="Count messages in a queue up to N.")] = 2,
     seconds: Annotated[float, typer.Option("--time-limit", metavar="SECONDS", min=0.001, help="The time limit of one property.")] = 60.0,
@@ -70,7 +72,7 @@ def verify(
     ] = None,
     out: Annotated[Path | None, typer.Option("--output", "-o", metavar="DIR", help="Where --export writes.", show_default=False)] = None,
 ) -> None:
-    """Say whether temporal properties hold in the system that launch files start, whatever comes from outside.
+    """Check temporal properties of the system that launch files start, whatever comes from outside.
 
     Exits with 1 when a property is violated, or may be. How properties are written, what is assumed of time, queues and fairness, and
     what a verdict means is in docs/behavior.md.

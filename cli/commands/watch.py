@@ -33,7 +33,7 @@ def watch(
         typer.Option("--relation", "-R", metavar="NAME", help="Show this relation; by default the `.output` of FILE.", show_default=False),
     ] = None,
 ) -> None:
-    """Print what rules derive and, whenever a rule or a source is saved, what that has changed. Ends with Ctrl-C."""
+    """Print what rules derive, and what changes whenever a rule or a source is saved. Ends with Ctrl-C."""
     from rosarch.rule_programs.live import LiveRules
     from rosarch.rule_programs.own_files import own_files
     from rosarch.rule_programs.sets import rule_history

@@ -7,6 +7,7 @@ before it names last; a `console` block is run, and its output compared; a line 
 from __future__ import annotations
 
 import json
+import pkgutil
 import re
 import shlex
 import shutil
@@ -275,3 +276,18 @@ def test_folders_are_named() -> None:
     tracked = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
     for folder in {path.partition("/")[0] for path in tracked if "/" in path and not path.startswith(".")}:
         assert f"`{folder}/" in DOCUMENTS["CONTRIBUTING.md"], folder
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_paths_of_this_repository_exist(name: str) -> None:
+    """What is written like a path below one of the folders is there, `*` and `<id>` standing for any part."""
+    folders = {path.name for path in ROOT.iterdir() if path.is_dir() and not path.name.startswith(".")} - {"build", "src"}
+    for path in re.findall(r"`([a-z_]+/[\w./*<>-]*)`", BLOCK.sub("", DOCUMENTS[name])):
+        if path.partition("/")[0] in folders:
+            assert list(ROOT.glob(re.sub(r"<[^>]*>", "*", path).rstrip("/"))), path
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_python_that_is_named_exists(name: str) -> None:
+    for dotted in re.findall(r"`(rosarch(?:\.\w+)+)", DOCUMENTS[name]):
+        assert pkgutil.resolve_name(dotted), dotted
