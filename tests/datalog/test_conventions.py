@@ -42,6 +42,7 @@ def found(tmp_path: Path, text: str) -> list[str]:
         "/// `x` is there, and no guess. Must.\n.decl own(x: symbol)\nown(X) :- given(X), !guessed(X).\n",
         "/// `x` may be there. May.\n.decl own(x: symbol)\nown(X) :- guessed(X).\n",
         "/// `y` is the text of `x`. Must, given `x`.\n.decl own(x: symbol, y: symbol)\nown(X, Y) :- guessed(X), given(Y).\n",
+        "/// `y` is the text of `x`. Must, given\n/// `x`.\n.decl own(x: symbol, y: symbol)\nown(X, Y) :- guessed(X), given(Y).\n",
         ".type Pair = [a: symbol, b: symbol]\n/// `y` is a part of `x`. Must, given `x`.\n.decl own(x: Pair, y: symbol)\n"
         "own(X, Y) :- given(Z), X = [Z, Y], guessed(Y).\n",
         "/// Whatever is `x`, listed or not.\n.decl own(x: symbol)\nown(X) :- listed(X).\n",
