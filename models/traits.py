@@ -47,7 +47,7 @@ TRAITS = {
     "held_up": ("text",),
     "out_of_line": ("place", "place"),
     "several_orders": ("place", "place"),
-    "by_configuration": ("port", "port"),
+    "perhaps_always": ("port", "port"),
     "synchronised": ("port", "port"),
     "waits_for": ("place", "port"),
     "provides_after": ("port", "place"),

@@ -93,7 +93,7 @@ int main(int argc, char** argv)
 }
 // expect: reactive early -> out may [!(m.data < 0)]
 // expect: reactive always -> out must []
-// expect: reactive looped -> out must [i < m.data]
+// expect: reactive looped -> out may [i < m.data]
 // expect: reactive skipping -> out may [i < m.data && !(i % 2)]
 // expect: reactive catching -> out may []
 // expect: reactive given -> a must []

@@ -9,7 +9,7 @@
 // expect: reactive /choice -> /right may
 // expect: reactive /both -> /left must
 // expect: reactive /both -> /right must
-// expect: reactive /each -> /out must
+// expect: reactive /each -> /out may
 // expect: reactive /some -> /out may
 // expect: reactive /found -> /out may
 // expect: reactive /do -> /out must
@@ -25,7 +25,7 @@
 // expect: reactive /plain -> /out must
 // expect: reactive /repeat -> /out may
 // expect-only: reactive
-// expect: Count = count : { may_skip(F, Kind, Name), Kind != "parameter" }, Count = 20
+// expect: Count = count : { may_skip(F, Kind, Name), Kind != "parameter" }, Count = 21
 // expect: 27 = count : { port_flow(_, _, _, _) }
 #include <message_filters/subscriber.h>
 #include <ros/ros.h>
