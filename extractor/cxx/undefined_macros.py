@@ -56,7 +56,7 @@ _CONTROL = _STATEMENTS | {"catch", "else", "constexpr", "and", "or", "not", "siz
 _DEEPEST = 8
 
 Scope = str
-"""namespace, class or function: what the declarations and statements stand in."""
+"""namespace, class or function: what the declarations and statements stand in; block is the head of a loop or block in a function."""
 
 
 class _Token(NamedTuple):
@@ -169,8 +169,9 @@ class _Scanner:
             return after
         if not _WORD.fullmatch(name) or name == owner:
             return None
+        stands_in = scope
         if scope == "function" and following == "{" and name not in _CONTROL and name not in self.defined:
-            found = self._loop(name, called, after, end)
+            found, stands_in = self._loop(name, called, after, end), "block"
         elif not self._undefined(name):
             found = None
         elif not called:
@@ -178,7 +179,7 @@ class _Scanner:
         else:
             found = self._called(scope, name, index + 1, after, following)
         if found is not None:
-            self.found.uses.append(Use(self._offset(index), name, scope))
+            self.found.uses.append(Use(self._offset(index), name, stands_in))
         return found
 
     def _loop(self, name: str, called: bool, after: int, end: int) -> int | None:
