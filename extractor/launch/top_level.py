@@ -26,6 +26,7 @@ _ANY_NAME = (".py", ".xml")  # `ros2 launch` takes a file of any name with such 
 _TEST = re.compile(r"test_.*|.*[._-]test\.py")
 _TESTS = frozenset({"test", "tests"})
 _DESCRIBES = {".py": b"generate_launch_description", ".xml": b"<launch", ".yaml": b"launch:", ".yml": b"launch:"}
+_OF_ECLIPSE = re.compile(rb"\s*(?:<\?.*?\?>|<!--.*?-->|\s)*<launchConfiguration\b", re.DOTALL)
 _UNKNOWN = re.compile(r"\$\([^()]*\)")
 _FIND = re.compile(r"\$\((?:find|find-pkg-share) ([^()$]+)\)")
 _NAME = re.compile(r"[\w.-]+")
@@ -39,9 +40,19 @@ def launch_files(folder: Path | str, *, templates: bool = False) -> list[str]:
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
-        paths = [os.path.join(here, name) for name in sorted(names) if name.endswith(_SUFFIXES) or _is_ros2(folder, here, name)]
+        paths = [os.path.join(here, name) for name in sorted(names) if _is_ros1(here, name) or _is_ros2(folder, here, name)]
         found += [path for path in paths if templates or not is_template(path, folder)]
     return found
+
+
+def _is_ros1(folder: str, name: str) -> bool:
+    """Whether a file is called as those of ROS 1 are; Eclipse calls what it starts so, too."""
+    if not name.endswith(_SUFFIXES):
+        return False
+    try:
+        return _OF_ECLIPSE.match(read_file(os.path.join(folder, name))) is None
+    except OSError:
+        return True  # reported where it is composed
 
 
 def _is_ros2(top: Path | str, folder: str, name: str) -> bool:

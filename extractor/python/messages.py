@@ -2,6 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
+_OWN_MODULE = re.compile(r"(\w+\.(?:msg|srv|action))\._\w+")
+
+
+def interface_module(name: str) -> str:
+    """The module `pkg.msg` for the one below it that generators write for each message (`pkg.msg._image`, `pkg.msg._Image`); any other as it is."""
+    of_one = _OWN_MODULE.fullmatch(name)
+    return of_one[1] if of_one else name
+
 
 def message_of(name: str) -> tuple[str, str] | None:
     """Kind and type of the message that a class is by its name, as generators of Python code give them."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Sequence
 
+from rosarch.extractor.python.messages import interface_module
 from rosarch.extractor.python.model import Class, Function, FunctionNode, Import, Module, Scope, Source, Symbol, Variable
 from rosarch.extractor.python.shapes import defaults_of, place
 from rosarch.extractor.python_syntax import absolute_name
@@ -92,7 +93,7 @@ class _Binder:
             self.scope.names[name] = symbol
 
     def _import_from(self, node: ast.ImportFrom) -> None:
-        path = absolute_name(node.module or "", node.level, self.module.package)
+        path = interface_module(absolute_name(node.module or "", node.level, self.module.package))
         for alias in node.names:
             if alias.name == "*":
                 self.scope.stars.append(path)
