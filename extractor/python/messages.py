@@ -8,7 +8,7 @@ _OWN_MODULE = re.compile(r"(\w+\.(?:msg|srv|action))\._\w+")
 
 
 def interface_module(name: str) -> str:
-    """The module `pkg.msg` for the one below it that generators write for each message (`pkg.msg._image`, `pkg.msg._Image`); any other as it is."""
+    """`pkg.msg` for a module below it that generators write for a message, `pkg.msg._image` or `pkg.msg._Image`; any other as it is."""
     of_one = _OWN_MODULE.fullmatch(name)
     return of_one[1] if of_one else name
 

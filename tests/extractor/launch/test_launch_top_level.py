@@ -81,7 +81,9 @@ def test_a_launch_file_of_ros_1_that_a_package_of_ros_2_has_left(tmp_path: Path,
 
 def test_what_eclipse_starts_is_no_launch_file(tmp_path: Path) -> None:
     head = '<?xml version="1.0" encoding="UTF-8" standalone="no"?>\n'
-    (tmp_path / "firmware Debug.launch").write_text(head + '<launchConfiguration type="debug">\n<stringAttribute key="a" value="b"/>\n</launchConfiguration>\n')
+    (tmp_path / "firmware Debug.launch").write_text(
+        head + '<launchConfiguration type="debug">\n<stringAttribute key="a" value="b"/>\n</launchConfiguration>\n'
+    )
     (tmp_path / "robot.launch").write_text(head + "<!-- not <launchConfiguration -->\n<launch/>\n")
     (tmp_path / "broken.launch").write_text("<lunch/>")
     assert [Path(path).name for path in launch_files(tmp_path)] == ["broken.launch", "robot.launch"]
