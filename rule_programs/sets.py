@@ -129,10 +129,11 @@ def _files(rules: RuleSet) -> Mapping[str, tuple[Path, ...]]:
     return own_programs(own_files(rules.own)) if rules.own else dict.fromkeys(PROGRAMS, ())
 
 
-def _settings(rules: RuleSet) -> dict[str, Any]:
+def _settings(program: str, rules: RuleSet) -> dict[str, Any]:
     """What is to be loaded otherwise than the shipped rules have it."""
     given = "\n".join(f'option_given("{name}", "{value}").' for name, value in rules.options)
-    return {"extra_source": given, "instead": {d.default: path for d, path in chosen_variants(rules) if path != d.default}}
+    chosen = {d.default: path for d, path in chosen_variants(rules) if d.program == program and path != d.default}
+    return {"extra_source": given, "instead": chosen}
 
 
 def chosen_variants(rules: RuleSet) -> list[tuple[Decision, Path]]:
@@ -151,14 +152,16 @@ def _program(program: str, rules: RuleSet, *, on_demand: bool = False) -> Progra
 
 @lru_cache(maxsize=8)
 def _loaded(program: str, rules: RuleSet, _stamp: tuple[int, ...], on_demand: bool) -> Program:
-    return load_program(roots(program, rules), on_demand=on_demand, **_settings(rules), shipped=_compiled(program, rules, on_demand))
+    return load_program(
+        roots(program, rules), on_demand=on_demand, **_settings(program, rules), shipped=compiled_file(program, on_demand=on_demand)
+    )
 
 
 def rule_history(program: str, rules: RuleSet) -> RuleHistory:
     """The rules of components or of systems while they are edited."""
     from rosarch.datalog.engine.rederive import RuleHistory
 
-    return RuleHistory(roots(program, rules), **_settings(rules))
+    return RuleHistory(roots(program, rules), **_settings(program, rules))
 
 
 def _stamp(rules: RuleSet) -> tuple[int, ...]:
@@ -171,16 +174,15 @@ def _stamp(rules: RuleSet) -> tuple[int, ...]:
 
 def is_loaded_soon(rules: RuleSet) -> bool:
     """Whether the rules of components were compiled before, so that they need not be while sources are read."""
-    return is_compiled(roots("component", rules), on_demand=True, **_settings(rules), shipped=_compiled("component", rules, True))
-
-
-def _compiled(program: str, rules: RuleSet, on_demand: bool) -> Path | None:
-    """The file with a program as it was compiled when rosarch was installed."""
-    return compiled_file(program, on_demand=on_demand) if rules == SHIPPED else None
+    shipped = compiled_file("component", on_demand=True)
+    return is_compiled(roots("component", rules), on_demand=True, **_settings("component", rules), shipped=shipped)
 
 
 def compiled_file(program: str, *, on_demand: bool) -> Path:
-    """Where the shipped rules of components or of systems are compiled to when rosarch is installed."""
+    """Where the shipped rules of components or of systems are compiled to when rosarch is installed.
+
+    Rules that differ in those of systems alone have the same rules of components, and the other way round.
+    """
     return rules_folder() / "compiled" / f"{program}{'_on_demand' * on_demand}.pickle"
 
 
