@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rosarch.cli.check_options import load_configuration
-from rosarch.cli.errors import FINDINGS
+from rosarch.cli.errors import FINDINGS, InputError
 from rosarch.cli.inputs import check_input
 from rosarch.cli.options import Packages
 from rosarch.cli.questions import Reading, asks
@@ -22,7 +22,7 @@ from rosarch.cli.terminal import emit, show_diagnostics, show_note
 
 if TYPE_CHECKING:
     from rosarch.analysis.comparison import Snapshot
-    from rosarch.cli.revisions import Exported
+    from rosarch.base.git_revisions import Exported
 
 
 class DiffFormat(str, Enum):
@@ -117,15 +117,21 @@ def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
 
 
 def _commit(revision: str) -> str:
-    from rosarch.cli.revisions import resolve
+    from rosarch.base.git_revisions import RevisionError, resolve
 
-    return resolve(revision, Path.cwd())
+    try:
+        return resolve(revision, Path.cwd())
+    except RevisionError as error:
+        raise InputError(str(error)) from None
 
 
 def _exported(commit: str, folder: Path) -> Exported:
-    from rosarch.cli.revisions import export
+    from rosarch.base.git_revisions import RevisionError, export
 
-    return export(commit, Path.cwd(), folder)
+    try:
+        return export(commit, Path.cwd(), folder)
+    except RevisionError as error:
+        raise InputError(str(error)) from None
 
 
 def _tell(revision: str, exported: Exported) -> None:

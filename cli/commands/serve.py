@@ -24,7 +24,7 @@ LOOPBACK = "127.0.0.1"
 def serve(question: SystemQuestion, port: Port = 8750, source_url: SourceUrl = None, chains: Chains = False, proofs: Proofs = True) -> None:
     """Serve the report on this machine only, and update it whenever sources or rules are saved. Ends with Ctrl-C."""
     from rosarch.base.pool import alongside
-    from rosarch.cli.live_server import serve_live
+    from rosarch.reports.html.live_server import serve_live
 
     link = check_link(source_url)
     folder = check_sources(question.folder)
@@ -61,9 +61,9 @@ def _remake(question: SystemQuestion, link: str | None, chains: bool, proofs: bo
 
 
 def _make(question: SystemQuestion, link: str | None, chains: bool, proofs: bool, current: Path) -> None:
-    from rosarch.cli.live_server import put_document, put_error
     from rosarch.cli.report_content import load_subject
     from rosarch.reports.html.document import report_document
+    from rosarch.reports.html.live_server import put_document, put_error
 
     try:
         subject = load_subject(question, link, chains=chains, proofs=proofs)

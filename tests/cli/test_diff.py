@@ -12,8 +12,8 @@ import pytest
 from systems import small
 
 from rosarch.analysis.comparison import Snapshot
+from rosarch.base.git_revisions import LARGEST_FILE, export, resolve
 from rosarch.cli.commands.diff import DiffFormat, State, compare_states
-from rosarch.cli.revisions import LARGEST_FILE, export, resolve
 
 CHANGED = """\
 talker/talker

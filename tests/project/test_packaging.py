@@ -27,9 +27,13 @@ def packages(top: str) -> dict[str, Path]:
 
 
 def files(top: str) -> Iterator[Path]:
-    """What is installed of a top folder."""
+    """What is installed of a top folder: not what is for readers of the sources only."""
     for path in sorted((ROOT / top).rglob("*")):
-        if path.is_file() and not any(part.startswith(".") or part in ("viewer", "__pycache__") for part in path.parts):
+        if (
+            path.is_file()
+            and path.name != "README.md"
+            and not any(part.startswith(".") or part in ("viewer", "__pycache__") for part in path.parts)
+        ):
             yield path
 
 

@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
-from rosarch.cli.errors import InputError
-
 LARGEST_FILE = 4 * 1024 * 1024  # what is larger is no source; it is there, but empty
 _LINK = "120000"
 # Hooks, filters and text conversions belong to commands that are not used. What is missing in a partial clone would be fetched by the
@@ -23,6 +21,10 @@ _ENVIRONMENT = {
     "LC_ALL": "C",
 }
 _OPTIONS = ("--no-pager", "--no-replace-objects", "-c", "core.fsmonitor=false", "-c", "core.hooksPath=/dev/null")
+
+
+class RevisionError(Exception):
+    """A revision that cannot be had; the text says why."""
 
 
 @dataclass(frozen=True)
@@ -53,16 +55,17 @@ def resolve(revision: str, repository: Path) -> str:
     if inside.returncode:
         message = inside.stderr.decode("utf-8", "replace").strip().partition("\n")[0]
         if "not a git repository" in message:
-            raise InputError(f"{revision}: {known}, and no git repository here that could have a revision of this name")
-        raise InputError(f"{revision}: {known}, and git says: {message}")
-    raise InputError(f"{revision}: {known}, and no such revision of the git repository here")
+            raise RevisionError(f"{revision}: {known}, and no git repository here that could have a revision of this name")
+        raise RevisionError(f"{revision}: {known}, and git says: {message}")
+    raise RevisionError(f"{revision}: {known}, and no such revision of the git repository here")
 
 
 def export(commit: str, repository: Path, out: Path) -> Exported:
     """Write the files of a commit below `out`, a new folder. Links that lead out of it are left out."""
     listing = _git(repository, "ls-tree", "-r", "-z", "--full-tree", commit)
     if listing.returncode:
-        raise InputError(f"{commit}: git cannot list its files: {listing.stderr.decode('utf-8', 'replace').strip().partition(chr(10))[0]}")
+        message = listing.stderr.decode("utf-8", "replace").strip().partition("\n")[0]
+        raise RevisionError(f"{commit}: git cannot list its files: {message}")
     entries = [_entry(line) for line in listing.stdout.split(b"\0") if line]
     out.mkdir(parents=True, exist_ok=True)
     links: list[tuple[Path, bytes]] = []
@@ -87,7 +90,7 @@ def _git(repository: Path, *arguments: str) -> subprocess.CompletedProcess[bytes
     try:
         return subprocess.run(_command(repository, *arguments), capture_output=True, check=False, env={**os.environ, **_ENVIRONMENT})
     except FileNotFoundError:
-        raise InputError("revisions need git, which is not on PATH; two folders can be compared without it") from None
+        raise RevisionError("revisions need git, which is not on PATH; two folders can be compared without it") from None
 
 
 def _command(repository: Path, *arguments: str) -> list[str]:
