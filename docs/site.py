@@ -10,7 +10,7 @@ from typing import Any
 from mkdocs.structure.files import File
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = ("CONTRIBUTING.md", "examples/README.md", "benchmarks/README.md")
+PAGES = ("CONTRIBUTING.md", "examples/README.md", "benchmarks/README.md", "rules/README.md")
 LINK = re.compile(r"(\]\()(?!https?:|#)([^)#\s]+)")
 
 

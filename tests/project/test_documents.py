@@ -28,7 +28,13 @@ from rosarch.reports.machines import machines_text
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = {
     path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8")
-    for path in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "examples/README.md", *sorted((ROOT / "docs").glob("*.md")))
+    for path in (
+        ROOT / "README.md",
+        ROOT / "CONTRIBUTING.md",
+        ROOT / "examples/README.md",
+        ROOT / "rules/README.md",
+        *sorted((ROOT / "docs").glob("*.md")),
+    )
 }
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FILE = re.compile(r"`([\w./-]+\.(?:dl|cpp|yml))`")
@@ -280,11 +286,12 @@ def test_folders_are_named() -> None:
 
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_paths_of_this_repository_exist(name: str) -> None:
-    """What is written like a path below one of the folders is there, `*` and `<id>` standing for any part."""
+    """What is written like a path below one of the folders is there, or below the document's own; `*` and `<id>` stand for any part."""
     folders = {path.name for path in ROOT.iterdir() if path.is_dir() and not path.name.startswith(".")} - {"build", "src"}
     for path in re.findall(r"`([a-z_]+/[\w./*<>-]*)`", BLOCK.sub("", DOCUMENTS[name])):
         if path.partition("/")[0] in folders:
-            assert list(ROOT.glob(re.sub(r"<[^>]*>", "*", path).rstrip("/"))), path
+            place = re.sub(r"<[^>]*>", "*", path).rstrip("/")
+            assert any(ROOT.glob(place)) or any((ROOT / name).parent.glob(f"**/{place}")), path
 
 
 @pytest.mark.parametrize("name", DOCUMENTS)

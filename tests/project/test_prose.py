@@ -1,6 +1,6 @@
 """The words that users read follow the list of `docs/style.md`, which is read here: a word of its second column must not occur.
 
-Scope: README, CONTRIBUTING, the documentation, the README files of examples and benchmarks, and all that is written for users at the head of a check or in the
+Scope: README, CONTRIBUTING, the documentation, the README files of examples, rules and benchmarks, and all that is written for users at the head of a check or in the
 help of a command. Docstrings and comments of relations are not in it yet. Code, quoted output and what stands in quotation marks are no prose.
 """
 
@@ -22,6 +22,7 @@ PAGES = [
     ROOT / "README.md",
     ROOT / "CONTRIBUTING.md",
     ROOT / "examples/README.md",
+    ROOT / "rules/README.md",
     ROOT / "benchmarks/README.md",
     *(path for path in sorted((ROOT / "docs").glob("*.md")) if path.name != "check-reference.md"),  # made of the heads of checks
 ]
