@@ -26,7 +26,6 @@ COMMANDS = (
     ("show", "behavior"),
     ("check", "-v", "--format", "json"),
     ("show", "graph", "--format", "json"),
-    ("doctor",),
     ("launch",),
 )
 _RULE_FILE = re.compile(r"[\w./-]*?(\w[\w-]*\.dl)\b")
