@@ -69,6 +69,7 @@ def evaluated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 def test_a_second_run_evaluates_nothing_and_gives_the_same_models(workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     cache = Cache(tmp_path / "cache")
     first = documents(workspace, cache)
@@ -105,6 +106,7 @@ def test_what_has_changed_is_evaluated_again(
     assert after == documents(workspace, None) != first
 
 
+@pytest.mark.slow
 def test_other_rules_have_other_entries(workspace: Path, tmp_path: Path, evaluated: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     cache = Cache(tmp_path / "cache")
     first = documents(workspace, cache)
@@ -113,6 +115,7 @@ def test_other_rules_have_other_entries(workspace: Path, tmp_path: Path, evaluat
     assert sorted(evaluated) == ["talker/other"] * 2 + ["talker/talker"] * 2
 
 
+@pytest.mark.slow
 def test_a_source_whose_includes_macros_decide_is_not_kept(workspace: Path, tmp_path: Path) -> None:
     (workspace / "talker.cpp").write_text('#define WHICH "names.h"\n#include WHICH\n' + SOURCE)
     cache = Cache(tmp_path / "cache")

@@ -155,6 +155,7 @@ def ports_of(system: SystemModel, name: str) -> set[str]:
     return {port.name for port in node.ports if not port.implicit}
 
 
+@pytest.mark.slow
 def test_what_parameters_decide(system: SystemModel) -> None:
     assert ports_of(system, "/arm/one") == {"/arm/quiet", "/arm/a/left", "/arm/given"}
 
@@ -329,6 +330,7 @@ def generate_launch_description():
 """
 
 
+@pytest.mark.slow
 def test_texts_are_followed_through_what_they_decide(tmp_path: Path) -> None:
     files = {"package.xml": SOURCES_MANIFEST, "CMakeLists.txt": SOURCES_CMAKE, "src/grid.cpp": GRID, "main.launch.py": GRIDS}
     for name, text in files.items():

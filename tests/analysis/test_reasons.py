@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from rule_cases import case_of, facts_and_program
 
 from rosarch.analysis.systems.reasons import Started, system_reasons
@@ -115,6 +116,7 @@ def below(found: Derivations, key: str) -> set[str]:
     return {found.steps[number].text for number in seen}
 
 
+@pytest.mark.slow
 def test_rates_are_proven_down_to_the_clock_that_sets_them_off() -> None:
     found = reasons("topic_rates.dl", "in_a_chain", chains=False)
     assert {key for key in found.roots if key.startswith("topic_low")} == {"topic_low /image", "topic_low /tracks", "topic_low /plan"}

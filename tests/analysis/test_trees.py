@@ -162,6 +162,7 @@ def _ports(system: SystemModel, node: str) -> set[tuple[str, str]]:
     return {(port.kind, port.name or "?") for each in system.nodes if each.name == node for port in each.ports if not port.implicit}
 
 
+@pytest.mark.slow
 def test_nodes_of_a_tree_use_the_node_that_carries_it_out(tmp_path: Path) -> None:
     system = _system(tmp_path)
     assert [node.name for node in system.nodes] == ["/r1/robot"]
@@ -173,12 +174,14 @@ def test_nodes_of_a_tree_use_the_node_that_carries_it_out(tmp_path: Path) -> Non
     assert not any("tree" in part.reason for part in system.unseen)
 
 
+@pytest.mark.slow
 def test_nodes_of_a_tree_use_a_node_made_for_them(tmp_path: Path) -> None:
     system = _system(tmp_path, CLIENT)
     assert not _ports(system, "/r1/robot")
     assert ("subscriber", "/r1/ready") in _ports(system, "/r1/runner_client")
 
 
+@pytest.mark.slow
 def test_a_parameter_chooses_the_tree(tmp_path: Path) -> None:
     file = ", parameters=[{'tree': '" + str(tmp_path / "trees/other.xml") + "'}]"
     system = _system(tmp_path, parameters=file)

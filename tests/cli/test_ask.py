@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 PACKAGE = """<package format="2"><name>demo</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@b.org">a</maintainer><license>BSD</license></package>"""
 BUILD = "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nadd_executable(filter filter.cpp)\nadd_executable(motor motor.cpp)\n"
@@ -80,7 +82,6 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root
 
 
-@pytest.mark.slow
 def test_a_chain_is_told(rosarch: Callable, workspace: Path) -> None:
     outcome = rosarch("ask", str(workspace), "can raw of filter cause current of motor")
     assert (outcome.code, outcome.out, outcome.err) == (0, YES, "")
@@ -150,7 +151,6 @@ def test_rates_that_are_none_are_told(rosarch: Callable, workspace: Path, tmp_pa
     )
 
 
-@pytest.mark.slow
 def test_queries_have_the_flow_of_data_followed_that_they_rest_on(rosarch: Callable, workspace: Path) -> None:
     launch = ("--launch", "demo/demo.launch")
     asked = 'chain_step([_, From, _], [_, To, _], How, "reactive")'

@@ -14,6 +14,8 @@ import pytest
 
 from rosarch.base import tracing
 
+pytestmark = pytest.mark.slow
+
 BUILD = """cmake_minimum_required(VERSION 3.0)
 project(robot)
 find_package(catkin REQUIRED COMPONENTS roscpp)
@@ -193,7 +195,6 @@ UNSEEN = [CHANGES[name] for name in ("message", "script", "link")]
 """What has no finding here."""
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
 def test_a_change(robot: Path, check: Check, afresh: Check, done: list[str], change: Callable[[Path], object]) -> None:
     (robot / "launch" / "sometimes.launch").write_text('<launch><include file="$(find robot)/launch/more.launch"/></launch>')
@@ -208,7 +209,6 @@ def test_a_change(robot: Path, check: Check, afresh: Check, done: list[str], cha
         assert again != first
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "options",
     [

@@ -6,6 +6,8 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from rosarch.rule_programs.checks import check_files
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -75,6 +77,7 @@ def test_the_reference_is_up_to_date(rosarch: Callable) -> None:
     assert (ROOT / "docs/check-reference.md").read_text(encoding="utf-8") == rosarch("rules", "checks", "--format", "markdown").out
 
 
+@pytest.mark.slow
 def test_checks_of_ones_own(rosarch: Callable, tmp_path: Path) -> None:
     check = (
         (ROOT / "rules/checks/home-path-of-machine.dl")

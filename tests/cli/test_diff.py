@@ -63,6 +63,7 @@ def test_folders(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
     assert (outcome.code, outcome.out, outcome.err) == (1, CHANGED.format(path=""), "")
 
 
+@pytest.mark.slow
 def test_revisions(rosarch: Callable, repository: Path) -> None:
     outcome = rosarch("diff", "HEAD~1", "HEAD")
     assert (outcome.code, outcome.out, outcome.err) == (1, CHANGED.format(path=""), "")

@@ -35,6 +35,7 @@ def test_file_instead_of_folder(rosarch: Callable, tmp_path: Path) -> None:
     assert rosarch("check", "file").err == "rosarch: error: file: not a folder\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("command", "message"),
     [
@@ -196,6 +197,7 @@ def test_interrupt(rosarch: Callable, workspace: Path, monkeypatch: pytest.Monke
     assert (outcome.code, outcome.out, outcome.err) == (130, "", "rosarch: interrupted\n")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
 def test_termination_leaves_nothing_behind(workspace: Path, tmp_path: Path, number: signal.Signals) -> None:
     endless = "template <int N, long M> struct T { T<N - 1, 2 * M> a; T<N - 1, 2 * M + 1> b; };\ntemplate <long M> struct T<0, M> {};\nT<24, 0> t;\n"
@@ -264,6 +266,7 @@ def test_names_that_are_not_utf_8(rosarch: Callable, workspace: Path, tmp_path: 
     assert json.loads(rosarch("analyze", "facts", "--format", "json").out) == [model]
 
 
+@pytest.mark.slow
 def test_a_locale_that_cannot_show_a_proof(workspace: Path) -> None:
     command = [sys.executable, "-m", "rosarch.cli.main", "explain", "ws", "port([_, publisher, chatter])"]
     done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONIOENCODING": "ascii"})
@@ -301,6 +304,7 @@ def test_no_room_for_the_declarations(rosarch: Callable, workspace: Path, monkey
     assert re.search(r"^rosarch: error: .*/rosarch\.run-\w+: cannot write \(no space left on device\)$", outcome.err, re.MULTILINE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("redirection", "text"),
     [
@@ -324,6 +328,7 @@ def test_closed_error_output(workspace: Path) -> None:
     assert (done.returncode, done.stdout.splitlines()[0]) == (0, "talker/talker  node talker  talker/")
 
 
+@pytest.mark.slow
 def test_a_manifest_decides_what_facts_are(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
     assert rosarch("extract", "ws", "-o", "facts").code == 0
     models = rosarch("analyze", "facts", "--format", "json").out
@@ -348,6 +353,7 @@ def test_facts_do_not_go_among_sources(rosarch: Callable, workspace: Path, out: 
     assert (outcome.code, outcome.err) == (2, f"rosarch: error: {out}: a folder {what}; choose another one for the facts\n")
 
 
+@pytest.mark.slow
 def test_rules_that_never_end(rosarch: Callable, workspace: Path, tmp_path: Path, limits: Limits) -> None:
     (tmp_path / "own.dl").write_text(".decl n(x: number)\n.output n\nn(0).\nn(X + 1) :- n(X).\n")
     assert rosarch("extract", "ws", "-o", "facts").code == 0

@@ -106,6 +106,7 @@ def test_a_souffle_that_fails_on_everything(rosarch: Callable, workspace: Path, 
         assert "talker/talker not analysed: error (DatalogError: souffle failed with exit code 3: no more, in souffle.py:" in done.err
 
 
+@pytest.mark.slow
 def test_a_library_that_lacks_a_function_or_is_gone(workspace: Path, tmp_path: Path) -> None:
     native = tmp_path / "path" / "clang" / "native"
     native.mkdir(parents=True)
@@ -126,6 +127,7 @@ def test_a_library_that_lacks_a_function_or_is_gone(workspace: Path, tmp_path: P
     assert (done.returncode, done.stderr) == (2, f"rosarch: error: {library}: this libclang has no clang_getCString {hint}\n")
 
 
+@pytest.mark.slow
 def test_a_cache_without_room(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
     """A limit of the size of files stands for a full disk below the cache: what cannot be kept is not."""
     expected = rosarch("analyze", workspace, "--no-cache", "--format", "json").out

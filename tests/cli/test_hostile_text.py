@@ -53,6 +53,7 @@ def hostile(workspace: Path) -> Path:
     return workspace
 
 
+@pytest.mark.slow
 def test_reports_show_names_as_escapes(rosarch: Callable, hostile: Path) -> None:
     for words in READERS:
         at = 1 + (words[0] == "show")

@@ -13,6 +13,8 @@ import pytest
 from rosarch.cli.command_table import load_command
 from rosarch.rule_programs.own_files import own_programs
 
+pytestmark = pytest.mark.slow
+
 Run = Callable[..., Any]
 LOUD = """// id: loud
 // title: t

@@ -42,6 +42,7 @@ def test_every_public_name_is_there() -> None:
         rosarch.datalog.no_such_name  # noqa: B018
 
 
+@pytest.mark.slow
 def test_mistakes_are_reported_as_shown(
     rosarch: Callable[..., Any], examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -22,6 +22,7 @@ DEPTH = 200_000
 LIST = ".type L = [head: number, tail: L]\n"
 
 
+@pytest.mark.slow
 def test_lists_of_any_length(load: Callable[[str], Program]) -> None:
     source = f"""{LIST}.decl l(n: number, x: L)
 l(0, nil).
@@ -41,6 +42,7 @@ again(n) :- l(n, [_, x]), last([_, x]).
     assert show_value(result.rows("last")[0][0]) == text
 
 
+@pytest.mark.slow
 def test_facts_of_any_depth(load: Callable[[str], Program], tmp_path: Path) -> None:
     program = load(f"{LIST}.decl l(x: L)\n.input l\n.output l\n")
     text = "[1, " * DEPTH + "nil" + "]" * DEPTH

@@ -118,6 +118,7 @@ def naive(program: list[Rule], facts: dict[str, set[tuple[int, ...]]]) -> dict[s
     return rows
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(program=st.lists(rules(), min_size=1, max_size=6), facts=FACTS)
 def test_engine_agrees_with_naive_evaluation(tmp_path: Path, program: list[Rule], facts: dict[str, set[tuple[int, ...]]]) -> None:
@@ -172,6 +173,7 @@ def test_both_engines_compute_the_same(tmp_path: Path, terms: list[str], values:
     assert loaded.evaluate(facts).rows("r") == loaded.evaluate(facts, engine="souffle").rows("r")
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(program=st.lists(rules(), min_size=1, max_size=6), facts=FACTS, goal=st.sampled_from(sorted(set(ARITY) - set(INPUTS))))
 def test_on_demand_the_rows_are_the_same(

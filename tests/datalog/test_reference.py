@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from rosarch.datalog import Program, reference, reference_text
 from rosarch.datalog.inspection.relation_reference import list_text
 
@@ -96,6 +98,7 @@ def test_list(load: Callable[[str], Program]) -> None:
     )
 
 
+@pytest.mark.slow
 def test_every_rule_of_rosarch_has_its_text() -> None:
     from rosarch.datalog import load_program
     from rosarch.datalog.inspection.clauses import rules_of

@@ -101,6 +101,7 @@ def test_a_source_whose_includes_macros_decide_is_not_kept(workspace: Path, tmp_
     assert strings(facts(workspace, cache)) == {"second"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", [b"", b"short", None])
 def test_a_damaged_entry_is_replaced(workspace: Path, tmp_path: Path, damage: bytes | None) -> None:
     cache = Cache(tmp_path / "cache")
@@ -226,6 +227,7 @@ def sources_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[]
     return read
 
 
+@pytest.mark.slow
 def test_one_change_reads_what_depends_on_it(workspace: Path, tmp_path: Path, sources_read: Callable[[], list[str]]) -> None:
     cache = Cache(tmp_path / "cache")
     (workspace / "CMakeLists.txt").write_text(TWO)

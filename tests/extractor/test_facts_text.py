@@ -71,6 +71,7 @@ def test_what_is_wrong_is_told_with_its_place(lines: str, message: str, tmp_path
     assert str(caught.value) == f"{tmp_path}/f.txt:{message}"
 
 
+@pytest.mark.slow
 def test_a_text_of_other_sources_is_refused(rosarch: Callable, tmp_path: Path) -> None:
     (tmp_path / "a.cpp").write_text("int a;\n")
     (tmp_path / "f.txt").write_text(HEAD + "source\t0123456789abcdef\ta.cpp\n")

@@ -107,6 +107,7 @@ def test_only_the_packages_that_were_asked_for(root: Path) -> None:
     assert sorted(rows(root, packages=["common"], jobs=1)) == ["self"]
 
 
+@pytest.mark.slow
 def test_the_number_of_workers_changes_nothing(root: Path) -> None:
     assert rows(root, jobs=1) == rows(root, jobs=2) == rows(root, jobs=4)
 

@@ -163,6 +163,7 @@ OTHERS = {"--params-file", "--ros-args", "--atheris", "--inputs", "--bits", "--n
 """Options of other programs that documents speak of: those of ROS, of `tests/fuzz/run.py` and of `python -m rosarch.datalog`."""
 
 
+@pytest.mark.slow
 def test_checks_that_are_named_exist(rosarch: Callable[..., Any]) -> None:
     ids = set(re.findall(r"^## (.*)$", rosarch("rules", "checks", "--format", "markdown").out, re.MULTILINE))
     for name, text in DOCUMENTS.items():
@@ -247,6 +248,7 @@ def test_machines_and_behavior_are_those_of_the_examples() -> None:
     assert shown["rosarch show behavior examples/docking_states dock_lamp"] == behaviors_text([lamp])
 
 
+@pytest.mark.slow
 def test_the_graph_is_that_of_the_example(rosarch: Callable[..., Any], examples: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     text = DOCUMENTS["docs/graphs.md"]

@@ -67,6 +67,7 @@ def test_every_file_is_installed(top: str) -> None:
             assert any(fnmatch.fnmatch(relative, pattern.replace("**/*", "*")) for pattern in patterns), path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("top", LAYERS)
 def test_imports_follow_the_layers(top: str) -> None:
     behind = set(LAYERS[LAYERS.index(top) + 1 :])

@@ -72,6 +72,7 @@ def test_a_file_that_includes_itself() -> None:
     assert trees_text([loop()]) == "a.launch\n└── 1 b.launch\n    └── 2 a.launch  not told again\n2 launch files, 0 nodes\n"
 
 
+@pytest.mark.slow
 def test_a_tree_that_is_too_large() -> None:
     def size(file: LaunchFile) -> int:
         return 1 + sum(map(size, file.includes))

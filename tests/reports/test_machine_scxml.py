@@ -199,6 +199,7 @@ def inputs(machine: StateMachine) -> list[Subject]:
     return sorted({s for formula in formulas for s in subjects(formula) if not s.cell}, key=lambda s: s.key)
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(st.data(), st.sampled_from([(DOOR, False), (DOCKING, False), (LAMP, False), (LAMP, True), (GATE, False), (GATE, True)]))
 def test_the_interpreter_does_what_the_machine_says(data: Any, case: tuple[Document, bool]) -> None:

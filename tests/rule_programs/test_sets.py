@@ -27,6 +27,7 @@ my_check(N) :- started(N, _, _).
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("other", ["rules of one's own", "a variant"])
 def test_what_differs_in_systems_alone_has_the_shipped_rules_of_components(
     other: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -72,6 +72,7 @@ def test_nothing_is_proved_of_reactions_that_are_not_as_modelled(traits: dict[st
     assert found.verdict == verdict
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
 @pytest.mark.parametrize(
     ("formula", "unseen", "traits"),
@@ -108,6 +109,7 @@ FILTER = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
 @pytest.mark.parametrize(
     ("settings", "verdicts"),

@@ -49,6 +49,7 @@ def outcome(rosarch: Callable, tmp_path: Path) -> Callable:
     return run
 
 
+@pytest.mark.slow
 def test_the_examples(rosarch: Callable) -> None:
     done = rosarch("rules", "test", ROOT / "examples/delivery_robot", ROOT / "examples/expectations")
     assert (done.code, "FAILED" in done.out) == (0, False), done.out
@@ -62,6 +63,7 @@ def test_met(outcome: Callable) -> None:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("expectation", "instead"),
     [
@@ -153,6 +155,7 @@ def test_refused(outcome: Callable, expectation: str, error: str) -> None:
     assert (code, lines) == (2, [f"rosarch: error: node.cpp:{error}"])
 
 
+@pytest.mark.slow
 def test_rules_of_ones_own(outcome: Callable, tmp_path: Path) -> None:
     (tmp_path / "own.dl").write_text('/// x. May.\n.decl echo(name: symbol)\necho(N) :- port([_, "publisher", N]).\n')
     assert outcome('expect: echo("/out")', rules=tmp_path / "own.dl")[0] == 0
@@ -160,6 +163,7 @@ def test_rules_of_ones_own(outcome: Callable, tmp_path: Path) -> None:
     assert outcome("expect-not: state g_on", variant="state-variable=rosinfer")[0] == 1
 
 
+@pytest.mark.slow
 def test_a_workspace(rosarch: Callable, workspace: Path) -> None:
     source = workspace / "talker/talker.cpp"
     source.write_text(source.read_text().replace(", 10);", ", 10);  // expect: publisher chatter std_msgs/String"))

@@ -119,6 +119,7 @@ def other(key: str, value: Any, draw: random.Random, words: list[Any]) -> Any:
 TRUTH = "component: talker\npackage: talker\nsystem: ws\nports:\n  - {id: p1, kind: publisher, name: chatter, type: std_msgs/String, queue: 10}\n"
 
 
+@pytest.mark.slow
 def test_the_single_run(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
     (tmp_path / "truth").mkdir()
     (tmp_path / "truth" / "talker.yml").write_text(TRUTH)

@@ -123,6 +123,7 @@ def test_a_chain_of_five_hundred_else_ifs(facts_of) -> None:
     assert len(facts["block_condition"]) == 500
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "deep",
     [
@@ -158,6 +159,7 @@ def _functions(count: int) -> str:
     return "void g(int);\n" + "".join(f"void f{i}(int a) {{ if (a > {i}) g(a + {i}); }}\n" for i in range(count))
 
 
+@pytest.mark.slow
 def test_many_functions_take_time_in_proportion(facts_of) -> None:
     """20,000 functions take two minutes; ten times as many functions may take fifteen times as long, not fifty."""
     facts_of(_functions(10))

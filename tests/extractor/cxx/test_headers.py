@@ -79,6 +79,7 @@ def _calls(unit: TranslationUnit) -> list[tuple[str, str]]:
 PARTS = 8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(PARTS))
 def test_every_header_parses_alone(part: int, flags: list[str]) -> None:
     allowed = (str(HEADERS), flags[-1])

@@ -185,6 +185,7 @@ def test_file_that_includes_itself(tmp_path: Path) -> None:
     assert only_problem(tmp_path, '<include file="$(find here)/main.launch"/>') == "main.launch:2:1: main.launch includes itself"
 
 
+@pytest.mark.slow
 def test_includes_without_end(tmp_path: Path, at_most: Callable[[float], AbstractContextManager[None]]) -> None:
     twice = '<include file="$(find here)/main.launch"><arg name="n" value="$(eval n + 1)"/></include>' * 2
     with at_most(60):
@@ -202,6 +203,7 @@ def test_texts_that_double(tmp_path: Path) -> None:
     assert found.problems[0].message == "a text of more than 8 Mi characters after substitution"
 
 
+@pytest.mark.slow
 def test_ten_thousand_nodes(tmp_path: Path, at_most: Callable[[float], AbstractContextManager[None]]) -> None:
     lines = "".join(
         f'<node pkg="p" type="t" name="n{i}"><param name="a" value="{i}"/><remap from="x" to="y{i}"/></node>\n' for i in range(10_000)
