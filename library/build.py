@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from rosarch.models import formula
 from rosarch.models.component import MANAGED, ComponentModel, Parameter, Port, default_value
 
 UNKNOWN = "?"
+_ONE_NAME = re.compile(r"(?P<not>!|not )?(?P<name>[A-Za-z_][\w.]*)")
 
 
 def library_documents(models: Iterable[ComponentModel], origin: str, revision: str) -> dict[str, dict[str, Any]]:
@@ -47,6 +49,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
     silent = not model.loads and all(port.implicit for port in ports)
     lost_ports = len(ports) < len(model.ports) or UNKNOWN in model.loads or silent
     lost_params = len(params) < len(accesses)
+    kept = {str(trait.values[0]): str(trait.values[1]) for trait in model.traits if trait.name == "keeps_value_of"}
     return _known(
         component=_name(model),
         kind=_kind(model),
@@ -54,7 +57,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
         node_name=model.node_name,
         open=(lost_params or "ports") if lost_ports else ("params" if lost_params else None),
         loads=[name for name in model.loads if UNKNOWN not in name] or None,
-        ports=_distinct(_port(port) for port in ports) or None,
+        ports=_distinct(_port(port, kept) for port in ports) or None,
         params=_parameters(params) or None,
     )
 
@@ -83,7 +86,7 @@ def _distinct(documents: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     return found
 
 
-def _port(port: Port) -> dict[str, Any]:
+def _port(port: Port, kept: Mapping[str, str]) -> dict[str, Any]:
     return _known(
         kind=port.kind,
         name=None if UNKNOWN in port.name else port.name,
@@ -93,8 +96,18 @@ def _port(port: Port) -> dict[str, Any]:
         latched=port.latched,
         via=None if port.via in ("plain", "bind", "lambda", "options") else port.via,
         implicit=port.implicit,
-        conditional=formula.text(port.guard),
+        conditional=_condition(port, kept),
     )
+
+
+def _condition(port: Port, kept: Mapping[str, str]) -> str | None:
+    """When the port is there, by a parameter where a variable that keeps its value decides alone."""
+    text = formula.text(port.guard)
+    alone = _ONE_NAME.fullmatch(text or "")
+    parameter = kept.get(alone["name"], "") if alone else ""
+    if alone is None or not parameter.startswith("~"):
+        return text
+    return f"not {parameter}" if alone["not"] else parameter
 
 
 def _parameter(port: Port) -> str | None:

@@ -143,4 +143,4 @@ def test_conditions_of_ports_are_kept(rosarch: Callable, tmp_path: Path) -> None
     (package / "n.cpp").write_text(SOURCE)
     assert rosarch("library", "build", tmp_path / "ws", *ORIGIN, "-o", tmp_path / "own").code == 0
     found = find("p", "n", [tmp_path / "own"])
-    assert found and {port.name: port.conditional for port in found.ports} == {"always": None, "sometimes": "use_control"}
+    assert found and {port.name: port.conditional for port in found.ports} == {"always": None, "sometimes": "~use_control"}
