@@ -190,7 +190,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         asks_namespace=any(relations["own_namespace_call"]),
         tree_files=tuple(sorted(file for (file,) in relations["tree_file"])),
         tree_hosts=tuple(sorted(name for (name,) in relations["tree_host"])),
-        told=tuple(PluginTold(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_told"])),
+        told=tuple(PluginTold(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_argument"])),
     )
 
 

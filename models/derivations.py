@@ -163,7 +163,7 @@ def component_rows(store: RowStore, places: Mapping[str, Place]) -> Iterator[Wan
         yield Wanted(f"transition {places.get(row[0])}", "transition", row)
     for row in sorted(store.rows("parameter_access"), key=repr):
         yield Wanted(f"parameter {row[1]} {row[2]} {places.get(row[0])}", "parameter_access", row)
-    if "flows_told" in store.names:  # data flow is asked for
+    if "flows_analysed" in store.names:  # data flow is asked for
         for row in sorted(store.rows("port_flow"), key=repr):
             yield Wanted(f"flow {port(row[0])} > {port(row[1])}", "port_flow", row)
 

@@ -10,7 +10,7 @@ from rosarch.base.places import Place
 
 # of the flow of data, which has to be asked for
 FLOW_TRAITS = {
-    "flows_told": ("text",),
+    "flows_analysed": ("text",),
     "port_flow": ("port", "port", "text", "text"),
     "flow_variable": ("port", "port", "variable"),
     "flow_filter": ("port", "port", "variable"),

@@ -158,7 +158,7 @@ def test_queries_have_the_flow_of_data_followed_that_they_rest_on(rosarch: Calla
     assert [(row["From"], row["To"], row["How"]) for row in found["rows"]] == [("demo/filter#p2", "demo/filter#p1", "data")]
     explained = rosarch("explain", workspace, asked.replace("From", "_").replace("To", "_").replace("How", "_"), *launch)
     assert "interface_port_flow" in explained.out, explained.err
-    told = rosarch("query", workspace, "flows_told(Name)", "--component", "filter")
+    told = rosarch("query", workspace, "flows_analysed(Name)", "--component", "filter")
     assert told.out.splitlines()[-2:] == ["filter", "1 row"]
 
 

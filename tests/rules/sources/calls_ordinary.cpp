@@ -14,7 +14,7 @@
 // expect-not: _asks_for_arrival(_, _, _); _at_once(_, _, _); _awaited(_); _done_before(_, _); _entered_before(_, _); _limited(_)
 // expect-not: _reached_before(_, _); _sent_before(_, _); _skips(_, _); _wait_limit(_, _, _); _waiting_call(_, _); _waits_always(_, _)
 // expect-not: _waits_by_call(_); _waits_in(_); _without_limit(_); call_blocks(_, _, _); timer_variable(_, _); waits_for(_, _); _first_value(_, _)
-// expect-not: _otherwise_at_first(_); _told_of(_)
+// expect-not: _otherwise_at_first(_); _place_exported(_)
 // modes and contradictions
 // expect-not: _acting_block(_); _enters_at(_, _); _halts(_, _, _); _halts_before(_, _, _); _holds_until(_, _); _lasts(_); _mode_decides(_, _)
 // expect-not: _mode_switch(_, _); _step(_, _, _, _, _); _at_defaults(_); _constant_of(_, _); _constant_return(_, _); _outcome(_, _, _); _tested(_)
@@ -35,7 +35,7 @@
 // expect-not: _calls_quality(_, _); _profile(_, _); _entry_call(_, _, _); port_quality(_, _, _); quality(_, _, _, _)
 // functions that hand on
 // expect-not: chained_role(_, _, _); _called_inside(_, _); captured(_, _, _); _other_callee(_, _); _generic_type(_, _); _types(_, _)
-// expect-not: template_made_with(_, _); call_unfit(_, _); _typed_role(_); twin_port(_, _, _, _, _, _); _twin_name(_); _instance_told(_, _); _leaves(_, _, _)
+// expect-not: template_made_with(_, _); call_unfit(_, _); _typed_role(_); twin_port(_, _, _, _, _, _); _twin_name(_); _context_has_instance(_, _); _leaves(_, _, _)
 // expect-not: _passes(_, _, _)
 // names and texts
 // expect-not: _asked(_, _); _asks(_, _, _); _asks_for(_, _); _folder(_, _); _relative(_); _wanted_join(_, _); calculation(_, _, _, _)
