@@ -17,7 +17,7 @@ from rosarch.base.limits import LIMITS, Limits
 ROOT = Path(__file__).resolve().parent.parent
 
 
-FEW = 3  # cases of a test that a quick run has
+FEW = 2  # cases of a test that a quick run has
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -160,6 +160,7 @@ def test_what_parameters_decide(system: SystemModel) -> None:
     assert ports_of(system, "/arm/one") == {"/arm/quiet", "/arm/a/left", "/arm/given"}
 
 
+@pytest.mark.slow
 def test_defaults_and_the_name_that_the_launch_file_gives(system: SystemModel) -> None:
     assert ports_of(system, "/two") == {"/two/chat", "/right"}
 
@@ -236,6 +237,7 @@ CAMS = """<launch>
 """
 
 
+@pytest.mark.slow
 def test_what_may_be_reconfigured_is_not_decided(tmp_path: Path) -> None:
     for name, text in {
         "package.xml": ROS1_MANIFEST, "CMakeLists.txt": ROS1_CMAKE, "cfg/Cam.cfg": CONFIG, "src/cam.cpp": CAM, "main.launch": CAMS,
@@ -379,6 +381,7 @@ def generate_launch_description():
 """
 
 
+@pytest.mark.slow
 def test_a_text_decides_what_a_callback_does(tmp_path: Path) -> None:
     files = {"package.xml": SOURCES_MANIFEST, "CMakeLists.txt": SOURCES_CMAKE, "src/grid.cpp": ECHO, "main.launch.py": ECHOES}
     for name, text in files.items():

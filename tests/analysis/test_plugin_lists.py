@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
 from rosarch.analysis.systems.reading import Reading
@@ -109,6 +111,7 @@ grid:
 """
 
 
+@pytest.mark.slow
 def test_each_map_of_a_list_is_a_plugin(tmp_path: Path) -> None:
     files = {
         "package.xml": MANIFEST, "CMakeLists.txt": CMAKE, "plugins.xml": PLUGINS, "src/layer.h": HEADER, "src/own.cpp": OWN, "src/host.cpp": HOST,

@@ -126,6 +126,7 @@ def test_rates_are_proven_down_to_the_clock_that_sets_them_off() -> None:
     assert not any(key.startswith("chain_step") for key in found.roots)
 
 
+@pytest.mark.slow
 def test_steps_of_chains_are_proven() -> None:
     found = reasons("chains.dl", "can", chains=True)
     inside = "/filter f_in > /filter f_out"

@@ -189,6 +189,7 @@ def test_a_parameter_chooses_the_tree(tmp_path: Path) -> None:
     assert {part.reason for part in system.unseen if "tree" in part.reason} == {"its behavior tree has nodes that were not seen: Dance"}
 
 
+@pytest.mark.slow
 def test_a_tree_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     system = _system(tmp_path, trees={"main.xml": "<root><BehaviorTree>"})
     assert {part.reason for part in system.unseen} == {"not all of the behavior tree was read: package://trees/trees/main.xml"}

@@ -63,6 +63,7 @@ def test_what_leads_out_is_not_read(trap: Path) -> None:
     assert "'secret'" not in repr(rows["node"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "include", ['#include "linked/secret.h"', '#define WHERE "linked/secret.h"\n#include WHERE', '#define WHERE "only.h"\n#include WHERE']
 )

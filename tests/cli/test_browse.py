@@ -6,6 +6,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 
+import pytest
 from textual.pilot import Pilot
 from textual.widgets import DataTable, OptionList, Static, Tree
 
@@ -91,6 +92,7 @@ def test_filters(tmp_path: Path) -> None:
     drive(app, script)
 
 
+@pytest.mark.slow
 def test_proof_and_source(tmp_path: Path) -> None:
     """A row leads to its proof, a row of the proof to its rule and to the source."""
     app = Browser(robots(tmp_path))

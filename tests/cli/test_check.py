@@ -52,6 +52,7 @@ def heads(out: str) -> list[str]:
     return [line for line in out.splitlines() if line.endswith("]")]
 
 
+@pytest.mark.slow
 def test_a_finding(ws: Path, rosarch: Callable) -> None:
     outcome = rosarch("check", ws, "--launch", "talker/robot.launch topic:=chatter")
     assert (outcome.code, outcome.err) == (1, "")
@@ -168,6 +169,7 @@ def test_packages_elsewhere(ws: Path, tmp_path: Path, rosarch: Callable) -> None
     assert (found.code, found.err, found.out.splitlines()[-1]) == (0, "", "checked 1 system with 1 node")
 
 
+@pytest.mark.slow
 def test_a_finding_that_a_comment_suppresses(ws: Path, rosarch: Callable) -> None:
     source = ws / "talker" / "listener.cpp"
     source.write_text(LISTENER.replace("onNumber);", "onNumber);  // rosarch: ignore[topic-type-mismatch] for the test"))

@@ -55,6 +55,7 @@ def repository(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return workspace
 
 
+@pytest.mark.slow
 def test_folders(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
     subprocess.run(["cp", "-r", "ws", "old"], check=True)
     assert rosarch("diff", "old", "ws").out == "no differences\n"

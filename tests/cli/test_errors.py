@@ -230,6 +230,7 @@ def test_termination_leaves_nothing_behind(workspace: Path, tmp_path: Path, numb
         assert list((tmp_path / "temporary").iterdir()) == []
 
 
+@pytest.mark.slow
 def test_closed_pipe(workspace: Path) -> None:
     command = f"{sys.executable} -m rosarch.cli.main show ports ws | true"
     done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
@@ -319,6 +320,7 @@ def test_a_report_that_cannot_be_written(workspace: Path, redirection: str, text
     assert (done.returncode, done.stderr) == (2, text)
 
 
+@pytest.mark.slow
 def test_closed_error_output(workspace: Path) -> None:
     (workspace / "broken").mkdir()
     (workspace / "broken" / "package.xml").write_text("<package")

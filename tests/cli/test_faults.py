@@ -93,6 +93,7 @@ def test_an_older_souffle_or_another_program(
     assert (done.code, done.out, done.err) == (2, "", f"rosarch: error: --engine souffle: {binary}{':' * ('does' in message)} {message}\n")
 
 
+@pytest.mark.slow
 def test_a_souffle_that_fails_on_everything(rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     binary = tmp_path / "bin" / "souffle"
     binary.parent.mkdir()
@@ -190,6 +191,7 @@ def test_a_cache_that_is_damaged_no_folder_or_out_of_reach(
     assert rosarch("check", workspace, "--format", "json") == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("after", [0.0, 0.2])
 def test_serve_ends_with_one_line(workspace: Path, after: float) -> None:
     command = [sys.executable, "-m", "rosarch.cli", "serve", str(workspace), "--port", "0"]

@@ -67,6 +67,7 @@ def test_a_drawing_is_of_one_system(command: Callable[..., Result]) -> None:
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "files"),
     [

@@ -17,6 +17,7 @@ STARTED = '<launch><node name="t" pkg="talker" type="talker"/></launch>\n'
 READERS = [("check", "-v"), ("check", "--format", "sarif"), ("report", "--no-proofs", "-o", "page.html")]
 
 
+@pytest.mark.slow
 def test_no_report_shows_what_a_link_out_of_the_workspace_leads_to(
     rosarch: Callable, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -41,6 +42,7 @@ def test_no_report_shows_what_a_link_out_of_the_workspace_leads_to(
     assert "alone.launch cannot be read: outside of the workspace" in rosarch("check", workspace).out
 
 
+@pytest.mark.slow
 def test_a_node_with_a_source_that_cannot_be_read_may_have_more_than_is_seen(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
     package = workspace / "talker"
     (package / "CMakeLists.txt").write_text("project(talker)\nadd_executable(talker talker.cpp more.cpp)\n")
@@ -60,6 +62,7 @@ def _checks(rosarch: Callable, workspace: Path) -> set[str]:
     return {finding["check"] for finding in json.loads(rosarch("check", workspace, "--format", "json").out)["findings"]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["with  spaces 'and \"quotes", "with\na line break", os.fsdecode(b"not \xff\xfe UTF-8"), "-dash", "$(arg x) ${y}", "#%&"]
 )

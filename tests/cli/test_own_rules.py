@@ -59,6 +59,7 @@ def write(folder: Path, **texts: str) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_a_folder_has_rules_of_components_and_of_systems(rosarch: Run, examples: Path, tmp_path: Path) -> None:
     rules = write(
         tmp_path / "my_rules",
@@ -89,6 +90,7 @@ def test_files_go_to_the_program_whose_relations_they_use(tmp_path: Path) -> Non
     assert names == {"component": "cd", "system": "abd"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("texts", "error"),
     [
@@ -142,6 +144,7 @@ def test_commands_about_rules_take_variants(rosarch: Run, command: tuple[str, ..
     assert (done.code, done.out, done.err) == (2, "", "rosarch: error: state-variable has no variant `rosinfr`, did you mean `rosinfer`?\n")
 
 
+@pytest.mark.slow
 def test_the_relations_are_those_of_the_variant(rosarch: Run) -> None:
     wanted = ("rules", "list", "_entered_by", "--private")
     assert rosarch(*wanted).err.startswith("rosarch: error: no relation _entered_by")

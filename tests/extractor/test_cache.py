@@ -91,6 +91,7 @@ def test_a_changed_or_new_file_is_seen(workspace: Path, tmp_path: Path, file: st
     assert after == facts(workspace, None)
 
 
+@pytest.mark.slow
 def test_a_source_whose_includes_macros_decide_is_not_kept(workspace: Path, tmp_path: Path) -> None:
     (workspace / "talker.cpp").write_text('#define WHICH "names.h"\n#include WHICH\n' + SOURCE)
     cache = Cache(tmp_path / "cache")
@@ -128,6 +129,7 @@ def key(root: Path, cache: Cache, **options: Any) -> str | None:
         return component.key
 
 
+@pytest.mark.slow
 def test_what_is_known_is_not_looked_at(workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     cache = Cache(tmp_path / "cache")
     first = key(workspace, cache)
@@ -158,6 +160,7 @@ def test_each_question_has_an_index(workspace: Path, tmp_path: Path, monkeypatch
     assert [key(workspace, cache, **options) for options in questions] == first
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("content", [b"", b"short", ()])
 def test_a_damaged_index_is_replaced(workspace: Path, tmp_path: Path, content: object) -> None:
     cache = Cache(tmp_path / "cache")
@@ -169,6 +172,7 @@ def test_a_damaged_index_is_replaced(workspace: Path, tmp_path: Path, content: o
     assert len(index.read_bytes()) == whole
 
 
+@pytest.mark.slow
 def test_another_message_with_the_name_of_a_header(workspace: Path, tmp_path: Path) -> None:
     """What is generated is no file of the workspace, but it rests on some."""
     (workspace / "CMakeLists.txt").write_text(f"{CMAKE}find_package(message_generation)\nadd_message_files(FILES Level.msg)\n")

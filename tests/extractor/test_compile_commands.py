@@ -69,6 +69,7 @@ def ports(rosarch: Callable, root: Path) -> set[tuple[str, int | None]]:
     return {(port["name"], port["queue"]) for port in model["ports"]}
 
 
+@pytest.mark.slow
 def test_installed_headers_of_others_are_read(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
     source = write(workspace / "talker/talker.cpp", NODE)
     header = write(tmp_path / "vendor_prefix/vendor/board.h", '#define BOARD_TOPIC "board"\nnamespace vendor { enum { QUEUE = 3 }; }\n')

@@ -17,6 +17,7 @@ TEXT = ROOT / "examples" / "facts" / "docking_states.txt"
 HEAD = "rosarch facts\nroot\t.\n\ncomponent\tpkg\tnode\tnode\ta.cpp\n"
 
 
+@pytest.mark.slow
 def test_a_text_has_the_facts_of_a_folder(rosarch: Callable, tmp_path: Path) -> None:
     assert rosarch("extract", ROOT / "examples/docking_states", "--out", tmp_path).code == 0
     folder, text = read_stored(tmp_path), read_stored(TEXT)
@@ -93,6 +94,7 @@ def test_relations_before_any_component_are_refused(tmp_path: Path) -> None:
         read_stored(tmp_path / "f.txt")
 
 
+@pytest.mark.slow
 def test_other_files_are_no_facts(rosarch: Callable, tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text("hello\n")
     for arguments in (("query", tmp_path / "a.txt", "port(P)"), ("analyze", tmp_path / "a.txt")):

@@ -32,6 +32,7 @@ def live(tmp_path: Path) -> Live:
     return names
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("body", "used"),
     [

@@ -112,6 +112,7 @@ def test_the_number_of_workers_changes_nothing(root: Path) -> None:
     assert rows(root, jobs=1) == rows(root, jobs=2) == rows(root, jobs=4)
 
 
+@pytest.mark.slow
 def test_written_facts_are_the_same_bytes(root: Path, tmp_path: Path) -> None:
     texts = []
     for jobs in (1, 2):
@@ -192,6 +193,7 @@ BAD_SOURCES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", BAD_SOURCES)
 def test_a_bad_source_stops_nothing(root: Path, case: str) -> None:
     write(root, {"robot/extra.cpp": BAD_SOURCES[case]})
@@ -200,6 +202,7 @@ def test_a_bad_source_stops_nothing(root: Path, case: str) -> None:
     assert found["left"]["call"] == {row for row in found["left"]["call"]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", BAD_SOURCES)
 def test_a_bad_source_is_reported(root: Path, case: str) -> None:
     write(root, {"robot/extra.cpp": BAD_SOURCES[case]})
@@ -221,6 +224,7 @@ LOSING = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", LOSING)
 def test_errors_that_lose_code_are_told(root: Path, tmp_path: Path, text: str) -> None:
     write(root, {"robot/extra.cpp": text + "int last;"})

@@ -21,6 +21,7 @@ MUCH = "demo/CMakeLists.txt:{}: more than 536870912 characters of values, evalua
 BIG = 'set(x "0123456789abcdef")\nforeach(i RANGE 15)\nset(x "${x}${x}")\nendforeach()\n'  # 1 MiB
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("cmake", "message"),
     [

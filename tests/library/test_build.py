@@ -22,6 +22,7 @@ def built(rosarch: Callable, examples: Path, tmp_path: Path) -> Path:
     return tmp_path / "own"
 
 
+@pytest.mark.slow
 def test_a_workspace_becomes_a_library(built: Path, examples: Path) -> None:
     data = json.loads((built / "scan_filters.json").read_text())
     Draft202012Validator(library_schema()).validate(data)
@@ -43,6 +44,7 @@ def test_a_workspace_becomes_a_library(built: Path, examples: Path) -> None:
     assert {parameter.name for parameter in found.params} == {parameter["name"] for parameter in expected["params"]}
 
 
+@pytest.mark.slow
 def test_reconfigurable_parameters_are_parameters(rosarch: Callable, examples: Path, tmp_path: Path) -> None:
     assert rosarch("library", "build", examples / "services_and_actions", *ORIGIN, "-o", tmp_path).code == 0
     found = find("arm_control", "arm_server", [tmp_path])
@@ -54,6 +56,7 @@ def test_reconfigurable_parameters_are_parameters(rosarch: Callable, examples: P
     assert any(parameter.name.lstrip("~") in next(config).read_text() for parameter in found.params if parameter.name)
 
 
+@pytest.mark.slow
 def test_unknown_names_leave_a_component_open(rosarch: Callable, examples: Path, tmp_path: Path) -> None:
     assert rosarch("library", "build", examples / "recording", *ORIGIN, "-o", tmp_path).code == 0
     found = find("recording", "record", [tmp_path])

@@ -6,6 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from rosarch.library import LibraryComponent, find, load
 
 
@@ -29,6 +31,7 @@ def ports(component: LibraryComponent | None) -> list[tuple[str | None, str | No
     return [(port.name, port.type) for port in component.ports]
 
 
+@pytest.mark.slow
 def test_by_hand_is_laid_over_generated(tmp_path: Path) -> None:
     base = node(
         node_name="base", open=True, ports=[publisher("a", type="x/A"), publisher("b", type="x/B")], params=[{"name": "~p", "default": 1}]

@@ -132,6 +132,7 @@ def test_messages_that_cannot_be_made(type_: str, values: dict[str, float], mess
         encoded(store, type_, values)
 
 
+@pytest.mark.slow
 def test_a_plan_is_printed(rosarch: object, tmp_path: Path) -> None:
     outcome = rosarch("probe", EXAMPLES / "docking_states", "docking", "--plan")  # type: ignore[operator]
     assert outcome.code == 0

@@ -143,6 +143,7 @@ def spoken(text: str) -> Iterator[str]:
     yield from re.findall(r"`(rosarch [^`\n]+)`", BLOCK.sub("", text))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_sub_commands_and_options_exist(name: str) -> None:
     for line in spoken(DOCUMENTS[name]):

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = (ROOT / "docs/launch.md").read_text(encoding="utf-8")
 FILE = """from launch import LaunchDescription
 import vendor
-
-pytestmark = pytest.mark.slow
 
 
 def generate_launch_description():

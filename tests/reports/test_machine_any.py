@@ -51,6 +51,7 @@ def test_every_machine_can_be_told(node: Document, max_states: int, joint: bool)
     assert behavior_markdown([node]).splitlines()[0] == "## p/n (node n)"
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(DOCUMENTS)
 def test_states_and_transitions_fit_together(node: Document) -> None:

@@ -204,6 +204,7 @@ Echo()
 """
 
 
+@pytest.mark.slow
 def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     package = tmp_path / "src" / "demo"
     package.mkdir(parents=True)

@@ -188,6 +188,7 @@ def test_a_run_can_be_repeated() -> None:
     assert run(nodes, scenario, seed=3).events != run(nodes, scenario, seed=4).events
 
 
+@pytest.mark.slow
 def test_what_never_ends_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     nodes = {"one": relay("/a", "/b"), "two": relay("/b", "/a")}
     monkeypatch.setattr("rosarch.behavior.simulation.engine.MOST_EVENTS", 20_000)

@@ -54,6 +54,7 @@ def test_spin_agrees(file: Path) -> None:
     assert {name: one.holds for name, one in zip(formulas, found, strict=True)} == {name: verdicts[name] == HOLDS for name in formulas}
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
 @pytest.mark.parametrize(
     ("traits", "verdict"),

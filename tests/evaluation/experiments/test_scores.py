@@ -206,6 +206,7 @@ def main():
 }
 
 
+@pytest.mark.slow
 def test_truth_about_a_node_of_a_program(rosarch: Callable, tmp_path: Path) -> None:
     for name, text in PROGRAM.items():
         path = tmp_path / "ws" / name

@@ -196,6 +196,7 @@ def test_includes_without_end(tmp_path: Path, at_most: Callable[[float], Abstrac
         }
 
 
+@pytest.mark.slow
 def test_texts_that_double(tmp_path: Path) -> None:
     doubled = "".join(f'<arg name="a{i}" default="$(arg a{i - 1})$(arg a{i - 1})"/>\n' for i in range(1, 40))
     found = composed(tmp_path, '<arg name="a0" default="0123456789"/>\n' + doubled + KEPT)

@@ -165,6 +165,7 @@ def test_a_launch_file_that_takes_too_long_is_left_out(tmp_path: Path, limits: L
     assert [node.type for composition in top.values() for node in composition.nodes] == ["b"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["a.launch.py", "a.launch.yaml"])
 def test_a_long_line_is_read_in_linear_time(tmp_path: Path, name: str, at_most: Callable[[float], AbstractContextManager[None]]) -> None:
     files = {
