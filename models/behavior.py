@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rosarch.base.logic import FALSE, TRUE
 from rosarch.base.places import Place
 from rosarch.models import formula
 from rosarch.models.formula import Formula
@@ -151,13 +152,13 @@ def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds,
     for site, port, call in sorted(relations["sends_periodically"], key=repr):
         if port in ports:
             for other, root, _mechanism in roots:
-                if other == site and (guard := guards.guard(root, call)) != formula.FALSE:
+                if other == site and (guard := guards.guard(root, call)) != FALSE:
                     sent[site, root][guard].add(ports[port])
     found = []
     for site, root, mechanism in roots:
         hz, parameter = _best_rate(rates[site])
         told = None if hz is None else round(hz, 6)
-        for guard, published in (sent[site, root] or {formula.TRUE: set()}).items():
+        for guard, published in (sent[site, root] or {TRUE: set()}).items():
             found.append(Periodic(mechanism, told, parameter, tuple(sorted(published, key=_number)), places[site], guard))
     return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
 
@@ -194,10 +195,10 @@ def _reactive(
                 for function in sorted(functions[source])
                 for site in sorted(sites)
                 for way in guards.ways(function, site, "")
-                if way.guard != formula.FALSE
+                if way.guard != FALSE
             ]
             guard = formula.either(guard for _, guard in ways)
-            if guard == formula.FALSE:
+            if guard == FALSE:
                 continue
             at = tuple(sorted(places[site] for site in sites))
             apart = tuple(dict.fromkeys(ways)) if len({guard for _, guard in ways}) > 1 else ()
@@ -217,7 +218,7 @@ def _one_shot(relations: Relations, places: Mapping[str, Place], ports: PortIds,
     found = []
     for (timer, sink), sites in calls.items():
         guard = formula.either(guards.guard(function, site) for function in functions[timer] for site in sorted(sites))
-        if sink in ports and guard != formula.FALSE:
+        if sink in ports and guard != FALSE:
             hz, parameter = _best_rate(rates[timer])
             at = tuple(sorted(places[site] for site in sites))
             after = None if not hz else round(1 / hz, 6)

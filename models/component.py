@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rosarch.base.logic import TRUE
 from rosarch.base.places import Place
 from rosarch.datalog.language.values import symbols
 from rosarch.models import formula
@@ -45,7 +46,7 @@ class Port:
     at: Place
     implicit: bool = False
     unknown: str | None = None
-    guard: Formula = formula.TRUE
+    guard: Formula = TRUE
     in_namespace: str | None = None
     qos: tuple[tuple[str, str], ...] = ()
 

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
+from rosarch.base import logic
+from rosarch.base.logic import FALSE, TRUE, alternatives, from_alternatives
 from rosarch.base.places import Place
 
 MOST_ALTERNATIVES = 24
@@ -37,15 +40,8 @@ class Condition:
         return self.text, self.meaning or self.text, not self.holds
 
 
-@dataclass(frozen=True)
-class Formula:
-    """A disjunction of conjunctions in the order of evaluation: none is false, one that is empty is true."""
-
-    alternatives: tuple[tuple[Condition, ...], ...]
-
-
-TRUE = Formula(((),))
-FALSE = Formula(())
+Formula: TypeAlias = logic.Formula[Condition]
+"""A disjunction of conjunctions in the order of evaluation."""
 
 
 def condition(
@@ -54,17 +50,17 @@ def condition(
     """The formula of one condition; of `not x`, it is x that does not hold."""
     while words and text.startswith("not ") and loosest(text[4:]) == "":
         text, holds, meaning = text[4:], not holds, meaning and meaning.removeprefix("not ")
-    return Formula(((Condition(text, holds, place, stable, meaning, words),),))
+    return Condition(text, holds, place, stable, meaning, words)
 
 
 def both(first: Formula, second: Formula) -> Formula:
     """The conjunction; the conditions of `first` come first."""
-    return _simplify(_joined(one, other) for one in first.alternatives for other in second.alternatives)
+    return _simplify(_joined(one, other) for one in alternatives(first) for other in alternatives(second))
 
 
 def either(formulas: Iterable[Formula]) -> Formula:
     """The disjunction."""
-    return _simplify(conjunction for formula in formulas for conjunction in formula.alternatives)
+    return _simplify(conjunction for formula in formulas for conjunction in alternatives(formula))
 
 
 def _joined(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tuple[Condition, ...] | None:
@@ -92,8 +88,8 @@ def _simplify(conjunctions: Iterable[tuple[Condition, ...] | None]) -> Formula:
                     changed = True
         kept = _minimal(kept)
     if len(kept) > MOST_ALTERNATIVES:  # weaker, but still true: what all alternatives share
-        return Formula((_common(kept),))
-    return Formula(tuple(kept))
+        kept = [_common(kept)]
+    return from_alternatives(kept)
 
 
 def _without_opposite(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tuple[Condition, ...] | None:
@@ -115,22 +111,21 @@ def _minimal(conjunctions: list[tuple[Condition, ...]]) -> list[tuple[Condition,
     ]
 
 
-def _common(conjunctions: list[tuple[Condition, ...]]) -> tuple[Condition, ...]:
+def _common(conjunctions: Sequence[tuple[Condition, ...]]) -> tuple[Condition, ...]:
     shared = set.intersection(*({item.key for item in conjunction} for conjunction in conjunctions))
     return tuple(item for item in conjunctions[0] if item.key in shared)
 
 
 def text(formula: Formula) -> str | None:
     """The formula in its language; None when it is true, `false` when it never holds. What all alternatives share comes first."""
-    if formula == TRUE:
-        return None
-    if not formula.alternatives:
-        return "false"
-    words = any(item.words for conjunction in formula.alternatives for item in conjunction)
+    if formula in (TRUE, FALSE):
+        return None if formula == TRUE else "false"
+    ways = alternatives(formula)
+    words = any(item.words for conjunction in ways for item in conjunction)
     and_, or_ = (" and ", " or ") if words else (" && ", " || ")
-    common = _common(list(formula.alternatives))
+    common = _common(ways)
     shared = {item.key for item in common}
-    rest = [tuple(item for item in conjunction if item.key not in shared) for conjunction in formula.alternatives]
+    rest = [tuple(item for item in conjunction if item.key not in shared) for conjunction in ways]
     parts = [_item(item, alone=len(common) == 1 and not rest[0]) for item in common]
     if rest[0] and all(len(conjunction) == 1 and _negative(conjunction[0]) for conjunction in rest):
         parts.append(f"{'not ' if words else '!'}({and_.join(_opposite(conjunction[0]) for conjunction in rest)})")
@@ -213,8 +208,8 @@ def tree(formula: Formula) -> dict[str, object] | None:
     """The formula as nested objects: `all` and `any` of conditions with their text, place and whether they hold."""
     if formula == TRUE:
         return None
-    alternatives: list[dict[str, object]] = [{"all": [_leaf(item) for item in conjunction]} for conjunction in formula.alternatives]
-    return alternatives[0] if len(alternatives) == 1 else {"any": alternatives}
+    ways: list[dict[str, object]] = [{"all": [_leaf(item) for item in conjunction]} for conjunction in alternatives(formula)]
+    return ways[0] if len(ways) == 1 else {"any": ways}
 
 
 def _leaf(item: Condition) -> dict[str, object]:

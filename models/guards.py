@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rosarch.base.limits import deep_recursion
+from rosarch.base.logic import FALSE, TRUE, alternatives, atoms
 from rosarch.base.places import Place
-from rosarch.models.formula import FALSE, TRUE, Condition, Formula, both, condition, either, loosest
+from rosarch.models.formula import Condition, Formula, both, condition, either, loosest
 from rosarch.models.machine.conditions import choice, constant
 from rosarch.models.normal import WORD, expanded, folded, normal_text, replaced, truth_of, with_values
 
@@ -40,20 +41,20 @@ class Way:
 
     def names(self, known: Collection[str]) -> set[str]:
         """Those of the `known` names that occur in what is meant."""
-        items = [item for conjunction in self.guard.alternatives for item in conjunction]
-        words = {word for source in (self.value, *(item.meaning or item.text for item in items)) for word in WORD.findall(source)}
+        meant = (item.meaning or item.text for item in atoms(self.guard))
+        words = {word for source in (self.value, *meant) for word in WORD.findall(source)}
         return words.intersection(known)
 
     def given(self, values: Mapping[str, str], fixed: Collection[str], called: Place | None) -> Way:
         """The same, seen from the caller: the words of conditions stay, what they mean is told; a constant is what an expression is."""
         constants = {name: value for name, value in values.items() if _is_constant(value)}
-        guard = either(_given(conjunction, values) for conjunction in self.guard.alternatives) if values else self.guard
+        guard = either(_given(conjunction, values) for conjunction in alternatives(self.guard)) if values else self.guard
         return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), called)
 
 
 def _given(items: Iterable[Condition], values: Mapping[str, str]) -> Formula:
     """A conjunction with the values of parameters in their places; what they decide is decided."""
-    found = TRUE
+    found: Formula = TRUE
     for item in items:
         before = item.meaning or item.text
         meaning = with_values(before, values)
@@ -141,7 +142,7 @@ class Guards:
             found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), ())]
         if blocks and not found:
             return []
-        return [way for way in found if way.guard.alternatives] or [Way(TRUE, value)]
+        return [way for way in found if way.guard != FALSE] or [Way(TRUE, value)]
 
     def _ways(self, root: str, block: str, beyond: Way, path: tuple[str, ...]) -> list[Way]:
         """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond."""
@@ -158,7 +159,7 @@ class Guards:
         for call, before in entries:
             given = {name: text for name, text in self._given[call, function].items() if name in names}
             called = inner.given(given, names - given.keys(), self._places.get(call))
-            if called.guard.alternatives or not inner.guard.alternatives:
+            if called.guard != FALSE or inner.guard == FALSE:
                 found += self._ways(root, before, called, (*path, function))
         return found
 
@@ -175,7 +176,7 @@ class Guards:
             found = either(self._of(CREATION + _function(block) if entries else CREATION, block, ()) for block in blocks)
         if entries:
             found = both(either(entries), found)
-        return found if found.alternatives else TRUE
+        return TRUE if found == FALSE else found
 
     def _runs(self, root: str, block: str) -> bool:
         return root.startswith(CREATION) or block in self._parts[root] or _function(block) in self._entered[root]
@@ -208,7 +209,7 @@ class Guards:
         beyond = self._of(root, before, path)
         if root.startswith(CREATION) and chooser in self._loops:
             return beyond  # what a loop makes is made for each element there is
-        return both(beyond, self._condition(chooser, sense, value)) if beyond.alternatives else FALSE
+        return FALSE if beyond == FALSE else both(beyond, self._condition(chooser, sense, value))
 
     def _condition(self, chooser: str, sense: str, value: str) -> Formula:
         text = self._texts.get(chooser)
@@ -221,7 +222,7 @@ class Guards:
         if sense == "case":
             return self._case(text, meaning, value, True, place)
         if sense == "default":
-            formula = TRUE
+            formula: Formula = TRUE
             for label in self._cases[chooser]:
                 formula = both(formula, self._case(text, meaning, label, False, place))
             return formula

@@ -5,20 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from rosarch.models.formula import TRUE, Formula, both, condition, either, loosest, text
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not, alternatives, normal, opposite, truth
 from rosarch.models.formula import Condition as Item
+from rosarch.models.formula import Formula, both, condition, either, loosest, text
 from rosarch.models.machine.conditions import (
     NULL,
     Comparison,
     Condition,
-    Conjunction,
-    Disjunction,
-    Negation,
+    Leaf,
     Operand,
-    Truth,
     constant,
     is_name,
-    negated,
     parse_condition,
 )
 
@@ -69,24 +66,14 @@ def truth_of(source: str) -> bool | None:
     Constants with different names are different ones, but a name and a number need not be; names that might be those of variables or
     classes (`Idle`) decide nothing.
     """
-    return _truth(parse_condition(source))
+    return truth(parse_condition(source), _decided)
 
 
-def _truth(parsed: Condition) -> bool | None:
-    if isinstance(parsed, Negation):
-        inner = _truth(parsed.inner)
-        return None if inner is None else not inner
-    if isinstance(parsed, Truth):
-        return parsed.value
-    if isinstance(parsed, Conjunction | Disjunction):
-        decisive, outcomes = isinstance(parsed, Disjunction), [_truth(part) for part in parsed.parts]
-        if decisive in outcomes:
-            return decisive
-        return None if None in outcomes else not decisive
-    if isinstance(parsed, Comparison) and parsed.op == "==":
-        left, right = (None if _NAME.fullmatch(side) else constant(side) for side in (parsed.left, parsed.right))
-        return None if left is None or right is None or _is_name(left) is not _is_name(right) else left == right
-    return None
+def _decided(leaf: Leaf) -> bool | None:
+    if not isinstance(leaf, Comparison) or leaf.op != "==":
+        return None
+    left, right = (None if _NAME.fullmatch(side) else constant(side) for side in (leaf.left, leaf.right))
+    return None if left is None or right is None or _is_name(left) is not _is_name(right) else left == right
 
 
 def _is_name(known: str) -> bool:
@@ -98,47 +85,52 @@ def folded(source: str) -> str:
     """A condition without those of its parts that constants alone decide."""
     parsed = parse_condition(source)
     shorter = _folded(parsed)
-    return source if shorter == parsed else _written(shorter, True)
+    return source if shorter == parsed else _written(shorter)
 
 
 def _folded(parsed: Condition) -> Condition:
-    truth = _truth(parsed)
-    if truth is not None:
-        return Truth(truth)
-    if isinstance(parsed, Negation):
-        return negated(_folded(parsed.inner))
-    if isinstance(parsed, Conjunction | Disjunction):
+    known = truth(parsed, _decided)
+    if known is not None:
+        return TRUE if known else FALSE
+    if isinstance(parsed, Not):
+        return opposite(_folded(parsed.inner))
+    if isinstance(parsed, All | Any):
         return type(parsed)(tuple(_folded(part) for part in parsed.parts))
     return parsed
 
 
 def normal_text(formula: Formula) -> str | None:
     """The formula's conditions by what they stand for, as a text in negation normal form; None when it is true."""
-    source = text(either(_meant(conjunction) for conjunction in formula.alternatives))
+    source = text(either(_meant(conjunction) for conjunction in alternatives(formula)))
     if source is None:
         return None
-    written = _written(parse_condition(source), True)
+    written = _written(parse_condition(source))
     return None if written == "true" else written
 
 
 def _meant(items: Iterable[Item]) -> Formula:
-    found = TRUE
+    found: Formula = TRUE
     for item in items:
         found = both(found, condition(item.meaning or item.text, item.holds, stable=item.stable, words=item.words))
     return found
 
 
-def _written(parsed: Condition, holds: bool) -> str:
-    """A condition, or its opposite when it does not hold, with negations at its leaves only."""
-    if isinstance(parsed, Negation):
-        return _written(parsed.inner, not holds)
-    if isinstance(parsed, Conjunction | Disjunction):
-        return _joined([_written(part, holds) for part in parsed.parts], isinstance(parsed, Conjunction) == holds)
-    if isinstance(parsed, Truth):
-        return "true" if parsed.value == holds else "false"
-    if isinstance(parsed, Comparison):
-        return _comparison(parsed, holds)
-    return _operand(parsed, holds)
+def _written(parsed: Condition) -> str:
+    """A condition with negations at its leaves only."""
+    return _text(normal(parsed, True, lambda atom, holds: atom if holds else Not(atom)))
+
+
+def _text(formula: Condition, holds: bool = True) -> str:
+    """A condition in negation normal form, or a leaf that does not hold."""
+    if isinstance(formula, Not):
+        return _text(formula.inner, False)
+    if isinstance(formula, All | Any):
+        return _joined([_text(part) for part in formula.parts], isinstance(formula, All))
+    if isinstance(formula, Comparison):
+        return _comparison(formula, holds)
+    if isinstance(formula, Operand):
+        return _operand(formula, holds)
+    raise TypeError(formula)
 
 
 def _operand(operand: Operand, holds: bool) -> str:

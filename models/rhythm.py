@@ -10,11 +10,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rosarch.models import formula
+from rosarch.base.logic import TRUE, Not, alternatives
+from rosarch.models.formula import Condition, Formula
 from rosarch.models.machine.cells import Cell, Document, Domains
-from rosarch.models.machine.conditions import Comparison, Negation, Operand, constant, parse_condition, strip
+from rosarch.models.machine.conditions import Comparison, Operand, constant, parse_condition, strip
 from rosarch.models.machine.counting import whole
-from rosarch.models.machine.logic import TRUE
 from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses, is_ambiguous
 from rosarch.models.machine.steps import Step
 
@@ -43,16 +43,16 @@ class Rhythm:
     sends: int
 
 
-def way_needs(guard: formula.Formula, kept: Mapping[str, str]) -> Iterator[tuple[bool, list[tuple[str, str, bool]]]]:
+def way_needs(guard: Formula, kept: Mapping[str, str]) -> Iterator[tuple[bool, list[tuple[str, str, bool]]]]:
     """For each alternative of a guard: whether only parameters that names keep decide, and which, with values that they need or exclude."""
-    for alternative in guard.alternatives:
+    for alternative in alternatives(guard):
         needs = [_need(item, kept) for item in alternative]
         yield all(needs) and bool(needs), [need for need in needs if need]
 
 
-def _need(item: formula.Condition, kept: Mapping[str, str]) -> tuple[str, str, bool] | None:
+def _need(item: Condition, kept: Mapping[str, str]) -> tuple[str, str, bool] | None:
     condition, holds = parse_condition(item.meaning or item.text), item.holds
-    while isinstance(condition, Negation):
+    while isinstance(condition, Not):
         condition, holds = condition.inner, not holds
     if isinstance(condition, Operand) and (name := _name(condition.text)) in kept:
         return kept[name], "true", holds

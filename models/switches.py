@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rosarch.base.logic import FALSE, TRUE
 from rosarch.base.places import Place
 from rosarch.models import formula
 from rosarch.models.formula import Formula
@@ -52,8 +53,8 @@ def switched_things(
         reasons[site].append(reason)
     ways: dict[str, list[Switch]] = defaultdict(list)
     for call, root, site, to, how in sorted(relations.get("switches", ())):
-        guard = formula.TRUE if call == site and how == "perhaps" else guards.guard(root, call)
-        if guard != formula.FALSE and call in places:
+        guard = TRUE if call == site and how == "perhaps" else guards.guard(root, call)
+        if guard != FALSE and call in places:
             timed = tuple(sorted(timers.get(root, ())))
             ways[site].append(Switch(to, how == "perhaps", tuple(sorted(triggers.get(root, ()))), timed, guard, places[call]))
     sending: dict[str, list[str]] = defaultdict(list)

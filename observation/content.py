@@ -7,10 +7,11 @@ import struct
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
+from rosarch.base.logic import Not
 from rosarch.behavior.composition.components import content_path
 from rosarch.extractor.messages import Field, MessageStore
 from rosarch.extractor.messages.model import UNBOUNDED
-from rosarch.models.machine.conditions import MIRRORED, Comparison, Negation, number, parse_condition
+from rosarch.models.machine.conditions import MIRRORED, Comparison, number, parse_condition
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 
 Values = Mapping[str, float | str]
@@ -44,7 +45,7 @@ def needed(subject: Subject, value: str, members: Collection[str], known: Mappin
         wanted = _number(value, known)
         return None if wanted is None else {path: wanted}
     condition, holds = parse_condition(subject.text), value == "true"
-    if isinstance(condition, Negation):
+    if isinstance(condition, Not):
         condition, holds = condition.inner, not holds
     if not isinstance(condition, Comparison) or subject.values != BOOLEAN:
         return None

@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from importlib.resources import files
 from typing import Any as Anything
 
+from rosarch.base.logic import Any, Not
 from rosarch.models.machine.build import Region, StateMachine, Transition
-from rosarch.models.machine.logic import Any, Formula, Is, Not, without_hidden
+from rosarch.models.machine.logic import Formula, Is, without_hidden
 from rosarch.models.machine.steps import Row
 from rosarch.reports.machine_labels import formula_text
 from rosarch.reports.printable import json_text

@@ -7,22 +7,10 @@ import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not
 from rosarch.models.machine.build import Region, StateMachine, Transition
 from rosarch.models.machine.conditions import NULL
-from rosarch.models.machine.logic import (
-    BOOLEAN,
-    FALSE,
-    OTHER,
-    TRUE,
-    All,
-    Any,
-    Formula,
-    Is,
-    Not,
-    Subject,
-    from_cases,
-    without_hidden,
-)
+from rosarch.models.machine.logic import BOOLEAN, OTHER, Formula, Is, Subject, from_cases, without_hidden
 from rosarch.models.machine.steps import Output, Row
 
 _SIMPLE = re.compile(r"[\w.:>\-]+(\([^()]*\))?")

@@ -12,23 +12,10 @@ from collections.abc import Iterable, Sequence
 from itertools import product
 from xml.sax.saxutils import quoteattr
 
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not
 from rosarch.models.machine.build import StateMachine, Transition
 from rosarch.models.machine.conditions import NULL, number
-from rosarch.models.machine.logic import (
-    BOOLEAN,
-    FALSE,
-    OTHER,
-    TRUE,
-    All,
-    Any,
-    Formula,
-    Is,
-    Not,
-    Subject,
-    conjunction,
-    negation,
-    subjects,
-)
+from rosarch.models.machine.logic import BOOLEAN, OTHER, Formula, Is, Subject, conjunction, negation, subjects
 from rosarch.models.machine.steps import Output
 from rosarch.reports.machine_labels import region_title, state_text, title
 

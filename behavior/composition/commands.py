@@ -10,7 +10,7 @@ from rosarch.behavior.composition.components import Component
 from rosarch.behavior.composition.cone import Cone, Event
 from rosarch.behavior.composition.inputs import Inputs
 from rosarch.behavior.composition.model import Command, Model, Queue, Variable
-from rosarch.behavior.composition.reactions import Effect, alternatives, effects
+from rosarch.behavior.composition.reactions import Effect, cases_of, effects
 from rosarch.behavior.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.elapsed import LONG
 from rosarch.models.machine.limits import below_zero
@@ -321,7 +321,7 @@ def _grouped(found: Sequence[Effect], component: Component, keys: Iterable[str])
         groups.setdefault((frozenset(effect.after.items()), effect.sent, bool(effect.rows), choices), []).append(effect)
     for members in groups.values():
         cases = [{subjects[key]: frozenset({value}) for key, value in effect.before.items()} for effect in members]
-        yield members[0], [{subject.key: values for subject, values in case.items()} for case in alternatives(from_cases(cases))]
+        yield members[0], [{subject.key: values for subject, values in case.items()} for case in cases_of(from_cases(cases))]
 
 
 def _taken_for_granted(

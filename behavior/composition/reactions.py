@@ -10,11 +10,11 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from dataclasses import dataclass, field, replace
 from functools import partial
 
+from rosarch.base.logic import alternatives
 from rosarch.models.machine.logic import (
     BOOLEAN,
     Case,
     Formula,
-    Is,
     Subject,
     conjunction,
     evaluate,
@@ -23,8 +23,6 @@ from rosarch.models.machine.logic import (
     simplify,
     subjects,
 )
-from rosarch.models.machine.logic import All as AllOf
-from rosarch.models.machine.logic import Any as AnyOf
 from rosarch.models.machine.meaning import Assignment
 from rosarch.models.machine.steps import Row, Step
 
@@ -147,14 +145,12 @@ def _key(run: _Run) -> object:
 
 def _merged(one: _Run, two: _Run) -> _Run:
     """Two runs that differ only in the ways that lead there."""
-    return replace(one, ways=tuple(alternatives(from_cases([*one.ways, *two.ways])))[:MOST_WAYS])
+    return replace(one, ways=tuple(cases_of(from_cases([*one.ways, *two.ways])))[:MOST_WAYS])
 
 
-def alternatives(formula: Formula) -> Iterator[Case]:
+def cases_of(formula: Formula) -> Iterator[Case]:
     """The cases of a formula that was made from cases."""
-    for part in formula.parts if isinstance(formula, AnyOf) else (formula,):
-        literals = part.parts if isinstance(part, AllOf) else (part,)
-        yield {literal.subject: literal.values for literal in literals if isinstance(literal, Is)}
+    return ({literal.subject: literal.values for literal in literals} for literals in alternatives(formula))
 
 
 def _most_asked(steps: Sequence[Step]) -> str:

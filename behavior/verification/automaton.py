@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from rosarch.base.logic import TRUE, All, Any, Not, opposite
 from rosarch.behavior.verification import ltl
-from rosarch.behavior.verification.ltl import Atom, Binary, Constant, Formula, Next, Not
+from rosarch.behavior.verification.ltl import Atom, Formula, Next, Release, Until
 
 
 @dataclass(frozen=True)
@@ -69,21 +70,19 @@ def _expanded(node: _Node, part: Formula) -> list[_Node]:
     """What becomes of a node when a part of what it has to satisfy is taken up."""
     if part in node.old:
         return [node]
-    if isinstance(part, Constant):
-        return [node] if part.value else []
+    if part == TRUE:
+        return [node]
+    if isinstance(part, All):
+        return [_with(node, part, part.parts, [])]
+    if isinstance(part, Any):
+        return [_with(node, part, [each], []) for each in part.parts]
     if isinstance(part, Next):
         return [_with(node, part, [], [part.inner])]
-    if not isinstance(part, Binary):
-        opposite = part.inner if isinstance(part, Not) else Not(part)
-        return [] if opposite in node.old else [_with(node, part, [], [])]
-    left, right = part.left, part.right
-    if part.operator == "&":
-        return [_with(node, part, [left, right], [])]
-    if part.operator == "|":
-        return [_with(node, part, [left], []), _with(node, part, [right], [])]
-    if part.operator == "U":
-        return [_with(node, part, [left], [part]), _with(node, part, [right], [])]
-    return [_with(node, part, [right], [part]), _with(node, part, [left, right], [])]
+    if isinstance(part, Until):
+        return [_with(node, part, [part.left], [part]), _with(node, part, [part.right], [])]
+    if isinstance(part, Release):
+        return [_with(node, part, [part.right], [part]), _with(node, part, [part.left, part.right], [])]
+    return [] if opposite(part) in node.old else [_with(node, part, [], [])]
 
 
 def _with(node: _Node, part: Formula, new: Sequence[Formula], following: Sequence[Formula]) -> _Node:
@@ -92,12 +91,8 @@ def _with(node: _Node, part: Formula, new: Sequence[Formula], following: Sequenc
 
 def _acceptance(formula: Formula, nodes: Sequence[_Node]) -> tuple[frozenset[int], ...]:
     """For each `until`, the nodes where it is not waited for."""
-    untils = [part for part in ltl.parts(formula) if isinstance(part, Binary) and part.operator == "U"]
+    untils = [part for part in ltl.parts(formula) if isinstance(part, Until)]
     return tuple(
-        frozenset(
-            index
-            for index, node in enumerate(nodes)
-            if until not in node.old or until.right in node.old or (isinstance(until.right, Constant) and until.right.value)
-        )
+        frozenset(index for index, node in enumerate(nodes) if until not in node.old or until.right in node.old or until.right == TRUE)
         for until in dict.fromkeys(untils)
     )

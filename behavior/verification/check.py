@@ -6,6 +6,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from rosarch.base.logic import Not
 from rosarch.behavior.composition.commands import BOUND, model_of
 from rosarch.behavior.composition.cone import Watched, cone_of_influence
 from rosarch.behavior.composition.inputs import Inputs
@@ -111,7 +112,7 @@ def _verdict(system: System, item: Property, inputs: Inputs, checker: str, bound
 
 def _never(system: System, item: Property, inputs: Inputs, checker: str, bound: int, limits: Limits) -> bool:
     """Whether a property is violated in every run, however fast clocks run."""
-    opposite = ltl.Not(item.formula)
+    opposite = Not(item.formula)
     try:
         transitions = model_for(system, opposite, inputs, bound)
         found: Found = CHECKERS[checker].check(transitions, opposite, timeout=limits.seconds, memory=limits.memory)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
-from rosarch.behavior.verification import ltl
+from rosarch.base.logic import Not
 from rosarch.behavior.verification.automaton import Automaton, automaton
 from rosarch.behavior.verification.ltl import Formula
 from rosarch.behavior.verification.transitions import Expression, TransitionSystem, atom_expression, required, written
@@ -86,7 +86,7 @@ def violation(system: TransitionSystem, formula: Formula, most: int = MOST_STATE
         TooManyStates: the search would go through more than `most` states.
     """
     whole = required(system, formula)
-    search = _Search(Explorer(system), automaton(ltl.Not(whole)), most)
+    search = _Search(Explorer(system), automaton(Not(whole)), most)
     return search.run()
 
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from functools import reduce
+from typing import Any as Anything
 
-from rosarch.behavior.verification import ltl
-from rosarch.behavior.verification.ltl import Binary, Constant, Formula, Next, Not
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not
+from rosarch.behavior.verification.ltl import Atom, Formula, Release, Until
 from rosarch.behavior.verification.transitions import CHOSEN, Expression, Operation, TransitionSystem, atom_expression, equal, required
 
 _SIGNS = {"==": "=", "<": "<", "&": "\u2227", "|": "\u2228", "+": "+", "-": "-"}
@@ -16,7 +17,7 @@ class UnsupportedError(Exception):
     """The language cannot say it."""
 
 
-def expression(part: Expression) -> Any:
+def expression(part: Expression) -> Anything:
     """An expression."""
     if not isinstance(part, Operation):
         return part
@@ -71,7 +72,7 @@ def jani(system: TransitionSystem, formula: Formula | None = None, name: str = "
     return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
 
 
-def _property(system: TransitionSystem, formula: Formula, name: str) -> Any:
+def _property(system: TransitionSystem, formula: Formula, name: str) -> Anything:
     path = _path(system, required(system, formula))
     if system.choices:  # JANI has no `next`
         chosen = expression(equal(CHOSEN, system.choices))
@@ -80,18 +81,19 @@ def _property(system: TransitionSystem, formula: Formula, name: str) -> Any:
     return {"name": name, "expression": {"op": "filter", "fun": "values", "values": least, "states": {"op": "initial"}}}
 
 
-def _path(system: TransitionSystem, part: Formula) -> Any:
-    if isinstance(part, Constant):
-        return part.value
+def _path(system: TransitionSystem, part: Formula) -> Anything:
+    if part in (TRUE, FALSE):
+        return part == TRUE
     if isinstance(part, Not):
         return {"op": "\u00ac", "exp": _path(system, part.inner)}
-    if isinstance(part, Next):
-        raise UnsupportedError("JANI has no `next`")
-    if not isinstance(part, Binary):
+    if isinstance(part, All | Any):
+        sign = "\u2227" if isinstance(part, All) else "\u2228"
+        return reduce(lambda left, right: {"op": sign, "left": left, "right": right}, (_path(system, each) for each in part.parts))
+    if isinstance(part, Until | Release):
+        if part.left == (TRUE if isinstance(part, Until) else FALSE):
+            return {"op": "F" if isinstance(part, Until) else "G", "exp": _path(system, part.right)}
+        sign = "U" if isinstance(part, Until) else "R"
+        return {"op": sign, "left": _path(system, part.left), "right": _path(system, part.right)}
+    if isinstance(part, Atom):
         return expression(atom_expression(system, part))
-    if part == ltl.always(part.right):
-        return {"op": "G", "exp": _path(system, part.right)}
-    if part == ltl.eventually(part.right):
-        return {"op": "F", "exp": _path(system, part.right)}
-    sign = {"&": "\u2227", "|": "\u2228"}.get(part.operator, part.operator)
-    return {"op": sign, "left": _path(system, part.left), "right": _path(system, part.right)}
+    raise UnsupportedError("JANI has no `next`")

@@ -1,4 +1,4 @@
-"""Linear temporal logic: formulas, and their negation normal form."""
+"""Linear temporal logic: formulas over the states and events of a run, and their negation normal form."""
 
 from __future__ import annotations
 
@@ -6,18 +6,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from rosarch.base import logic
+from rosarch.base.logic import FALSE, TRUE, Any, Not
 from rosarch.behavior.composition.cone import Event
 
 
-@dataclass(frozen=True)
-class Constant:
-    """True or false."""
-
-    value: bool
+class Part:
+    """What a formula is made of: an `Atom`, or a temporal operator."""
 
 
 @dataclass(frozen=True)
-class InState:
+class InState(Part):
     """A variable of a node, by its key, has one of these values."""
 
     node: str
@@ -26,115 +25,96 @@ class InState:
 
 
 @dataclass(frozen=True)
-class Happens:
+class Happens(Part):
     """The step that led here is such an event."""
 
     event: Event
 
 
 @dataclass(frozen=True)
-class Marker:
+class Marker(Part):
     """Something that a transition system keeps about its run, such as `fair`."""
 
     name: str
 
 
-@dataclass(frozen=True)
-class Not:
-    """Not."""
-
-    inner: Formula
+Atom: TypeAlias = InState | Happens | Marker
+Formula: TypeAlias = logic.Formula[Part]
 
 
 @dataclass(frozen=True)
-class Binary:
-    """`&`, `|`, `U` (until) or `R` (release: the right holds up to and including where the left does, or for ever)."""
-
-    operator: str
-    left: Formula
-    right: Formula
-
-
-@dataclass(frozen=True)
-class Next:
+class Next(Part):
     """After the next step."""
 
     inner: Formula
 
 
-Atom: TypeAlias = InState | Happens | Marker
-Formula: TypeAlias = Constant | InState | Happens | Marker | Not | Binary | Next
+@dataclass(frozen=True)
+class Until(Part):
+    """The right holds at some time, and the left until then."""
 
-TRUE, FALSE = Constant(True), Constant(False)
-
-
-def conjunction(left: Formula, right: Formula) -> Formula:
-    """And."""
-    return Binary("&", left, right)
+    left: Formula
+    right: Formula
 
 
-def disjunction(left: Formula, right: Formula) -> Formula:
-    """Or."""
-    return Binary("|", left, right)
+@dataclass(frozen=True)
+class Release(Part):
+    """The right holds up to and including where the left does, or for ever."""
+
+    left: Formula
+    right: Formula
 
 
 def implication(left: Formula, right: Formula) -> Formula:
     """If the left, then the right."""
-    return disjunction(Not(left), right)
-
-
-def until(left: Formula, right: Formula) -> Formula:
-    """The right holds at some time, and the left until then."""
-    return Binary("U", left, right)
+    return Any((Not(left), right))
 
 
 def weak_until(left: Formula, right: Formula) -> Formula:
     """The left holds until the right does, or for ever."""
-    return Binary("R", right, disjunction(left, right))
+    return Release(right, Any((left, right)))
 
 
 def eventually(inner: Formula) -> Formula:
     """At some time, now or later."""
-    return until(TRUE, inner)
+    return Until(TRUE, inner)
 
 
 def always(inner: Formula) -> Formula:
     """From now on."""
-    return Binary("R", FALSE, inner)
-
-
-_DUAL = {"&": "|", "|": "&", "U": "R", "R": "U"}
+    return Release(FALSE, inner)
 
 
 def normal(formula: Formula, holds: bool = True) -> Formula:
     """The formula, or its opposite, with negations at atoms only."""
-    if isinstance(formula, Constant):
-        return Constant(formula.value is holds)
-    if isinstance(formula, Not):
-        return normal(formula.inner, not holds)
-    if isinstance(formula, Next):
-        return Next(normal(formula.inner, holds))
-    if isinstance(formula, Binary):
-        operator = formula.operator if holds else _DUAL[formula.operator]
-        return Binary(operator, normal(formula.left, holds), normal(formula.right, holds))
-    return formula if holds else Not(formula)
+    return logic.normal(formula, holds, _normal_part)
+
+
+def _normal_part(part: Part, holds: bool) -> Formula:
+    if isinstance(part, Next):
+        return Next(normal(part.inner, holds))
+    if isinstance(part, Until | Release):
+        kind = Until if isinstance(part, Until) is holds else Release
+        return kind(normal(part.left, holds), normal(part.right, holds))
+    return part if holds else Not(part)
 
 
 def is_safety(formula: Formula) -> bool:
     """Whether every violation shows after finitely many steps, as far as the form tells: nothing is promised for later."""
-    return all(part.operator != "U" for part in parts(normal(formula)) if isinstance(part, Binary))
+    return not any(isinstance(part, Until) for part in parts(normal(formula)))
 
 
 def atoms(formula: Formula) -> list[Atom]:
     """The atoms, each once, in the order of the text."""
-    return list(dict.fromkeys(part for part in parts(formula) if isinstance(part, InState | Happens | Marker)))
+    return list(dict.fromkeys(part for part in parts(formula) if isinstance(part, Atom)))
 
 
-def parts(formula: Formula) -> Iterator[Formula]:
-    """All parts of a formula, itself included."""
-    yield formula
-    if isinstance(formula, Not | Next):
-        yield from parts(formula.inner)
-    elif isinstance(formula, Binary):
-        yield from parts(formula.left)
-        yield from parts(formula.right)
+def parts(formula: Formula) -> Iterator[Part]:
+    """The atoms and temporal operators, also those within others."""
+    for part in logic.atoms(formula):
+        yield part
+        if isinstance(part, Next):
+            yield from parts(part.inner)
+        elif isinstance(part, Until | Release):
+            yield from parts(part.left)
+            yield from parts(part.right)

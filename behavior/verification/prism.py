@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not
 from rosarch.behavior.verification import ltl
-from rosarch.behavior.verification.ltl import Atom, Binary, Constant, Formula, Next, Not
+from rosarch.behavior.verification.ltl import Atom, Formula, Next, Release, Until
 from rosarch.behavior.verification.transitions import TransitionSystem, atom_expression, from_start, required, written
 from rosarch.models.machine.conditions import spaced
 
@@ -40,18 +41,22 @@ def query(system: TransitionSystem, formula: Formula) -> str:
 
 def _path(part: Formula, atom: Callable[[Atom], str]) -> str:
     """A formula, for PRISM, which has no `R`."""
-    if isinstance(part, Constant):
-        return "true" if part.value else "false"
+    if part in (TRUE, FALSE):
+        return "true" if part == TRUE else "false"
     if isinstance(part, Not):
         return f"!({_path(part.inner, atom)})"
+    if isinstance(part, All | Any):
+        return (" & " if isinstance(part, All) else " | ").join(f"({_path(each, atom)})" for each in part.parts)
     if isinstance(part, Next):
         return f"X ({_path(part.inner, atom)})"
-    if not isinstance(part, Binary):
+    if isinstance(part, Release):
+        if part.left == FALSE:
+            return f"G ({_path(part.right, atom)})"
+        return _path(Not(Until(Not(part.left), Not(part.right))), atom)
+    if isinstance(part, Until):
+        if part.left == TRUE:
+            return f"F ({_path(part.right, atom)})"
+        return f"({_path(part.left, atom)}) U ({_path(part.right, atom)})"
+    if isinstance(part, Atom):
         return atom(part)
-    if part == ltl.always(part.right):
-        return f"G ({_path(part.right, atom)})"
-    if part == ltl.eventually(part.right):
-        return f"F ({_path(part.right, atom)})"
-    if part.operator == "R":
-        return _path(Not(ltl.until(Not(part.left), Not(part.right))), atom)
-    return f"({_path(part.left, atom)}) {part.operator} ({_path(part.right, atom)})"
+    raise TypeError(part)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from rosarch.behavior.verification import ltl
+from rosarch.base.logic import Not
 from rosarch.behavior.verification.automaton import Automaton, automaton
 from rosarch.behavior.verification.ltl import Formula
 from rosarch.behavior.verification.transitions import Number, TransitionSystem, atom_expression, required, written
@@ -28,7 +28,7 @@ def promela(system: TransitionSystem, claims: Mapping[str, Formula]) -> str:
         lines.append(f"  /* {_comment(transition.text)} */\n  :: d_step {{ {body} }}")
     lines += ["  od", "}"]
     for index, (name, formula) in enumerate(claims.items()):
-        opposite = automaton(ltl.Not(required(system, formula)))
+        opposite = automaton(Not(required(system, formula)))
         lines += [f"/* {_comment(name)} */", f"never claim{index} {{", *_claim(system, opposite), "}"]
     return "\n".join([*lines, ""])
 

@@ -11,6 +11,7 @@ from lark import Lark, Token, Tree
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedInput, UnexpectedToken
 
 from rosarch.base.hints import hint
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not
 from rosarch.behavior.composition.names import Names, UnknownNameError
 from rosarch.behavior.composition.system import System
 from rosarch.behavior.verification import ltl
@@ -86,7 +87,7 @@ def _reason(error: UnexpectedInput, text: str) -> str:
 
 
 def _absence(p: Formula) -> Formula:
-    return ltl.always(ltl.Not(p))
+    return ltl.always(Not(p))
 
 
 def _response(p: Formula, q: Formula) -> Formula:
@@ -94,11 +95,11 @@ def _response(p: Formula, q: Formula) -> Formula:
 
 
 def _precedence(p: Formula, q: Formula) -> Formula:
-    return ltl.weak_until(ltl.Not(q), p)
+    return ltl.weak_until(Not(q), p)
 
 
 def _left(p: Formula) -> Formula:
-    return _response(p, ltl.Not(p))
+    return _response(p, Not(p))
 
 
 TEMPLATES: Mapping[str, Callable[..., Formula]] = {
@@ -133,9 +134,9 @@ class _Reader:
         tree = _tree(item)
         children = tree.children
         if tree.data == "truth":
-            return ltl.Constant(str(children[0]) == "true")
+            return TRUE if str(children[0]) == "true" else FALSE
         if tree.data == "negated":
-            return ltl.Not(self.formula(children[1]))
+            return Not(self.formula(children[1]))
         if tree.data == "temporal":
             make = {"always": ltl.always, "G": ltl.always, "eventually": ltl.eventually, "F": ltl.eventually}.get(
                 str(children[0]), ltl.Next
@@ -146,18 +147,18 @@ class _Reader:
         if tree.data in ("either", "both"):
             found = self.formula(children[0])
             for part in children[2::2]:
-                found = ltl.Binary("|" if tree.data == "either" else "&", found, self.formula(part))
+                found = (Any if tree.data == "either" else All)((found, self.formula(part)))
             return found
         return self._state(tree) if tree.data == "state" else self._call(tree)
 
     def _binary(self, operator: str, left: Formula, right: Formula) -> Formula:
         if operator in ("<->", "<=>", "iff"):
-            return ltl.conjunction(ltl.implication(left, right), ltl.implication(right, left))
+            return All((ltl.implication(left, right), ltl.implication(right, left)))
         if operator in ("until", "U"):
-            return ltl.until(left, right)
+            return ltl.Until(left, right)
         if operator in ("unless", "W"):
             return ltl.weak_until(left, right)
-        return ltl.Binary("R", left, right) if operator in ("releases", "R") else ltl.implication(left, right)
+        return ltl.Release(left, right) if operator in ("releases", "R") else ltl.implication(left, right)
 
     def _state(self, tree: Tree[Token]) -> Formula:
         variable, value = tree.children[0], tree.children[2] if len(tree.children) > 1 else None
@@ -165,32 +166,32 @@ class _Reader:
             atom = ltl.InState(*self.names.state(str(variable), None if value is None else str(value)))
         except UnknownNameError as error:
             self.problem(value if error.of_value else variable, str(error))
-            return ltl.TRUE
-        return ltl.Not(atom) if value is not None and str(tree.children[1]) == "!=" else atom
+            return TRUE
+        return Not(atom) if value is not None and str(tree.children[1]) == "!=" else atom
 
     def _call(self, tree: Tree[Token]) -> Formula:
         name, arguments = str(tree.children[0]), [_tree(child).children[0] for child in tree.children[1:]]
         if name in TEMPLATES:
             if len(arguments) != (wanted := _ARGUMENTS.get(name, 1)) or any(isinstance(a, Token) for a in arguments):
                 self.problem(tree, f"`{name}` takes {'two formulas' if wanted == 2 else 'a formula'}")
-                return ltl.TRUE
+                return TRUE
             return TEMPLATES[name](*(self.formula(argument) for argument in arguments))
         if name not in _EVENTS:
             self.problem(tree, f"there is no `{name}(...)`{hint(name, [*TEMPLATES, *_EVENTS])}")
-            return ltl.TRUE
+            return TRUE
         least, most = _EVENTS[name]
         tokens = [argument for argument in arguments if isinstance(argument, Token)]
         if not least <= len(arguments) <= most or len(tokens) < len(arguments):
             self.problem(tree, f"`{name}` takes {'a topic, or a node and a topic' if least == 1 else 'a node and a topic'}")
-            return ltl.TRUE
+            return TRUE
         return self._event(name, tokens)
 
     def _event(self, name: str, arguments: list[Token]) -> Formula:
         try:
             if name == "used":  # a template about two events
                 dropped, ignored = (ltl.Happens(self.names.event(kind, *map(str, arguments))) for kind in ("dropped", "ignored"))
-                return ltl.Not(ltl.disjunction(dropped, ignored))
+                return Not(Any((dropped, ignored)))
             return ltl.Happens(self.names.event(name, *map(str, arguments)))
         except UnknownNameError as error:
             self.problem(arguments[min(error.argument, len(arguments) - 1)], str(error))
-            return ltl.TRUE
+            return TRUE

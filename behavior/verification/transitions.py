@@ -227,7 +227,7 @@ class _Encoder:
 
 def required(system: TransitionSystem, formula: Formula) -> Formula:
     """What has to hold when first values are chosen: `formula`, on fair runs."""
-    return ltl.disjunction(ltl.Not(ltl.always(ltl.eventually(FAIR))), formula) if system.fair else formula
+    return ltl.implication(ltl.always(ltl.eventually(FAIR)), formula) if system.fair else formula
 
 
 def from_start(system: TransitionSystem, formula: Formula) -> Formula:

@@ -12,10 +12,11 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
 
+from rosarch.base.logic import TRUE
 from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import spaced
-from rosarch.models.machine.logic import TRUE, Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects
+from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects
 from rosarch.models.machine.reactions import PERIODIC, Course, TooManyCases, component_steps, courses, loop_trigger, loops_told_apart
 from rosarch.models.machine.steps import Output, Row, Step
 

@@ -7,13 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from rosarch.base.logic import atoms
 from rosarch.models.machine.conditions import (
     NULL,
     Comparison,
     Condition,
-    Conjunction,
-    Disjunction,
-    Negation,
     Operand,
     boolean_sides,
     choice,
@@ -164,17 +162,6 @@ def _letters(text: str) -> str:
     return re.sub(r"[^a-z]|^[mg]_", "", text.lower())
 
 
-def atoms(condition: Condition) -> Iterator[Operand | Comparison]:
-    """The tests and comparisons in a condition."""
-    if isinstance(condition, Negation):
-        yield from atoms(condition.inner)
-    elif isinstance(condition, Conjunction | Disjunction):
-        for part in condition.parts:
-            yield from atoms(part)
-    elif isinstance(condition, Operand | Comparison):
-        yield condition
-
-
 class Domains:
     """The cells of a component, and the values of its inputs that conditions tell apart.
 
@@ -223,25 +210,29 @@ class Domains:
         return None if text is not None and constant(text) is None and not self._repeated.isdisjoint(str(row.get("at")).split()) else text
 
     def _read_condition(self, condition: Condition, owner: str) -> None:
-        for atom in atoms(condition):
-            self._read_numbers(atom, owner)
-            if isinstance(atom, Operand):
-                self._draft(atom.text, owner).tested = True
-            elif sides := chosen_sides(atom) or boolean_sides(atom):
-                for part in sides:
-                    self._read_condition(part, owner)
-            elif atom.op == "==":
-                self._read_equality(atom.left, atom.right, owner)
-            else:
-                if self._counts and (limit := number(atom.right)) is not None and is_path(compact(atom.left)):
-                    self._draft(atom.left, owner).limits.add(limit)
-                for side in (atom.left, atom.right):
-                    place = self.locator.locate(side, owner)
-                    if place and place[1].endswith(EMPTY):
-                        self._drafts.setdefault(place, _Draft()).tested = True
+        for leaf in atoms(condition):
+            if isinstance(leaf, Operand):
+                self._read_numbers((leaf.text, "0"), owner)
+                self._draft(leaf.text, owner).tested = True
+            elif isinstance(leaf, Comparison):
+                self._read_numbers((leaf.left, leaf.right), owner)
+                self._read_comparison(leaf, owner)
 
-    def _read_numbers(self, atom: Operand | Comparison, owner: str) -> None:
-        sides = (atom.text, "0") if isinstance(atom, Operand) else (atom.left, atom.right)
+    def _read_comparison(self, asked: Comparison, owner: str) -> None:
+        if sides := chosen_sides(asked) or boolean_sides(asked):
+            for part in sides:
+                self._read_condition(part, owner)
+        elif asked.op == "==":
+            self._read_equality(asked.left, asked.right, owner)
+        else:
+            if self._counts and (limit := number(asked.right)) is not None and is_path(compact(asked.left)):
+                self._draft(asked.left, owner).limits.add(limit)
+            for side in (asked.left, asked.right):
+                place = self.locator.locate(side, owner)
+                if place and place[1].endswith(EMPTY):
+                    self._drafts.setdefault(place, _Draft()).tested = True
+
+    def _read_numbers(self, sides: tuple[str, str], owner: str) -> None:
         asked = calculated(*sides)
         place = self.locator.locate(asked[0].name, owner) if asked else None
         if asked and place:

@@ -12,23 +12,23 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-
-@dataclass(frozen=True)
-class Truth:
-    """`true` or `false`."""
-
-    value: bool
+from rosarch.base.logic import FALSE, TRUE, All, Any, Formula, conjuncts, opposite
 
 
 @dataclass(frozen=True)
-class Operand:
+class Leaf:
+    """What a condition is made of: an `Operand` or a `Comparison`."""
+
+
+@dataclass(frozen=True)
+class Operand(Leaf):
     """An operand taken as a truth value, or a text that could not be read further."""
 
     text: str
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Leaf):
     """`left op right`, where `op` is `==`, `<`, `<=`, `>` or `>=`; a constant, if there is one, stands on the right."""
 
     op: str
@@ -36,28 +36,8 @@ class Comparison:
     right: str
 
 
-@dataclass(frozen=True)
-class Negation:
-    """Not."""
-
-    inner: Condition
-
-
-@dataclass(frozen=True)
-class Conjunction:
-    """And, in the order of the source."""
-
-    parts: tuple[Condition, ...]
-
-
-@dataclass(frozen=True)
-class Disjunction:
-    """Or, in the order of the source."""
-
-    parts: tuple[Condition, ...]
-
-
-Condition: TypeAlias = Truth | Operand | Comparison | Negation | Conjunction | Disjunction
+Condition: TypeAlias = Formula[Leaf]
+"""A condition; `and` and `or` are in the order of the source."""
 
 NULL = "null"
 MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
@@ -112,7 +92,7 @@ def boolean_sides(condition: Comparison) -> tuple[Condition, Condition] | None:
     if condition.op != "==":
         return None
     sides = parse_condition(condition.left), parse_condition(condition.right)
-    return None if all(isinstance(side, Operand | Truth) for side in sides) else sides
+    return None if all(isinstance(side, Operand) or side in (TRUE, FALSE) for side in sides) else sides
 
 
 def chosen_sides(condition: Comparison) -> tuple[Condition, Condition] | None:
@@ -123,7 +103,7 @@ def chosen_sides(condition: Comparison) -> tuple[Condition, Condition] | None:
         if found := choice(side):
             asked = parse_condition(found[0])
             parts = [_normal(condition.op, part, other) if is_left else _normal(condition.op, other, part) for part in found[1:]]
-            return Conjunction((asked, parts[0])), Conjunction((negated(asked), parts[1]))
+            return All((asked, parts[0])), All((opposite(asked), parts[1]))
     return None
 
 
@@ -271,15 +251,14 @@ def _disjunction(tokens: Sequence[_Token], start: int, end: int, text: str) -> C
     if start >= end or _top_level(tokens, start, end, lambda token: token.text in _TOO_HARD):
         return Operand(_text(tokens, start, end, text))
     parts = [_conjunction(tokens, first, last, text) for first, last in _split(tokens, start, end, "||")]
-    return parts[0] if len(parts) == 1 else Disjunction(tuple(parts))
+    return parts[0] if len(parts) == 1 else Any(tuple(parts))
 
 
 def _conjunction(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition:
     parts: list[Condition] = []
     for first, last in _split(tokens, start, end, "&&"):
-        part = _negation(tokens, first, last, text)
-        parts += part.parts if isinstance(part, Conjunction) else [part]
-    return parts[0] if len(parts) == 1 else Conjunction(tuple(parts))
+        parts += conjuncts(_negation(tokens, first, last, text))
+    return parts[0] if len(parts) == 1 else All(tuple(parts))
 
 
 def _negation(tokens: Sequence[_Token], start: int, end: int, text: str) -> Condition:
@@ -288,19 +267,10 @@ def _negation(tokens: Sequence[_Token], start: int, end: int, text: str) -> Cond
         first += 1
     if start < first < end and not _relations(tokens, start, end):
         inner = _negation(tokens, first, end, text)
-        return negated(inner) if (first - start) % 2 else inner
+        return opposite(inner) if (first - start) % 2 else inner
     if start < end and tokens[start].text == "(" and tokens[start].closing == end - 1:
         return _disjunction(tokens, start + 1, end - 1, text)
     return _comparison(tokens, start, end, text)
-
-
-def negated(condition: Condition) -> Condition:
-    """The opposite, without double negation."""
-    if isinstance(condition, Negation):
-        return condition.inner
-    if isinstance(condition, Truth):
-        return Truth(not condition.value)
-    return Negation(condition)
 
 
 def _relations(tokens: Sequence[_Token], start: int, end: int) -> list[int]:
@@ -312,8 +282,8 @@ def _membership(tokens: Sequence[_Token], start: int, end: int, text: str) -> Co
     found = next((index for index in range(start + 1, end - 1) if tokens[index].text == "in" and _is_value(tokens[index - 1])), None)
     if found is None or tokens[found + 1].text not in _BRACKETS or tokens[found + 1].closing != end - 1:
         return None
-    opposite = tokens[found - 1].text == "not"
-    last = found - opposite
+    negated = tokens[found - 1].text == "not"
+    last = found - negated
     first = _text(tokens, start, last, text)
     cuts = _top_level(tokens, found + 2, end - 1, lambda token: token.text == ",")
     if not cuts and tokens[found + 1].text == "(":
@@ -323,8 +293,8 @@ def _membership(tokens: Sequence[_Token], start: int, end: int, text: str) -> Co
     if not first or not members or _relations(tokens, start, last):
         return None
     parts = tuple(_normal("==", first, member) for member in members)
-    inner = parts[0] if len(parts) == 1 else Disjunction(parts)
-    return negated(inner) if opposite else inner
+    inner = parts[0] if len(parts) == 1 else Any(parts)
+    return opposite(inner) if negated else inner
 
 
 def _is_value(token: _Token) -> bool:
@@ -339,7 +309,7 @@ def _comparison(tokens: Sequence[_Token], start: int, end: int, text: str) -> Co
     whole = _text(tokens, start, end, text)
     if not found:
         value = constant(whole)
-        return Truth(value == "true") if value in ("true", "false") else Operand(strip(whole))
+        return TRUE if value == "true" else FALSE if value == "false" else Operand(strip(whole))
     if len(found) > 1 or found[0] in (start, end - 1):
         return Operand(whole)
     op, rest = tokens[found[0]].text, found[0] + 1
@@ -351,12 +321,12 @@ def _comparison(tokens: Sequence[_Token], start: int, end: int, text: str) -> Co
 def _normal(op: str, left: str, right: str) -> Condition:
     left, right = strip(left), strip(right)
     if op == "!=":
-        return negated(_normal("==", left, right))
+        return opposite(_normal("==", left, right))
     if constant(left) is not None and constant(right) is None:
         left, op, right = right, MIRRORED.get(op, op), left
     if op == "==" and constant(right) in ("true", "false"):
         inner = parse_condition(left)
-        return inner if constant(right) == "true" else negated(inner)
+        return inner if constant(right) == "true" else opposite(inner)
     return Comparison(op, left, right)
 
 

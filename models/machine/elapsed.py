@@ -6,14 +6,14 @@ When the variable gets its next moment, the time since then is short; at some ti
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
+from rosarch.base.logic import TRUE, Not, substituted
 from rosarch.models.machine.cells import Cell, Document
 from rosarch.models.machine.conditions import Comparison, compact, parse_condition
 from rosarch.models.machine.epochs import leaves_of
-from rosarch.models.machine.logic import TRUE, All, Formula, Is, Not, Subject, subjects
-from rosarch.models.machine.logic import Any as AnyOf
+from rosarch.models.machine.logic import Formula, Is, Subject, subjects
 from rosarch.models.machine.meaning import Assignment
 from rosarch.models.machine.steps import Step
 
@@ -77,22 +77,14 @@ def _compared(subject: Subject, name: str, names: Iterable[str]) -> tuple[Cell, 
 def _changed(step: Step, known: Mapping[Subject, Formula], cells: Mapping[str, Mapping[str, Cell]], document: Document) -> Step:
     if not known:
         return step
-    guard = tuple(_with(formula, known) for formula in step.guard)
-    tables = [replace(a, table=tuple((_with(formula, known), value) for formula, value in a.table)) for a in step.assignments]
+
+    def told(atom: Is) -> Formula:
+        found = known.get(atom.subject)
+        return atom if found is None else found if atom.values == {"true"} else Not(found)
+
+    guard = tuple(substituted(formula, told) for formula in step.guard)
+    tables = [replace(a, table=tuple((substituted(formula, told), value) for formula, value in a.table)) for a in step.assignments]
     if step.row.kind == "transitions":
         row = document["transitions"][step.row.index]
         tables += [Assignment(cell, ((TRUE, SHORT),)) for cell in cells.get(str(row["variable"]), {}).values()]
     return replace(step, guard=guard, assignments=tuple(tables))
-
-
-def _with(formula: Formula, known: Mapping[Subject, Formula]) -> Formula:
-    if isinstance(formula, Is):
-        found = known.get(formula.subject)
-        return formula if found is None else found if formula.values == {"true"} else Not(found)
-    if isinstance(formula, Not):
-        return Not(_with(formula.inner, known))
-    return type(formula)(tuple(_parts(formula, known)))
-
-
-def _parts(formula: All | AnyOf, known: Mapping[Subject, Formula]) -> Iterator[Formula]:
-    return (_with(part, known) for part in formula.parts)

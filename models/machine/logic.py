@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
+
+from rosarch.base import logic
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not, atoms, from_alternatives
 
 OTHER = "other"
 BOOLEAN = ("true", "false")
@@ -34,48 +37,21 @@ class Is:
     values: frozenset[str]
 
 
-@dataclass(frozen=True)
-class Not:
-    """Not."""
-
-    inner: Formula
-
-
-@dataclass(frozen=True)
-class All:
-    """All parts hold; nothing to hold is true."""
-
-    parts: tuple[Formula, ...] = ()
-
-
-@dataclass(frozen=True)
-class Any:
-    """One of the parts holds; nothing to choose from is false."""
-
-    parts: tuple[Formula, ...] = ()
-
-
-Formula: TypeAlias = Is | Not | All | Any
+Formula: TypeAlias = logic.Formula[Is]
 Case: TypeAlias = Mapping[Subject, frozenset[str]]
 Lookup: TypeAlias = Callable[[Subject], str | None]
 
-TRUE, FALSE = All(), Any()
 _MOST_PAIRS = 20_000  # of cases, compared to shorten a condition
 
 
 def evaluate(formula: Formula, value_of: Lookup) -> bool | None:
-    """The truth of a formula, `None` when it hangs on a subject of which `value_of` knows no value (Kleene's logic)."""
-    if isinstance(formula, Is):
-        value = value_of(formula.subject)
-        return None if value is None else value in formula.values
-    if isinstance(formula, Not):
-        inner = evaluate(formula.inner, value_of)
-        return None if inner is None else not inner
-    decisive = isinstance(formula, Any)
-    outcomes = [evaluate(part, value_of) for part in formula.parts]
-    if decisive in outcomes:
-        return decisive
-    return None if None in outcomes else not decisive
+    """The truth of a formula, `None` when it hangs on a subject of which `value_of` knows no value."""
+
+    def truth(atom: Is) -> bool | None:
+        value = value_of(atom.subject)
+        return None if value is None else value in atom.values
+
+    return logic.truth(formula, truth)
 
 
 def simplify(formula: Formula, value_of: Lookup) -> Formula:
@@ -94,11 +70,11 @@ def simplify(formula: Formula, value_of: Lookup) -> Formula:
 
 def negation(formula: Formula) -> Formula:
     """The opposite, with negations moved inward to where they vanish."""
-    if isinstance(formula, Not):
-        return formula.inner
-    if isinstance(formula, Is):
-        return Is(formula.subject, frozenset(formula.subject.values) - formula.values)
-    return (Any if isinstance(formula, All) else All)(tuple(negation(part) for part in formula.parts))
+    return logic.normal(formula, False, _literal)
+
+
+def _literal(atom: Is, holds: bool) -> Is:
+    return atom if holds else Is(atom.subject, frozenset(atom.subject.values) - atom.values)
 
 
 def conjunction(parts: Iterable[Formula]) -> Formula:
@@ -109,15 +85,9 @@ def conjunction(parts: Iterable[Formula]) -> Formula:
     return next(iter(found)) if len(found) == 1 else All(tuple(found))
 
 
-def subjects(formula: Formula) -> Iterable[Subject]:
+def subjects(formula: Formula) -> Iterator[Subject]:
     """The subjects in the order of the text, possibly several times."""
-    if isinstance(formula, Is):
-        yield formula.subject
-    elif isinstance(formula, Not):
-        yield from subjects(formula.inner)
-    else:
-        for part in formula.parts:
-            yield from subjects(part)
+    return (atom.subject for atom in atoms(formula))
 
 
 def first_unknown(formula: Formula, value_of: Lookup) -> Subject:
@@ -140,8 +110,7 @@ def from_cases(cases: Iterable[Case], against: Sequence[Case] = ()) -> Formula:
             merged[first][subject] = union
     if against and len(merged) * len(against) <= _MOST_PAIRS:
         merged = _widened(merged, against)
-    parts = [conjunction(Is(subject, values) for subject, values in case.items()) for case in merged]
-    return parts[0] if len(parts) == 1 else Any(tuple(parts))
+    return from_alternatives([Is(subject, values) for subject, values in case.items()] for case in merged)
 
 
 def _widened(cases: Sequence[Case], against: Sequence[Case]) -> list[dict[Subject, frozenset[str]]]:
@@ -195,7 +164,7 @@ def without_hidden(formula: Formula) -> Formula:
     return parts[0] if len(parts) == 1 else Any(tuple(parts))
 
 
-def _by_subject(kind: type[All] | type[Any], parts: Sequence[Formula]) -> list[Formula]:
+def _by_subject(kind: type[All[Is]] | type[Any[Is]], parts: Sequence[Formula]) -> list[Formula]:
     """The parts of a conjunction or disjunction, each once, those about the same subject as one."""
     found: dict[object, Formula] = {}
     for part in parts:

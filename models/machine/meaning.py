@@ -7,15 +7,13 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from rosarch.base.logic import TRUE, All, Any, Not, conjuncts
 from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
     Comparison,
     Condition,
-    Conjunction,
-    Negation,
     Operand,
-    Truth,
     as_truth,
     boolean_sides,
     choice,
@@ -30,11 +28,7 @@ from rosarch.models.machine.counting import calculated, stepped
 from rosarch.models.machine.limits import are_ranges, compares, is_path
 from rosarch.models.machine.logic import (
     BOOLEAN,
-    FALSE,
     OTHER,
-    TRUE,
-    All,
-    Any,
     Formula,
     Is,
     Subject,
@@ -74,30 +68,31 @@ class Meaning:
         """A condition as the parts that all have to hold, outermost first; `None` always holds."""
         if not text:
             return ()
-        condition = parse_condition(text)
-        parts = condition.parts if isinstance(condition, Conjunction) else (condition,)
-        return tuple(self.formula(part, owner) for part in parts)
+        return tuple(self.formula(part, owner) for part in conjuncts(parse_condition(text)))
 
     def formula(self, condition: Condition, owner: str) -> Formula:
         """A condition as a formula."""
-        if isinstance(condition, Truth):
-            return TRUE if condition.value else FALSE
-        if isinstance(condition, Negation):
+        if isinstance(condition, Not):
             return negation(self.formula(condition.inner, owner))
+        if isinstance(condition, All | Any):
+            parts = tuple(self.formula(part, owner) for part in condition.parts)
+            return conjunction(parts) if isinstance(condition, All) else Any(parts)
         if isinstance(condition, Operand):
             found = self._counted("==", condition.text, "0", owner)
             return negation(found) if found else self._test(condition.text, owner)
         if isinstance(condition, Comparison):
-            if found := self._counted(condition.op, condition.left, condition.right, owner):
-                return found
-            if choices := chosen_sides(condition):
-                return Any(tuple(self.formula(part, owner) for part in choices))
-            if sides := boolean_sides(condition):
-                one, other = (self.formula(side, owner) for side in sides)
-                return Any((conjunction((one, other)), conjunction((negation(one), negation(other)))))
-            return self._equality(condition, owner) if condition.op == "==" else self._order(condition, owner)
-        parts = tuple(self.formula(part, owner) for part in condition.parts)
-        return conjunction(parts) if isinstance(condition, Conjunction) else Any(parts)
+            return self._comparison(condition, owner)
+        raise TypeError(condition)
+
+    def _comparison(self, condition: Comparison, owner: str) -> Formula:
+        if found := self._counted(condition.op, condition.left, condition.right, owner):
+            return found
+        if choices := chosen_sides(condition):
+            return Any(tuple(self.formula(part, owner) for part in choices))
+        if sides := boolean_sides(condition):
+            one, other = (self.formula(side, owner) for side in sides)
+            return Any((conjunction((one, other)), conjunction((negation(one), negation(other)))))
+        return self._equality(condition, owner) if condition.op == "==" else self._order(condition, owner)
 
     def assignments(
         self, variable: str, suffix: str, value: str | None, owner: str, messages: frozenset[str] = frozenset()

@@ -13,19 +13,11 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
+from rosarch.base.logic import TRUE
 from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Document, Domains, condition_of, variable_and_field
 from rosarch.models.machine.epochs import with_epochs
-from rosarch.models.machine.logic import (
-    TRUE,
-    Formula,
-    Subject,
-    conjunction,
-    evaluate,
-    first_unknown,
-    simplify,
-    subjects,
-)
+from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, first_unknown, simplify, subjects
 from rosarch.models.machine.meaning import Meaning
 from rosarch.models.machine.steps import Output, Row, Step
 from rosarch.models.machine.switching import WAYS, gated, gates, switch_steps

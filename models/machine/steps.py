@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rosarch.models.machine.logic import TRUE, Formula, Subject, subjects
+from rosarch.base.logic import TRUE
+from rosarch.models.machine.logic import Formula, Subject, subjects
 from rosarch.models.machine.meaning import Assignment
 
 

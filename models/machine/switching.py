@@ -6,8 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rosarch.base.logic import TRUE
 from rosarch.models.machine.cells import Cell, Document
-from rosarch.models.machine.logic import TRUE, Formula, Is, Subject
+from rosarch.models.machine.logic import Formula, Is, Subject
 from rosarch.models.machine.meaning import Assignment, Meaning
 from rosarch.models.machine.steps import Row, Step
 

@@ -8,6 +8,7 @@ import pytest
 from systems import at, node, port, small, system
 
 from rosarch.analysis.comparison import Change, Snapshot, compare
+from rosarch.base.logic import TRUE
 from rosarch.findings.model import Evidence, Finding
 from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, OneShot, Periodic, Reactive, StateVariable, Transition
@@ -107,13 +108,13 @@ def test_behavior_is_told_with_the_new_names_of_ports() -> None:
     def model(name: str, hz: float, guard: formula.Formula, *, must: bool) -> ComponentModel:
         behavior = replace(
             NOTHING,
-            periodic=(Periodic("timer", hz, None, ("p1",), at("n.cpp", 3), formula.TRUE),),
+            periodic=(Periodic("timer", hz, None, ("p1",), at("n.cpp", 3), TRUE),),
             reactive=(Reactive("p2", "p1", (at("n.cpp", 4),), must, guard),),
         )
         return component(made_port(name), made_port("in", "subscriber", callback="f", line=2), behavior=behavior)
 
-    assert told(model("out", 10, formula.TRUE, must=True), model("out", 10, formula.TRUE, must=True)) == []
-    assert told(model("out", 10, formula.TRUE, must=True), model("out2", 12.5, ready, must=False)) == [
+    assert told(model("out", 10, TRUE, must=True), model("out", 10, TRUE, must=True)) == []
+    assert told(model("out", 10, TRUE, must=True), model("out2", 12.5, ready, must=False)) == [
         "renamed port publisher out: name out -> out2",
         "changed rate timer sends out2: rate 10 Hz -> 12.5 Hz",
         "changed reaction in sends out2: always yes -> None, when None -> ready_",
@@ -122,7 +123,7 @@ def test_behavior_is_told_with_the_new_names_of_ports() -> None:
 
 def test_timers_that_fire_once() -> None:
     def model(after: float) -> ComponentModel:
-        once = OneShot(after, None, "p1", (at("n.cpp", 3),), True, at("n.cpp", 2), formula.TRUE)
+        once = OneShot(after, None, "p1", (at("n.cpp", 3),), True, at("n.cpp", 2), TRUE)
         return component(made_port("out"), behavior=replace(NOTHING, one_shot=(once,)))
 
     assert told(model(5), model(0.5)) == ["changed rate once sends out: after 5 s -> 0.5 s"]
@@ -130,7 +131,7 @@ def test_timers_that_fire_once() -> None:
 
 def test_states_and_transitions() -> None:
     variable = StateVariable("N::s", "State", "IDLE", None, ("BUSY", "IDLE"), at("n.h", 1))
-    becomes = Transition("N::s", None, ("p1",), formula.TRUE, "BUSY", at("n.cpp", 2))
+    becomes = Transition("N::s", None, ("p1",), TRUE, "BUSY", at("n.cpp", 2))
     old = component(
         made_port("go", "subscriber", callback="f"), behavior=replace(NOTHING, state_variables=(variable,), transitions=(becomes,))
     )

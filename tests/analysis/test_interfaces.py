@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rosarch.analysis.systems.interfaces import Rows, library_rows, model_rows
+from rosarch.base.logic import TRUE
 from rosarch.base.places import Place
 from rosarch.datalog import load_declarations
 from rosarch.extractor.manifest import rules_folder
@@ -33,7 +34,7 @@ IN = Port(
     "p2", "subscriber", "cmd_vel", None, "geometry_msgs/Twist", 1, False, "Base::onCommand", "plain", Place("base/src/base.cpp", 8, 3)
 )
 COUNT = StateVariable("Base::count_", "int", "0", None, None, AT)
-COUNTED = Transition("Base::count_", None, ("p2",), formula.TRUE, "++count_", Place("base/src/base.cpp", 20, 5))
+COUNTED = Transition("Base::count_", None, ("p2",), TRUE, "++count_", Place("base/src/base.cpp", 20, 5))
 THIRD = Reactive("p2", "p1", (Place("base/src/base.cpp", 21, 5),), True, formula.condition("count_ % 3 == 0", True))
 LOG = Port("p3", "publisher", "/rosout", None, None, None, False, None, "plain", AT, implicit=True)
 VALUES: dict[str, str | Place] = {"port": "p1", "place": AT, "variable": "speed_", "text": "x"}
@@ -59,10 +60,10 @@ TIMED = Periodic("timer", 20.0, None, ("p1",), Place("base/src/base.cpp", 9, 1),
 TAKES = Transition(
     "Base::new_", None, ("periodic",), formula.condition("new_", True), "false", Place("base/src/base.cpp", 31, 5), timed_by=(TIMED.at,)
 )
-SETS = Transition("Base::new_", None, ("p2",), formula.TRUE, "true", Place("base/src/base.cpp", 30, 5))
+SETS = Transition("Base::new_", None, ("p2",), TRUE, "true", Place("base/src/base.cpp", 30, 5))
 TAKING = replace(MODEL, traits=(), behavior=replace(NOTHING, periodic=(TIMED,), state_variables=(NEW,), transitions=(SETS, TAKES)))
 WINDOW = StateVariable("Base::w_", "std::deque<float>", None, None, None, AT)
-ADDS = Transition("Base::w_", None, ("p2",), formula.TRUE, "w_.push_back(x)", Place("base/src/base.cpp", 40, 5))
+ADDS = Transition("Base::w_", None, ("p2",), TRUE, "w_.push_back(x)", Place("base/src/base.cpp", 40, 5))
 DROPS = Transition(
     "Base::w_", None, ("p2",), formula.condition("w_.size() > size_", True), "w_.pop_front()", Place("base/src/base.cpp", 41, 5)
 )

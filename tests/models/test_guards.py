@@ -7,7 +7,7 @@ from contextlib import AbstractContextManager
 
 import pytest
 
-from rosarch.models.formula import TRUE
+from rosarch.base.logic import TRUE
 from rosarch.models.guards import Guards
 from rosarch.models.normal import folded, truth_of
 

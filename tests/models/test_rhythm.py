@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from rosarch.base.logic import TRUE
 from rosarch.models import formula
 from rosarch.models.rhythm import Reactions, Rhythm, Used, rhythms, used_up, way_needs, with_numbers
 
@@ -98,7 +99,7 @@ def test_ways_that_parameters_open() -> None:
     assert list(way_needs(guard, kept)) == [(True, [("~active", "true", True), ("~mode", "auto", False)])]
     guard = formula.both(formula.condition("!this->active_", True), formula.condition("ready_", True))
     assert list(way_needs(guard, kept)) == [(False, [("~active", "true", False)])]
-    assert list(way_needs(formula.TRUE, kept)) == [(False, [])]
+    assert list(way_needs(TRUE, kept)) == [(False, [])]
 
 
 def test_constants_have_names() -> None:

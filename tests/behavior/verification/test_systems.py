@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from functools import reduce
 from pathlib import Path
 from typing import Any
 
 import pytest
 from hand_made import load, system_of
 
+from rosarch.base.logic import All
 from rosarch.behavior.composition.inputs import Inputs
 from rosarch.behavior.composition.scenario import read_scenario
-from rosarch.behavior.verification import ltl, spin, storm
+from rosarch.behavior.verification import spin, storm
 from rosarch.behavior.verification.check import HOLDS, POSSIBLE, VIOLATED, model_for, verify
 from rosarch.behavior.verification.explorer import violation
 from rosarch.behavior.verification.properties import read_properties
@@ -49,7 +49,7 @@ def test_spin_agrees(file: Path) -> None:
     """All properties in one model, that of them together, since most of the time it takes is that of the C compiler."""
     system, properties, inputs, verdicts = _case(file)
     formulas = {item.name: item.formula for item in properties}
-    together = model_for(system, reduce(ltl.conjunction, formulas.values()), inputs)
+    together = model_for(system, All(tuple(formulas.values())), inputs)
     found = spin.check_all(together, list(formulas.values()), timeout=60, memory=1024)
     assert {name: one.holds for name, one in zip(formulas, found, strict=True)} == {name: verdicts[name] == HOLDS for name in formulas}
 

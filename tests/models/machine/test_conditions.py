@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any as Anything
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from machine_documents import document
 
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not
 from rosarch.models.machine.cells import Domains
 from rosarch.models.machine.conditions import (
     Comparison,
     Condition,
-    Conjunction,
-    Disjunction,
-    Negation,
     Operand,
-    Truth,
     choice,
     compact,
     constant,
@@ -37,30 +34,30 @@ A, B = Operand("a"), Operand("b")
     ("text", "condition"),
     [
         ("a", A),
-        ("!a", Negation(A)),
+        ("!a", Not(A)),
         ("!!a", A),
-        ("not a", Negation(A)),
-        ("a && b", Conjunction((A, B))),
-        ("a and b", Conjunction((A, B))),
-        ("a && (b && c)", Conjunction((A, B, Operand("c")))),
-        ("a || b && c", Disjunction((A, Conjunction((B, Operand("c")))))),
-        ("(a || b) && c", Conjunction((Disjunction((A, B)), Operand("c")))),
-        ("!(a && b)", Negation(Conjunction((A, B)))),
+        ("not a", Not(A)),
+        ("a && b", All((A, B))),
+        ("a and b", All((A, B))),
+        ("a && (b && c)", All((A, B, Operand("c")))),
+        ("a || b && c", Any((A, All((B, Operand("c")))))),
+        ("(a || b) && c", All((Any((A, B)), Operand("c")))),
+        ("!(a && b)", Not(All((A, B)))),
         ("a == true", A),
-        ("false == a", Negation(A)),
-        ("a != true", Negation(A)),
-        ("true", Truth(True)),
-        ("!true", Truth(False)),
+        ("false == a", Not(A)),
+        ("a != true", Not(A)),
+        ("true", TRUE),
+        ("!true", FALSE),
         ("x == 3", Comparison("==", "x", "3")),
         ("3 == x", Comparison("==", "x", "3")),
-        ("x != 3", Negation(Comparison("==", "x", "3"))),
+        ("x != 3", Not(Comparison("==", "x", "3"))),
         ("3 < x", Comparison(">", "x", "3")),
         ("x is None", Comparison("==", "x", "None")),
-        ("x is not None", Negation(Comparison("==", "x", "None"))),
+        ("x is not None", Not(Comparison("==", "x", "None"))),
         ("static_cast<Mode>(m->mode) == Mode::AUTO", Comparison("==", "m->mode", "Mode::AUTO")),
         ("f(a && b, c) > 3.0f", Comparison(">", "f(a && b, c)", "3.0f")),
         ("std::max<int>(a, b) == 2", Comparison("==", "std::max<int>(a, b)", "2")),
-        ("a < b && c > d", Conjunction((Comparison("<", "a", "b"), Comparison(">", "c", "d")))),
+        ("a < b && c > d", All((Comparison("<", "a", "b"), Comparison(">", "c", "d")))),
         ("s == \"a && b\"", Comparison("==", "s", '"a && b"')),
         ("c == '('", Comparison("==", "c", "'('")),
         ("(n = read(fd, buf, 8)) >= 0", Comparison(">=", "n = read(fd, buf, 8)", "0")),
@@ -72,7 +69,7 @@ def test_reads_the_logical_skeleton(text: str, condition: Condition) -> None:
 
 @pytest.mark.parametrize("text", ["", "   ", "((", ")", "a ? b : c", "x = 3", "0 < x < 3", "x ==", "&&", "a ]", "@#$", "lambda: a", "(" * 200 + "a" + ")" * 200, "! " * 9000 + "a"])  # fmt: skip
 def test_what_is_not_understood_is_one_condition(text: str) -> None:
-    assert parse_condition(text) in (Operand(" ".join(text.split())), Operand(""), Conjunction((Operand(""), Operand(""))))
+    assert parse_condition(text) in (Operand(" ".join(text.split())), Operand(""), All((Operand(""), Operand(""))))
 
 
 @given(st.text(max_size=60))
@@ -102,7 +99,7 @@ def test_operands_without_what_changes_no_value() -> None:
     assert compact("unsigned  int x") == "unsigned int x"
 
 
-SPELLINGS: Mapping[str, Callable[[Any, Any], bool]] = {
+SPELLINGS: Mapping[str, Callable[[Anything, Anything], bool]] = {
     "==": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
 }  # fmt: skip
 FLAGS, NUMBERS, MODES = ("a_", "b_"), ("0", "1", "2"), ("IDLE", "BUSY")
@@ -114,7 +111,7 @@ NODE = dict(
         *(("N::m_", "in", None, f"Mode::{value}") for value in MODES),
     ],
 )
-Spelled = tuple[str, Callable[[Mapping[str, Any]], bool]]
+Spelled = tuple[str, Callable[[Mapping[str, Anything]], bool]]
 
 
 def atom() -> st.SearchStrategy[Spelled]:
@@ -149,7 +146,7 @@ def larger(inner: st.SearchStrategy[Spelled]) -> st.SearchStrategy[Spelled]:
     st.recursive(atom(), larger, max_leaves=8),
     st.fixed_dictionaries({"a_": st.booleans(), "b_": st.booleans(), "n_": st.integers(0, 2), "m_": st.sampled_from(MODES)}),
 )
-def test_guards_hold_where_the_reference_says(spelled: Spelled, values: Mapping[str, Any]) -> None:
+def test_guards_hold_where_the_reference_says(spelled: Spelled, values: Mapping[str, Anything]) -> None:
     text, reference = spelled
     node = document(variables=NODE["variables"], transitions=[*NODE["transitions"], ("N::a_", "in", text, "true")])
     formula = Meaning(Domains(node)).formula(parse_condition(text), "N")

@@ -7,14 +7,10 @@ from itertools import product
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not
 from rosarch.models.machine.logic import (
-    FALSE,
-    TRUE,
-    All,
-    Any,
     Formula,
     Is,
-    Not,
     Subject,
     evaluate,
     first_unknown,
