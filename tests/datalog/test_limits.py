@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosarch.datalog import DatalogError, Program, load_program
-from rosarch.datalog.engine.regular import _FLAGS, Automaton, _parser, full_match
+from rosarch.datalog.engine.regular import _TOKEN, _linear, full_match
 from rosarch.datalog.language.domain import EvaluationError
 from rosarch.datalog.language.values import ValueReader, ValueWriter, show_value
 
@@ -77,7 +77,7 @@ def test_expressions_that_backtrack_are_bounded(
 
 def test_an_expression_without_a_bound_is_refused(load: Callable[[str], Program]) -> None:
     source = '.decl s(x: symbol)\ns("(a+)+\\\\1b").\n.decl r(x: symbol)\n.output r\n'
-    reason = "regular expression that may take for ever, with a backward reference, a look-ahead or a word boundary: `(a+)+\\1b`"
+    reason = "regular expression that may take for ever, with a backward reference, a look-ahead or too many repetitions: `(a+)+\\1b`"
     with pytest.raises(DatalogError) as caught:
         load(source + "r(x) :- s(x), match(x, x).\n").evaluate({})
     assert caught.value.diagnostics[0].message == reason
@@ -88,22 +88,65 @@ def test_an_expression_without_a_bound_is_refused(load: Callable[[str], Program]
         full_match("(a+)+(?=b)")
 
 
-ATOMS = ["a", "b", ".", "[ab]", "[^a]", r"\d", r"\w", r"\W", "(a|b)", "(ab|a)", "c", "^", "$", "(a*)", r"\.", "[[:alpha:]]"[1:-1]]
+ATOMS = [
+    "a",
+    "b",
+    ".",
+    "[ab]",
+    "[^a{]",
+    r"\d",
+    r"\w",
+    r"\W",
+    r"\s",
+    r"[\S1]",
+    r"\b",
+    "(a|b)",
+    "(ab|a)",
+    "c",
+    "^",
+    "$",
+    "(a*)",
+    r"\.",
+    r"\x61",
+]
 REPEATS = ["", "", "*", "+", "?", "{1,2}", "{2}", "{1,}", "*?"]
 
 
 @given(st.lists(st.tuples(st.sampled_from(ATOMS), st.sampled_from(REPEATS)), min_size=1, max_size=6), st.booleans(), st.integers())
-def test_the_automaton_agrees_with_backtracking(parts: list[tuple[str, str]], repeated: bool, seed: int) -> None:
+def test_linear_matching_agrees_with_backtracking(parts: list[tuple[str, str]], repeated: bool, seed: int) -> None:
     pattern = "".join(atom + repeat for atom, repeat in parts)
     pattern = f"({pattern})*" if repeated else pattern
     try:
-        compiled = re.compile(pattern, _FLAGS)
+        compiled = re.compile(pattern, re.DOTALL | re.ASCII)
     except re.error:
         return
-    automaton, source = Automaton(_parser.parse(pattern, _FLAGS)), random.Random(seed)
+    linear, source = _linear(list(_TOKEN.finditer(pattern)), pattern), random.Random(seed)
     for _ in range(10):
-        text = "".join(source.choice("abc1. ") for _ in range(source.randrange(7)))
-        assert (automaton.matches(text) is not None) == (compiled.fullmatch(text) is not None), (pattern, text)
+        text = "".join(source.choice("abc1. \v\u00e9\udc80") for _ in range(source.randrange(7)))
+        assert (linear(text) is not None) == (compiled.fullmatch(text) is not None), (pattern, text)
+
+
+@pytest.mark.parametrize(
+    ("pattern", "bounded"),
+    [
+        ("[a-z]+[0-9]*", True),
+        (".*(a|b).*", True),
+        ("(abc){2,9}", True),
+        (r"\(.*[*+(]{3}\[x]*\*", True),
+        (".*a.*b.*", False),
+        ("(a|bc)*", False),
+        ("(a?b){1,20}", False),
+        ("((a+b))+", False),
+    ],
+)
+def test_backtracking_is_for_what_it_does_fast(pattern: str, bounded: bool) -> None:
+    assert isinstance(getattr(full_match(pattern), "__self__", None), re.Pattern) is bounded
+
+
+def test_a_brace_is_a_character_within_brackets() -> None:
+    matches = full_match("[^{]*[{]")
+    assert matches is not None and matches("ab{") and not matches("a{b{")
+    assert full_match("a{b") is None
 
 
 def test_recursion_stops_at_a_size(load: Callable[[str], Program]) -> None:
