@@ -10,18 +10,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.analysis.cache import ModelCache
-from rosarch.base.cache import Cache
-from rosarch.base.limits import LIMITS, SOURCE_SECONDS
+from rosarch.analysis.method import PLAIN, Method
+from rosarch.base.limits import LIMITS
 from rosarch.base.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.extractor.stored_facts import Facts, read_stored
 from rosarch.models.component import ComponentModel, Relations, build_models, distinct
 from rosarch.models.node_configuration import NodeConfiguration
-from rosarch.rule_programs.sets import SHIPPED, RuleSet, is_loaded_soon, model_program, rules_digest
+from rosarch.rule_programs.sets import is_loaded_soon, model_program, rules_digest
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
     from rosarch.extractor.pipeline import ComponentFacts
-    from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
     from rosarch.extractor.workspace.built import Built
 
@@ -58,18 +57,13 @@ class Analysis:
 def analyze(
     root: Path,
     packages: Collection[str] | None = None,
+    method: Method = PLAIN,
     *,
-    rules: RuleSet = SHIPPED,
-    engine: str = "embedded",
-    jobs: int | None = None,
-    timeout: float = SOURCE_SECONDS,
-    defines: Mapping[str, str] | None = None,
-    cache: Cache | None = None,
-    progress: Progress | None = None,
     only: Callable[[Component], bool] | None = None,
     wanted: Wanted = ALONE,
 ) -> Analysis:
-    """Analyse the components of `packages` (all by default) below `root` by `rules`. See `extract` for the other options."""
+    """Analyse the components of `packages` (all by default) below `root`. See `extract` for `only`."""
+    rules, cache = method.rules, method.sources.cache
     with meanwhile(partial(model_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
 
@@ -78,27 +72,24 @@ def analyze(
         @lru_cache(maxsize=1)
         def kept() -> ModelCache | None:
             rules_compiled()
-            return ModelCache(cache, system, engine, rules_digest(rules)) if cache else None
+            return ModelCache(cache, system, method.engine, rules_digest(rules)) if cache else None
 
         def known(component: ComponentFacts) -> bool:
             models = kept()
             return models is not None and _all_known(models, component, wanted)
 
-        options: dict[str, Any] = {"jobs": jobs, "timeout": timeout, "defines": defines, "cache": cache, "progress": progress, "only": only}
-        with extract(root, packages, known=known, **options) as extraction:
-            models, failures = _evaluate(system, extraction.components, root, rules, engine, jobs, progress, kept(), wanted)
+        with extract(root, packages, method.sources, only=only, known=known) as extraction:
+            models, failures = _evaluate(system, extraction.components, root, method, kept(), wanted)
             return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs, extraction.builds)
 
 
-def analyze_facts(
-    path: Path, *, rules: RuleSet = SHIPPED, engine: str = "embedded", jobs: int | None = None, progress: Progress | None = None
-) -> Analysis:
+def analyze_facts(path: Path, method: Method = PLAIN) -> Analysis:
     """Analyse stored facts.
 
     Raises `ManifestError` when they are stale or damaged.
     """
     stored = read_stored(path)
-    models, failures = _evaluate(stored.root.name, stored.components, path, rules, engine, jobs, progress)
+    models, failures = _evaluate(stored.root.name, stored.components, path, method)
     return Analysis(models, (*stored.diagnostics, *failures))
 
 
@@ -122,10 +113,7 @@ def _evaluate(
     system: str,
     components: Sequence[ComponentFacts | Facts],
     where: Path,
-    rules: RuleSet,
-    engine: str,
-    jobs: int | None,
-    progress: Progress | None,
+    method: Method,
     kept: ModelCache | None = None,
     wanted: Wanted = ALONE,
 ) -> tuple[tuple[ComponentModel, ...], list[Diagnostic]]:
@@ -157,7 +145,7 @@ def _evaluate(
     changed = bool(open_)
     while open_:
         waiting, open_ = open_, []
-        for (component, configuration), outcome in _derived(waiting, rules, engine, jobs):
+        for (component, configuration), outcome in _derived(waiting, method):
             if isinstance(outcome, Failure):
                 detail = f"{_title(component)} not analysed: {outcome.reason} ({outcome.detail})"
                 failures.append(Diagnostic("component", where, 1, 1, detail))
@@ -166,8 +154,8 @@ def _evaluate(
                 if kept:
                     kept.store(_title(component), _key(component, configuration), found)
                 made(component, found)
-            if progress:
-                progress("components", len(seen) - len(open_), len(seen))
+            if method.sources.progress:
+                method.sources.progress("components", len(seen) - len(open_), len(seen))
     if kept and changed:
         kept.cache.trim()
     return distinct(models), sorted(failures, key=str)
@@ -185,9 +173,9 @@ def _models(
     return (replace(own, configuration=configuration.key),)
 
 
-def _derived(jobs_open: Sequence[_Job], rules: RuleSet, engine: str, jobs: int | None) -> Iterator[tuple[_Job, Relations | Failure]]:
+def _derived(jobs_open: Sequence[_Job], method: Method) -> Iterator[tuple[_Job, Relations | Failure]]:
     """What the rules derive of each component, in worker processes."""
-    program = model_program(rules)
+    program, engine = model_program(method.rules), method.engine
     largest_first = sorted(jobs_open, key=lambda job: -job[0].size)  # so that many processes end evenly
 
     def work(job: _Job) -> Relations:
@@ -196,7 +184,7 @@ def _derived(jobs_open: Sequence[_Job], rules: RuleSet, engine: str, jobs: int |
             return program.evaluate(component.rows(), engine=engine).all_rows()
         return configured_rows(program, component.rows(), configuration, engine)
 
-    for index, outcome in run_tasks(work, largest_first, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation):
+    for index, outcome in run_tasks(work, largest_first, jobs=method.sources.jobs or default_jobs(), timeout=LIMITS.evaluation):
         yield largest_first[index], outcome
 
 

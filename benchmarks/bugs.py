@@ -22,11 +22,12 @@ from typing import Any
 
 import yaml
 
+from rosarch.analysis.method import Method
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
-from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.cli.inputs import extraction_cache
+from rosarch.extractor.settings import Settings
 from rosarch.findings.model import Finding
 
 
@@ -67,7 +68,8 @@ def check_tree(bug: dict[str, Any], side: str, place: Place) -> tuple[Finding, .
         texts.append([str(bugs / bug["launch_inline_file"])])
     if bug.get("launch_mode") == "together":
         texts = [[word for words in texts for word in words]]
-    return analyze_systems(tree, given(map(parse_request, map(shlex.join, texts)), where), Reading(cache=extraction_cache(True))).findings
+    method = Method(sources=Settings(cache=extraction_cache(True)))
+    return analyze_systems(tree, given(map(parse_request, map(shlex.join, texts)), where), method).findings
 
 
 def document(finding: Finding, place: Place) -> dict[str, Any]:

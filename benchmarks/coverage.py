@@ -28,6 +28,7 @@ from typing import Any
 from rosarch.base.limits import LIMITS
 from rosarch.base.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.pipeline import ComponentFacts, extract
+from rosarch.extractor.settings import Settings
 from rosarch.rule_programs.sets import component_program
 
 SITE = re.compile(r"(?:\.|->)\s*(?:template\s+)?(advertise|subscribe|advertiseService|serviceClient)\s*[<(](?!\s*\))")
@@ -105,7 +106,7 @@ def read_system(root: Path, jobs: int) -> Seen:
         result = program.evaluate(rows, keep=keep)
         return component_seen(rows, {name: result.rows(name) for name in keep})
 
-    with extract(root, jobs=jobs) as extraction:
+    with extract(root, settings=Settings(jobs)) as extraction:
         for index, outcome in run_tasks(work, extraction.components, jobs=jobs, timeout=LIMITS.evaluation):
             component = extraction.components[index]
             if isinstance(outcome, Failure):

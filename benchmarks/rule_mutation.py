@@ -15,9 +15,10 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 
+from rosarch.analysis.method import Method
 from rosarch.base.places import Place
 from rosarch.cli.commands.rules_test import systems_of
-from rosarch.cli.questions import Reading
+from rosarch.cli.questions import ReadingOptions
 from rosarch.datalog import Program, Result
 from rosarch.datalog.inspection.mutation import Case, MutationTest, summary, survivors_text
 from rosarch.datalog.inspection.rows import Row
@@ -28,6 +29,7 @@ from rosarch.evaluation.expectations.cases import find_cases
 from rosarch.evaluation.expectations.mutation import model_cases, mutation_cases
 from rosarch.evaluation.expectations.run import Running
 from rosarch.evaluation.expectations.system_mutation import System, finding_cases
+from rosarch.extractor.settings import Settings
 from rosarch.findings.of_systems import findings
 from rosarch.models.component import ComponentModel, to_json
 from rosarch.models.system.build import system_model, told_by
@@ -55,11 +57,11 @@ def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
         yield Case(
             case.id, program.evaluate(rule_cases.component_facts(case), keep="all").all_rows(), frozenset(rule_cases.expectations(case))
         )
-    how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=jobs)
+    how = Running(partial(Alone, rules=SHIPPED, engine="embedded"), Method(sources=Settings(jobs)))
     yield from mutation_cases(program, find_cases([RULES / "sources", TESTS / "project"]).cases, how)
     yield from mutation_cases(program, find_cases([RULES / "packages"]).cases, of_workspaces(jobs))
     hinted = rule_set([RULES / "hints" / "hints.dl"])
-    with_hints = Running(hinted, partial(Alone, rules=hinted, engine="embedded"), jobs=jobs)
+    with_hints = Running(partial(Alone, rules=hinted, engine="embedded"), Method(hinted, sources=Settings(jobs)))
     yield from mutation_cases(component_program(hinted), find_cases([RULES / "hints"]).cases, with_hints)
     for folder, shown in ((test_behavior.HERE, behavior), (test_traits.HERE, test_traits.lines)):
         yield from model_cases(program, Sources(folder, tuple(sorted(folder.glob("*.cpp"))), ()), how, shown)
@@ -69,7 +71,7 @@ def cases_of(program: Program, jobs: int | None) -> Iterator[Case]:
 
 def of_workspaces(jobs: int | None) -> Running:
     """How the workspaces are run whose systems are checked."""
-    return Running(SHIPPED, systems_of(SHIPPED, Reading(jobs=jobs)), jobs=jobs)
+    return Running(systems_of(SHIPPED, ReadingOptions(jobs=jobs)), Method(sources=Settings(jobs)))
 
 
 def behavior(model: ComponentModel) -> object:
@@ -97,7 +99,7 @@ def cases_of_systems(program: Program, jobs: int | None) -> Iterator[Case]:
 
 def example_cases(workspace: Path, jobs: int | None) -> Iterator[Case]:
     """The systems of an example: `tests/examples/test_example_systems.py` compares findings that are no notes, and connectors in some."""
-    shared, launches = systems_of(SHIPPED, Reading(jobs=jobs))(workspace).around
+    shared, launches = systems_of(SHIPPED, ReadingOptions(jobs=jobs))(workspace).around
     shown = {path.read_text(encoding="utf-8").partition("\n")[0] for path in (workspace / "expected").glob("*.txt")}
     rules = system_rules(SHIPPED)
     systems = [System.of(rules, {name: list(rows) for name, rows in shared.rows(launch).items()}) for launch in launches]

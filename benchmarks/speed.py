@@ -129,11 +129,14 @@ def _parses(system: Path, scratch: Path) -> Sequence[Any]:
 
 def edited_files(root: Path, folder: Path) -> dict[str, list[Path]]:
     """What is there to edit: sources of components that are started, headers that these include, launch files; the smallest first."""
+    from rosarch.analysis.method import Method
+    from rosarch.cli.inputs import extraction_cache
     from rosarch.cli.systems import SystemInputs, load_systems
     from rosarch.extractor.launch import launch_files
+    from rosarch.extractor.settings import Settings
 
     os.environ["ROSARCH_CACHE_DIR"] = str(folder / "cache")
-    analysis = load_systems(SystemInputs(root))
+    analysis = load_systems(SystemInputs(root, Method(sources=Settings(cache=extraction_cache(True)))))
     sources = {root / source for model in analysis.models for source in model.sources}
     included = {name.rpartition("/")[2] for source in sources for name in _INCLUDED.findall(source.read_text(errors="replace"))}
     headers = [path for path in root.rglob("*.h*") if path.name in included]

@@ -16,8 +16,8 @@ from pathlib import Path
 
 from rosarch.evaluation.experiments.run import Runner
 from rosarch.evaluation.experiments.single import run_single, subjects_of
-from rosarch.evaluation.experiments.subjects import Extracting
 from rosarch.evaluation.experiments.truth import read_truth
+from rosarch.extractor.settings import Settings
 from rosarch.reports.json_models import write_document
 from rosarch.reports.scores import score_text
 from rosarch.rule_programs.sets import model_program
@@ -47,7 +47,7 @@ def main() -> int:
         print(f"{system}: {components} components after {time.perf_counter() - start:.1f} s", file=sys.stderr)
 
     runner = Runner(options.engine, options.jobs)
-    run = run_single(truths, subjects, model_program(), Extracting(options.jobs), runner, absent=True, done=done)
+    run = run_single(truths, subjects, model_program(), Settings(options.jobs), runner, absent=True, done=done)
     for diagnostic in run.diagnostics:
         if diagnostic.kind in ("component", "source", "workspace"):
             print(str(diagnostic).partition("\n")[0], file=sys.stderr)

@@ -5,19 +5,21 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_diagnostics, check_engine, check_input, extraction_cache
-from rosarch.cli.options import Engine, parse_defines
+from rosarch.cli.inputs import check_diagnostics, check_input
+from rosarch.cli.options import Engine
 from rosarch.cli.terminal import progress, show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program, RelationDecl, Result
     from rosarch.extractor.selection import SelectedComponent
+    from rosarch.extractor.settings import Settings
     from rosarch.rule_programs.sets import RuleSet
 
 Facts = Mapping[str, list[tuple[Any, ...]]]
@@ -61,35 +63,17 @@ def selected(
     folder: Path,
     packages: Sequence[str] | None,
     component: str | None,
+    settings: Settings,
     *,
-    jobs: int | None,
-    timeout: float,
-    defines: Sequence[str] | None,
-    cached: bool,
     verbose: bool,
-    engine: Engine = Engine.embedded,
 ) -> Iterator[Sequence[SelectedComponent]]:
     """The components below DIR that the options leave; none is an error."""
     from rosarch.extractor.manifest import ManifestError
     from rosarch.extractor.selection import SelectionError, select
 
-    check_engine(engine)
-    variables = parse_defines(defines)
     check_input(folder)
     try:
-        with (
-            progress() as report,
-            select(
-                folder,
-                packages or None,
-                component,
-                jobs=jobs,
-                timeout=timeout,
-                defines=variables,
-                cache=extraction_cache(cached),
-                progress=report,
-            ) as found,
-        ):
+        with progress() as report, select(folder, packages or None, component, replace(settings, progress=report)) as found:
             check_diagnostics(folder, len(found.components), found.diagnostics)
             show_diagnostics(found.diagnostics, verbose)
             if not found.components:

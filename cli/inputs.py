@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rosarch.cli.errors import InputError
 from rosarch.cli.options import Engine
@@ -14,10 +14,9 @@ from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
     from rosarch.analysis.components import Analysis
-    from rosarch.analysis.systems.reading import Reading
+    from rosarch.analysis.method import Method
     from rosarch.base.cache import Cache
     from rosarch.base.diagnostics import Diagnostic
-    from rosarch.rule_programs.choice import RuleSet
 
 _NOT_DERIVED = ("component", "launch")
 """Kinds of diagnostics about a component or a system that the engine has derived nothing of."""
@@ -100,64 +99,47 @@ def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic
 def load_analysis(
     folder: Path,
     packages: Collection[str] | None,
-    *,
-    rules: RuleSet | None = None,
-    engine: Engine,
-    jobs: int | None,
-    timeout: float,
-    defines: Mapping[str, str],
-    cached: bool,
+    method: Method,
     component: str | None = None,
 ) -> Analysis:
     """Analyse a folder of packages, or stored facts; of a folder of packages only `component`, when it is given."""
     check_input(folder)
-    check_engine(engine)
+    check_engine(method.engine)
     with progress() as report:
         from rosarch.extractor.stored_facts import has_facts
-        from rosarch.rule_programs.choice import SHIPPED
 
+        method = method.telling(report)
         if has_facts(folder):
-            return _load_facts(folder, packages, rules or SHIPPED, engine, jobs, report)
-        from rosarch.analysis.systems.reading import Reading
-
-        reading = Reading(rules or SHIPPED, (), engine.value, jobs, timeout, defines, extraction_cache(cached), report)
-        analysis = _analysis(folder, packages or None, component, reading)
+            return _load_facts(folder, packages, method)
+        analysis = _analysis(folder, packages or None, component, method)
     check_diagnostics(folder, len(analysis.models), analysis.diagnostics)
     return analysis
 
 
-def _analysis(folder: Path, packages: Collection[str] | None, component: str | None, reading: Reading) -> Analysis:
+def _analysis(folder: Path, packages: Collection[str] | None, component: str | None, method: Method) -> Analysis:
     """The analysis of a folder of packages; as it was when nothing has changed since."""
     from rosarch.base.memo import Memo
 
     def find() -> Analysis:
         from rosarch.analysis.components import analyze
 
-        options: dict[str, Any] = {"engine": reading.engine, "jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines}
-        options |= {"rules": reading.rules, "cache": reading.cache, "progress": reading.progress}
-        return analyze(folder, packages, only=(lambda found: found.name == component) if component else None, **options)
+        return analyze(folder, packages, method, only=(lambda found: found.name == component) if component else None)
 
-    if reading.cache is None or reading.engine != Engine.embedded.value:
+    cache = method.sources.cache
+    if cache is None or method.engine != Engine.embedded.value:
         return find()
     top = os.path.abspath(folder)
     asked = [repr(packages and sorted(packages)), repr(component)]
-    return Memo(reading.cache).recall(["analysis", top, *asked, *reading.key()], (top,), find)
+    return Memo(cache).recall(["analysis", top, *asked, *method.key()], (top,), find)
 
 
-def _load_facts(
-    folder: Path,
-    packages: Collection[str] | None,
-    rules: RuleSet,
-    engine: Engine,
-    jobs: int | None,
-    report: Callable[[str, int, int], None] | None,
-) -> Analysis:
+def _load_facts(folder: Path, packages: Collection[str] | None, method: Method) -> Analysis:
     from rosarch.analysis.components import analyze_facts
     from rosarch.base.hints import hint
     from rosarch.extractor.manifest import ManifestError
 
     try:
-        analysis = analyze_facts(folder, rules=rules, engine=engine.value, jobs=jobs, progress=report)
+        analysis = analyze_facts(folder, method)
     except ManifestError as error:
         raise InputError(str(error)) from None
     known = {model.package for model in analysis.models}
@@ -166,9 +148,9 @@ def _load_facts(
     return replace(analysis, models=tuple(model for model in analysis.models if not packages or model.package in packages))
 
 
-def check_engine(engine: Engine) -> None:
+def check_engine(engine: str) -> None:
     """Refuse an engine that is not installed, or too old: better before a long extraction than after it."""
-    if engine is Engine.souffle:
+    if engine == Engine.souffle.value:
         import shutil
 
         from rosarch.datalog import DatalogError

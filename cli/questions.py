@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, get_type_hints
 from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.cli.derivations import Component, load_rules, selected
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import load_analysis
+from rosarch.cli.inputs import check_engine, extraction_cache, load_analysis
 from rosarch.cli.options import (
     Cached,
     Defines,
@@ -34,14 +34,16 @@ from rosarch.cli.terminal import show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.analysis.components import Analysis
+    from rosarch.analysis.method import Method
     from rosarch.datalog import Program
     from rosarch.extractor.selection import SelectedComponent
+    from rosarch.extractor.settings import Settings as SourceSettings
     from rosarch.rule_programs.choice import RuleSet
 
 
 @dataclass(frozen=True, kw_only=True)
-class Reading:
-    """The rules, and how sources are read."""
+class ReadingOptions:
+    """The options on rules, and on how sources are read."""
 
     own: Rules = None
     variants: Variants = None
@@ -57,23 +59,29 @@ class Reading:
         """The rules, with files of the user's own."""
         return parse_rules([*files, *(self.own or ())], self.variants, self.settings)
 
+    def sources(self) -> SourceSettings:
+        """How sources are read."""
+        from rosarch.extractor.settings import Settings as SourceSettings
+
+        return SourceSettings(self.jobs, self.timeout, parse_defines(self.defines), extraction_cache(self.cached))
+
+    def method(self, rules: RuleSet, library: Sequence[Path] = ()) -> Method:
+        """By what components and systems are analysed; some commands have `rules` that differ from those of the options."""
+        from rosarch.analysis.method import Method
+
+        return Method(rules, self.engine.value, self.sources(), library)
+
     def analysis(self, rules: RuleSet, folder: Path, packages: Sequence[str] | None, component: str | None = None) -> Analysis:
         """The models of the components in a folder, by these rules; see `load_analysis`."""
-        return load_analysis(
-            folder, packages, rules=rules, engine=self.engine, jobs=self.jobs, timeout=self.timeout,
-            defines=parse_defines(self.defines), cached=self.cached, component=component,
-        )  # fmt: skip
+        return load_analysis(folder, packages, self.method(rules), component)
 
-    def systems_in(self, folder: Path, launches: Sequence[str] | None, rules: RuleSet, **more: Any) -> SystemInputs:
+    def systems_in(self, folder: Path, launches: Sequence[str] | None, rules: RuleSet) -> SystemInputs:
         """Systems of a folder of sources."""
-        return SystemInputs(
-            folder, launches, engine=self.engine, jobs=self.jobs, timeout=self.timeout, defines=parse_defines(self.defines),
-            cached=self.cached, rules=rules, **more,
-        )  # fmt: skip
+        return SystemInputs(folder, self.method(rules), launches)
 
 
 @dataclass(frozen=True, kw_only=True)
-class SystemQuestion(Reading):
+class SystemQuestion(ReadingOptions):
     """Systems that launch files start."""
 
     folder: Folder
@@ -84,12 +92,11 @@ class SystemQuestion(Reading):
 
     def inputs(self, rules: RuleSet) -> SystemInputs:
         """What is to be composed, by these rules."""
-        more = {"package_path": self.package_path, "environment": self.environment, "library": self.libraries}
-        return self.systems_in(self.folder, self.launches, rules, **more)
+        return SystemInputs(self.folder, self.method(rules, self.libraries or ()), self.launches, self.package_path, self.environment)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Question(Reading):
+class Question(ReadingOptions):
     """Components, or with `launches` the systems that these compose."""
 
     folder: Input
@@ -114,10 +121,8 @@ class Question(Reading):
     def asked(self, rules: RuleSet) -> Iterator[Sequence[SelectedComponent]]:
         """What it is about; none is an error."""
         if not self.launches:
-            with selected(
-                self.folder, self.packages, self.component, jobs=self.jobs, timeout=self.timeout, defines=self.defines,
-                cached=self.cached, verbose=self.verbose, engine=self.engine,
-            ) as components:  # fmt: skip
+            check_engine(self.engine.value)
+            with selected(self.folder, self.packages, self.component, self.sources(), verbose=self.verbose) as components:
                 yield components
             return
         if self.packages or self.component:
@@ -130,7 +135,7 @@ class Question(Reading):
 
 
 def asks(*without: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a sub-command the arguments and options of its first parameter, a Question or other Reading, but for those named here."""
+    """Give a sub-command the arguments and options of its first parameter, a Question or other ReadingOptions, but for those named here."""
 
     def decorate(command: Callable[..., None]) -> Callable[..., None]:
         first, *others = inspect.signature(command, eval_str=True).parameters.values()
@@ -152,13 +157,13 @@ def asks(*without: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
 
 
 _RULES = ("own", "variants", "settings")
-_HOW = {field.name for field in fields(Reading)} - set(_RULES)
+_HOW = {field.name for field in fields(ReadingOptions)} - set(_RULES)
 
 
-def _parameters(shape: type[Reading]) -> Iterator[inspect.Parameter]:
+def _parameters(shape: type[ReadingOptions]) -> Iterator[inspect.Parameter]:
     """A parameter for each field, what is asked about first."""
     hints = get_type_hints(shape, include_extras=True)
-    common = {field.name for field in fields(Reading)}
+    common = {field.name for field in fields(ReadingOptions)}
     for field in sorted(fields(shape), key=lambda field: field.name in common):
         default = inspect.Parameter.empty if field.default is MISSING else field.default
         yield inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, annotation=hints[field.name], default=default)

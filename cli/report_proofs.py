@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rosarch.cli.derivations import facts_of, shorten
-from rosarch.cli.inputs import extraction_cache
-from rosarch.cli.options import parse_defines
 from rosarch.cli.questions import SystemQuestion
 from rosarch.cli.terminal import progress
 
@@ -27,19 +26,10 @@ def prove_components(question: SystemQuestion, rules: RuleSet) -> Mapping[str, D
     from rosarch.models.derivations import Derivations, component_derivations
     from rosarch.rule_programs.sets import component_program
 
-    program, engine, cache = component_program(rules), question.engine.value, extraction_cache(question.cached)
+    program, engine, sources = component_program(rules), question.engine.value, question.sources()
+    cache = sources.cache
     found: dict[str, Derivations] = {}
-    with (
-        progress() as report,
-        select(
-            question.folder,
-            jobs=question.jobs,
-            timeout=question.timeout,
-            defines=parse_defines(question.defines),
-            cache=cache,
-            progress=report,
-        ) as selection,
-    ):
+    with progress() as report, select(question.folder, settings=replace(sources, progress=report)) as selection:
         waiting: list[tuple[SelectedComponent, str | None]] = []
         for component in selection.components:
             key = _key(program, engine, component)
@@ -54,7 +44,7 @@ def prove_components(question: SystemQuestion, rules: RuleSet) -> Mapping[str, D
         def work(index: int) -> Derivations:
             return component_derivations(program, facts_of(waiting[index][0], program), engine, shorten)
 
-        for index, outcome in run_tasks(work, range(len(waiting)), jobs=question.jobs or default_jobs(), timeout=LIMITS.evaluation):
+        for index, outcome in run_tasks(work, range(len(waiting)), jobs=sources.jobs or default_jobs(), timeout=LIMITS.evaluation):
             component, key = waiting[index]
             if not isinstance(outcome, Failure):
                 found[component.title] = outcome

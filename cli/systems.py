@@ -5,29 +5,27 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, check_sources, extraction_cache
+from rosarch.cli.inputs import check_diagnostics, check_engine, check_folder, check_sources
 from rosarch.cli.options import Engine, parse_environment
 from rosarch.cli.terminal import progress
 
 if TYPE_CHECKING:
+    from rosarch.analysis.method import Method
     from rosarch.analysis.systems.analysis import SystemAnalysis
     from rosarch.analysis.systems.check_result import CheckResult
     from rosarch.analysis.systems.influences import Told
-    from rosarch.analysis.systems.reading import Reading
     from rosarch.analysis.systems.requests import LaunchEnvironment, Request
     from rosarch.analysis.systems.shared import Launch, SharedFacts
     from rosarch.base.memo import Memo
-    from rosarch.extractor.units import Progress
+    from rosarch.extractor.settings import Progress
     from rosarch.findings.configuration import Configuration
-    from rosarch.rule_programs.choice import RuleSet
 
 Launches = Annotated[
     list[str] | None,
@@ -69,16 +67,10 @@ class SystemInputs:
     """What is analysed, and how."""
 
     folder: Path
+    method: Method
     launches: Sequence[str] | None = None
     package_path: Sequence[Path] | None = None
     environment: Sequence[str] | None = None
-    library: Sequence[Path] | None = None
-    engine: Engine = Engine.embedded
-    jobs: int | None = None
-    timeout: float = SOURCE_SECONDS
-    defines: Mapping[str, str] = field(default_factory=dict)
-    cached: bool = True
-    rules: RuleSet | None = None
 
 
 EVERY = "*"
@@ -111,8 +103,8 @@ def check_systems(inputs: SystemInputs, configuration: Configuration) -> CheckRe
     if memo is None:
         with _confined(inputs, where):
             return check()
-    folders = [os.path.abspath(folder) for folder in (*where.package_path, *(inputs.library or ()))]
-    asked = [repr(_requests(inputs, configuration)), repr(folders), *_reading(inputs, configuration).key(), repr(configuration.rates)]
+    folders = [os.path.abspath(folder) for folder in (*where.package_path, *inputs.method.library)]
+    asked = [repr(_requests(inputs, configuration)), repr(folders), *_method(inputs, configuration).key(), repr(configuration.rates)]
     with _confined(inputs, where):
         return memo.recall(["check", os.path.abspath(inputs.folder), os.getcwd(), *asked], folders, check)
 
@@ -125,7 +117,7 @@ def load_shared_facts(inputs: SystemInputs, configuration: Configuration | None 
         where = _environment(inputs, configuration)
         launches = _launches(inputs, configuration, where)
         with _confined(inputs, where):
-            return shared_facts(inputs.folder, launches, _reading(inputs, configuration, report), _memo(inputs, where)), launches
+            return shared_facts(inputs.folder, launches, _method(inputs, configuration, report), _memo(inputs, where)), launches
 
 
 def tell_systems(
@@ -136,7 +128,7 @@ def tell_systems(
 
     shared, launches = load_shared_facts(inputs, configuration)
     with progress() as report:
-        analysis, told = tell(shared, launches, _reading(inputs, configuration, report), shorten)
+        analysis, told = tell(shared, launches, _method(inputs, configuration, report), shorten)
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
     return analysis, told
@@ -157,7 +149,7 @@ def _confined(inputs: SystemInputs, where: LaunchEnvironment) -> AbstractContext
 
 def _readable(inputs: SystemInputs, where: LaunchEnvironment) -> list[Path]:
     """What may be read: the workspace, the package path, and what else the options name."""
-    named = [*(inputs.library or ()), *(inputs.rules.own if inputs.rules else ())]
+    named = [*inputs.method.library, *inputs.method.rules.own]
     requests = _requests(inputs, None)
     launches = [path for request in requests for file in request.files for path in (Path(file), inputs.folder / file)]
     arguments = [Path(value) for request in requests for _, values in request.arguments for value in values if os.path.isfile(value)]
@@ -179,31 +171,27 @@ def _analyze(
     with progress() as report:
         launches = _launches(inputs, configuration, where)
         if required and not launches and not has_launch_files(inputs.folder):
-            launches = by_themselves(where, inputs.defines) if alone else []
+            launches = by_themselves(where, inputs.method.sources.defines) if alone else []
             if not launches:
                 raise InputError(f"{inputs.folder}: no launch file below this folder")
-        analysis = analyze_systems(inputs.folder, launches, _reading(inputs, configuration, report), memo)
+        analysis = analyze_systems(inputs.folder, launches, _method(inputs, configuration, report), memo)
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
     return analysis
 
 
-def _reading(inputs: SystemInputs, configuration: Configuration | None, report: Progress | None = None) -> Reading:
-    from rosarch.analysis.systems.reading import Reading
-    from rosarch.rule_programs.choice import SHIPPED
-
-    library = tuple(map(check_folder, inputs.library or ()))
-    cache = extraction_cache(inputs.cached)
-    rates = configuration.rates if configuration else ()
-    return Reading(inputs.rules or SHIPPED, library, inputs.engine.value, inputs.jobs, inputs.timeout, inputs.defines, cache, report, rates)
+def _method(inputs: SystemInputs, configuration: Configuration | None, report: Progress | None = None) -> Method:
+    """By what these systems are analysed, with what the configuration tells."""
+    library = tuple(map(check_folder, inputs.method.library))
+    return replace(inputs.method.telling(report), library=library, rates=configuration.rates if configuration else ())
 
 
 def _memo(inputs: SystemInputs, where: LaunchEnvironment) -> Memo | None:
     """What is known of earlier runs; nothing of those of another program than rosarch's own engine, which may be another one now."""
     from rosarch.base.memo import Memo
 
-    cache = extraction_cache(inputs.cached)
-    return Memo(cache, where.variables()) if cache and inputs.engine is Engine.embedded else None
+    cache = inputs.method.sources.cache
+    return Memo(cache, where.variables()) if cache and inputs.method.engine == Engine.embedded.value else None
 
 
 def _launches(inputs: SystemInputs, configuration: Configuration | None, where: LaunchEnvironment) -> list[Launch]:
@@ -212,7 +200,7 @@ def _launches(inputs: SystemInputs, configuration: Configuration | None, where: 
 
     requests = _requests(inputs, configuration)
     try:
-        return given(requests, where) if requests else unincluded(where, inputs.jobs)
+        return given(requests, where) if requests else unincluded(where, inputs.method.sources.jobs)
     except LaunchWordError as error:
         raise InputError(str(error)) from None
 
@@ -234,7 +222,7 @@ def _environment(inputs: SystemInputs, configuration: Configuration | None) -> L
     from rosarch.analysis.systems.requests import LaunchEnvironment
 
     check_sources(inputs.folder)
-    check_engine(inputs.engine)
+    check_engine(inputs.method.engine)
     environment = dict(os.environ)
     from rosarch.base.boundary import ros_package_path
 

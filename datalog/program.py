@@ -20,7 +20,7 @@ from rosarch.datalog.engine.user_functors import Functors, FunctorUse, bind, fun
 from rosarch.datalog.files.inputs import InputReader
 from rosarch.datalog.files.row_text import Show, line_chunks
 from rosarch.datalog.language.errors import DatalogError, Diagnostic, Location, Report, did_you_mean, with_lines
-from rosarch.datalog.language.preprocess import Reading
+from rosarch.datalog.language.preprocess import Loading
 from rosarch.datalog.language.types import Types, build_types
 
 if TYPE_CHECKING:
@@ -251,7 +251,7 @@ def load_program(
     return program
 
 
-def _compiled(paths: Sequence[Path], extra_source: str, reading: Reading, bits: int, on_demand: bool) -> tuple[Program, dict[str, str]]:
+def _compiled(paths: Sequence[Path], extra_source: str, reading: Loading, bits: int, on_demand: bool) -> tuple[Program, dict[str, str]]:
     """The program, and the hashes of its files."""
     from rosarch.datalog.language.sources import EXTRA_SOURCE, TOO_DEEP, deepest, read_program  # a cached program does without
 
@@ -294,11 +294,11 @@ def ship_program(file: Path, paths: Sequence[Path], *, on_demand: bool = False) 
         write_program(file, paths, key, digests, program)
 
 
-def _reading(preprocess: bool, macros: Sequence[str], folders: tuple[Path, ...], instead: Mapping[Path, Path] | None, bits: int) -> Reading:
-    return Reading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), folders, tuple(sorted((instead or {}).items())))
+def _reading(preprocess: bool, macros: Sequence[str], folders: tuple[Path, ...], instead: Mapping[Path, Path] | None, bits: int) -> Loading:
+    return Loading(preprocess or bool(macros), (f"RAM_DOMAIN_SIZE={bits}", *macros), folders, tuple(sorted((instead or {}).items())))
 
 
-def _cache_key(extra_source: str, reading: Reading, bits: int, on_demand: bool) -> str:
+def _cache_key(extra_source: str, reading: Loading, bits: int, on_demand: bool) -> str:
     return f"{extra_source}\0{reading!r}\0{bits}\0{on_demand}"
 
 

@@ -17,7 +17,6 @@ from rosarch.base import tracing
 from rosarch.base.boundary import confined, ros_package_path
 from rosarch.base.cache import Cache, hash_of
 from rosarch.base.files import path_text
-from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.base.memo import Memo
 from rosarch.base.pool import Failure
 from rosarch.base.scratch import scratch_folder
@@ -33,10 +32,11 @@ from rosarch.extractor.messages import Interfaces, MessageClass
 from rosarch.extractor.messages.closed import closed_packages
 from rosarch.extractor.messages.known_fields import KnownFields
 from rosarch.extractor.python.units import PythonReader
+from rosarch.extractor.settings import DEFAULT, Settings
 from rosarch.extractor.sources import Sources, diagnostics
 from rosarch.extractor.unit_index import UnitIndex
 from rosarch.extractor.unit_store import read_rows
-from rosarch.extractor.units import Outcome, Progress, UnitFile
+from rosarch.extractor.units import Outcome, UnitFile
 from rosarch.extractor.workspace import (
     Component,
     Diagnostic,
@@ -135,30 +135,23 @@ class Extraction:
 def extract(
     root: Path,
     packages: Collection[str] | None = None,
+    settings: Settings = DEFAULT,
     *,
-    jobs: int | None = None,
-    timeout: float = SOURCE_SECONDS,
-    defines: Mapping[str, str] | None = None,
-    cache: Cache | None = None,
-    progress: Progress | None = None,
     only: Callable[[Component], bool] | None = None,
     known: Callable[[ComponentFacts], bool] | None = None,
     workspace: Workspace | None = None,
 ) -> Extraction:
     """Extract the facts of the components of `packages` (all by default) below `root`, or of those that `only` tells.
 
-    A `workspace` takes the place of what is discovered there. `timeout` is the limit in seconds for one source. `defines` are CMake cache
-    variables. With a `cache`, only what has changed since an earlier extraction is read again; components that are `known` then, by their
-    key, may have no rows. Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below
-    `root`.
+    A `workspace` takes the place of what is discovered there. With a cache, components that are `known` by their key may have no rows.
+    Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below `root`.
     """
+    cache, defines, timeout = settings.cache, settings.defines, settings.timeout
     with ExitStack() as confinement, ExitStack() as unfinished:
         confinement.enter_context(confined([root, *ros_package_path()]))
-        asked = [repr(packages and sorted(packages)), repr(sorted((defines or {}).items())), repr(timeout)]
+        asked = [repr(packages and sorted(packages)), repr(sorted(defines.items())), repr(timeout)]
         with _recorded(root) if cache and known and not workspace else nullcontext() as rests_on:
-            workspace = workspace or _discovered(
-                root, lambda: discover(root, packages, defines=defines or {}, timeout=timeout), asked, cache
-            )
+            workspace = workspace or _discovered(root, lambda: discover(root, packages, defines=defines, timeout=timeout), asked, cache)
             interfaces = Interfaces.of(workspace.packages, workspace.root)
         index = UnitIndex.load(cache, asked, rests_on) if cache and rests_on and not rests_on.uncertain else None
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
@@ -179,19 +172,19 @@ def extract(
         confinement.enter_context(confined([scratch, *{folder for unit in compiled for folder in unit.installed}]))
         finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, searched=workspace.searched)
         readers = UnitReader(workspace.root, finder, scratch, cache), PythonReader(workspace.root, scratch, cache)
-        sources = Sources(*readers, jobs, timeout, progress)
+        sources = Sources(*readers, settings)
         make = partial(_component_facts, workspace.root, sources.paths, _defined(interfaces, workspace), built)
-        reading = index.read(units, sources.read) if index else sources.read(units)
-        made = {one: make(one, reading.of(units_of[one])) for one in found}
+        outcomes = index.read(units, sources.read) if index else sources.read(units)
+        made = {one: make(one, outcomes.of(units_of[one])) for one in found}
         if known and index:
             wanted = [one for one in found if not known(made[one])]
-            lost = {unit for one in wanted for unit in units_of[one] if sources.lacks(reading.files[unit])}
-            reading.files.update(sources.read(sorted(lost, key=repr)).files)
-            made.update((one, make(one, reading.of(units_of[one]))) for one in wanted)
+            lost = {unit for one in wanted for unit in units_of[one] if sources.lacks(outcomes.files[unit])}
+            outcomes.files.update(sources.read(sorted(lost, key=repr)).files)
+            made.update((one, make(one, outcomes.of(units_of[one]))) for one in wanted)
         if units:
-            extraction.diagnostics = sorted([*extraction.diagnostics, *diagnostics(reading)], key=str)
+            extraction.diagnostics = sorted([*extraction.diagnostics, *diagnostics(outcomes)], key=str)
         unfinished.pop_all()
-    extraction.seconds = reading.seconds
+    extraction.seconds = outcomes.seconds
     extraction.components = tuple(made[one] for one in sorted(found, key=lambda each: (each.package, each.name)))
     return extraction
 

@@ -6,18 +6,14 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from rosarch.base.cache import Cache
 from rosarch.base.diagnostics import Diagnostic
 from rosarch.base.hints import hint, hint_or_all
-from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.datalog import read_facts
 from rosarch.extractor.facts import schema
+from rosarch.extractor.settings import DEFAULT, Settings
 from rosarch.extractor.stored_facts import has_facts, read_stored
-
-if TYPE_CHECKING:
-    from rosarch.extractor.units import Progress
 
 Facts = Mapping[str, Iterable[tuple[Any, ...]]]
 
@@ -60,12 +56,7 @@ def select(
     folder: Path,
     packages: Collection[str] | None = None,
     component: str | None = None,
-    *,
-    jobs: int | None = None,
-    timeout: float = SOURCE_SECONDS,
-    defines: Mapping[str, str] | None = None,
-    cache: Cache | None = None,
-    progress: Progress | None = None,
+    settings: Settings = DEFAULT,
 ) -> Iterator[Selection]:
     """The components of `packages` (all by default) below a folder of sources, or of stored facts, or one of them.
 
@@ -83,7 +74,7 @@ def select(
     else:
         from rosarch.extractor.pipeline import extract  # and with it libclang
 
-        with extract(folder, packages, jobs=jobs, timeout=timeout, defines=defines, cache=cache, progress=progress) as extraction:
+        with extract(folder, packages, settings) as extraction:
             found = [SelectedComponent(c.name, c.package, extraction.root, c.rows, c.key) for c in extraction.components]
             yield Selection(_named(found, component), tuple(extraction.diagnostics))
 

@@ -8,12 +8,13 @@ from pathlib import Path
 from types import MappingProxyType
 
 from rosarch.base.diagnostics import Diagnostic, source_diagnostic
-from rosarch.base.pool import Failure, default_jobs
+from rosarch.base.pool import Failure
 from rosarch.extractor.cxx.translation_unit import CompileUnit
 from rosarch.extractor.cxx.units import UnitReader, odd_source
 from rosarch.extractor.python.units import PythonReader
+from rosarch.extractor.settings import Settings
 from rosarch.extractor.unit_store import UnitStore
-from rosarch.extractor.units import Progress, Reading, UnitFile, read_units
+from rosarch.extractor.units import Outcomes, UnitFile, read_units
 from rosarch.extractor.workspace.model import PythonEntry
 
 Unit = CompileUnit | PythonEntry
@@ -26,18 +27,15 @@ class Sources:
 
     cxx: UnitReader
     python: PythonReader
-    jobs: int | None
-    timeout: float
-    progress: Progress | None
+    settings: Settings
 
-    def read(self, units: Iterable[Unit], known: Mapping[Unit, UnitFile] = NONE) -> Reading[Unit]:
+    def read(self, units: Iterable[Unit], known: Mapping[Unit, UnitFile] = NONE) -> Outcomes[Unit]:
         """Extract units into files, see `read_units`."""
         units = list(units)
         compiled = [unit for unit in units if isinstance(unit, CompileUnit)]
         scripts = [unit for unit in units if isinstance(unit, PythonEntry)]
-        jobs = self.jobs or default_jobs()
-        read = read_units(compiled, self.cxx, jobs, self.timeout, self.progress, known)
-        return Reading({**read.files, **read_units(scripts, self.python, jobs, self.timeout, self.progress, known).files})
+        read = read_units(compiled, self.cxx, self.settings, known)
+        return Outcomes({**read.files, **read_units(scripts, self.python, self.settings, known).files})
 
     def paths(self, file: UnitFile) -> tuple[Path, ...]:
         """Where the rows of a unit are, and those of the headers that it shares."""
@@ -49,7 +47,7 @@ class Sources:
         return isinstance(outcome, UnitFile) and not self.paths(outcome)[0].is_file()
 
 
-def diagnostics(reading: Reading[Unit]) -> set[Diagnostic]:
+def diagnostics(outcomes: Outcomes[Unit]) -> set[Diagnostic]:
     """What was not understood of sources; of those that failed, too, what is odd about them."""
-    failed = {unit.source for unit in reading.failed if isinstance(unit, CompileUnit)}
-    return reading.diagnostics | {source_diagnostic(problem) for source in failed for problem in odd_source(source)}
+    failed = {unit.source for unit in outcomes.failed if isinstance(unit, CompileUnit)}
+    return outcomes.diagnostics | {source_diagnostic(problem) for source in failed for problem in odd_source(source)}

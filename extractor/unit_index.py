@@ -14,7 +14,7 @@ from typing import TypeVar
 from rosarch.base import tracing
 from rosarch.base.boundary import folders
 from rosarch.base.cache import Cache, hash_of
-from rosarch.extractor.units import AnyUnit, Reading, UnitFile
+from rosarch.extractor.units import AnyUnit, Outcomes, UnitFile
 from rosarch.extractor.version import extractor_version
 
 Unit = TypeVar("Unit", bound=AnyUnit)
@@ -43,16 +43,16 @@ class UnitIndex:
             index.trace = replace(then, reads={**then.reads, **{path: now for path, now in changes.items() if now is not None}})
         return index
 
-    def read(self, units: Sequence[Unit], read: Callable[[Sequence[Unit], Mapping[Unit, UnitFile]], Reading[Unit]]) -> Reading[Unit]:
+    def read(self, units: Sequence[Unit], read: Callable[[Sequence[Unit], Mapping[Unit, UnitFile]], Outcomes[Unit]]) -> Outcomes[Unit]:
         """What becomes of units when they are `read` with those that are known; there may be no file of the rows of these."""
         names = {unit: repr(unit) for unit in units}
         known = {unit: self.units[name] for unit, name in names.items() if name in self.units}
         tracing.seen(replace(self.trace, trees={}, reads=self._reads(known.values())))
         with tracing.recording(self.trace.trees) as seen:
-            reading = read(units, known)
+            found = read(units, known)
         if len(known) < len(units) and not seen.uncertain:
-            self._keep({names[unit]: file for unit, file in reading.files.items() if isinstance(file, UnitFile) and file.certain}, seen)
-        return reading
+            self._keep({names[unit]: file for unit, file in found.files.items() if isinstance(file, UnitFile) and file.certain}, seen)
+        return found
 
     def _keep(self, found: Mapping[str, UnitFile], seen: tracing.Recording) -> None:
         self.trace = replace(self.trace, reads={**self.trace.reads, **seen.reads}, probes={**self.trace.probes, **seen.probes})

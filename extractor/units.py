@@ -12,10 +12,9 @@ from typing import Any, Generic, Protocol, TypeVar
 from rosarch.base.boundary import OUTSIDE, is_inside
 from rosarch.base.cache import Cache
 from rosarch.base.diagnostics import Diagnostic, SourceProblem, source_diagnostic
-from rosarch.base.pool import Failure, run_tasks
+from rosarch.base.pool import Failure, default_jobs, run_tasks
+from rosarch.extractor.settings import Settings
 from rosarch.extractor.version import extractor_version
-
-Progress = Callable[[str, int, int], None]
 
 
 @dataclass(frozen=True)
@@ -76,7 +75,7 @@ class Reader(Protocol[Read]):
 
 
 @dataclass(frozen=True)
-class Reading(Generic[Unit]):
+class Outcomes(Generic[Unit]):
     """What became of units: their files, or why there is none."""
 
     files: dict[Unit, UnitFile | Failure] = field(default_factory=dict)
@@ -111,36 +110,34 @@ def _reason(failure: Failure) -> str:
     return failure.detail if failure.detail == OUTSIDE else f"{failure.reason} ({failure.detail})"
 
 
-def read_units(
-    units: Sequence[Unit], reader: Reader[Unit], jobs: int, timeout: float, progress: Progress | None, known: Mapping[Any, UnitFile]
-) -> Reading[Unit]:
+def read_units(units: Sequence[Unit], reader: Reader[Unit], settings: Settings, known: Mapping[Any, UnitFile]) -> Outcomes[Unit]:
     """Extract every unit into a file, unless it is in the cache. Of those that are `known`, there may be no file."""
-    reading = Reading[Unit]({unit: known[unit] for unit in units if unit in known})
+    found = Outcomes[Unit]({unit: known[unit] for unit in units if unit in known})
     extractor_version()  # once here, and not in each worker
-    reading.files.update((unit, Failure("outside", OUTSIDE)) for unit in units if not is_inside(unit.source))
-    largest = sorted((unit for unit in units if unit not in reading.files), key=lambda unit: -_size(unit.source))  # for even ends
+    found.files.update((unit, Failure("outside", OUTSIDE)) for unit in units if not is_inside(unit.source))
+    largest = sorted((unit for unit in units if unit not in found.files), key=lambda unit: -_size(unit.source))  # for even ends
 
     def run(work: Callable[[Unit], UnitFile | None], waiting: Sequence[Unit]) -> list[Unit]:
         """Do `work` for all that are `waiting`; the units that it has nothing for."""
         left = []
-        for index, outcome in run_tasks(work, waiting, jobs=jobs, timeout=timeout):
+        for index, outcome in run_tasks(work, waiting, jobs=settings.jobs or default_jobs(), timeout=settings.timeout):
             if outcome is None:
                 left.append(index)
                 continue
             if isinstance(outcome, Failure):
                 refuse_full_disk(outcome)
-            reading.files[waiting[index]] = outcome
-            if progress:
-                progress("sources", len(reading.files), len(units))
+            found.files[waiting[index]] = outcome
+            if settings.progress:
+                settings.progress("sources", len(found.files), len(units))
         return [waiting[index] for index in sorted(left)]
 
     unknown = run(reader.known, largest) if largest and reader.anything_known() else largest
     if unknown:
-        reader.prepare(unknown, timeout)
+        reader.prepare(unknown, settings.timeout)
         run(reader.read, unknown)
         if reader.cache:
             reader.cache.trim()
-    return reading
+    return found
 
 
 def refuse_full_disk(failure: Failure) -> None:

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.base.diagnostics import Diagnostic
-from rosarch.base.limits import LIMITS, SOURCE_SECONDS
+from rosarch.base.limits import LIMITS
 from rosarch.base.places import Place
 from rosarch.base.pool import Failure, default_jobs, run_tasks
 from rosarch.extractor.pipeline import ComponentFacts, extract
-from rosarch.extractor.units import Progress
+from rosarch.extractor.settings import DEFAULT, Settings
 from rosarch.extractor.workspace.unused import unused_sources
 from rosarch.rule_programs.sets import SHIPPED, RuleSet, component_program
 
@@ -75,12 +75,9 @@ class _Found:
 def examine(
     root: Path,
     packages: Collection[str] | None = None,
+    settings: Settings = DEFAULT,
     *,
     rules: RuleSet = SHIPPED,
-    jobs: int | None = None,
-    timeout: float = SOURCE_SECONDS,
-    defines: Mapping[str, str] | None = None,
-    progress: Progress | None = None,
 ) -> Health:
     """Read and analyse the components of `packages` below `root` anew, by `rules`, and tell how well that went. See also `extract`."""
     program, health = component_program(rules), Health()
@@ -92,7 +89,7 @@ def examine(
         result = program.evaluate(rows, keep=keep)
         return _found(component, rows, {name: result.rows(name) for name in keep}, asserted)
 
-    with extract(root, packages, jobs=jobs, timeout=timeout, defines=defines, progress=progress) as extraction:
+    with extract(root, packages, settings) as extraction:
         health.components = len(extraction.components)
         health.sources, health.built, health.installed = len(extraction.seconds), extraction.built, extraction.installed
         health.empty = [f"{c.package}/{c.name}" for c in extraction.components if not c.sources]
@@ -104,7 +101,7 @@ def examine(
         unbound: set[tuple[str, str]] = set()
         lost: set[tuple[Place, int, str]] = set()
         for done, (index, outcome) in enumerate(
-            run_tasks(work, extraction.components, jobs=jobs or default_jobs(), timeout=LIMITS.evaluation)
+            run_tasks(work, extraction.components, jobs=settings.jobs or default_jobs(), timeout=LIMITS.evaluation)
         ):
             if isinstance(outcome, Failure):
                 component = extraction.components[index]
@@ -121,8 +118,8 @@ def examine(
                 health.unknown += outcome.unknown
                 for name, count in outcome.violations:
                     health.violations[name] = health.violations.get(name, 0) + count
-            if progress:
-                progress("components", done + 1, len(extraction.components))
+            if settings.progress:
+                settings.progress("components", done + 1, len(extraction.components))
     health.lost = sorted(lost, key=lambda body: (body[0].path, body[0].line, body[2]))
     health.calls, health.unbound = len(seen), Counter(reason for _call, reason in unbound)
     health.unknown.sort(key=lambda port: (port.at.path, port.at.line, port.component, port.name))

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 from pathlib import Path
 
-from rosarch.base.cache import Cache
 from rosarch.base.limits import LIMITS
 from rosarch.base.pool import Failure, default_jobs, run_tasks
 from rosarch.datalog import Program
@@ -30,10 +29,10 @@ def drop_in_cases(program: Program, folder: Path) -> Iterator[Case]:
             yield Case(str(test.relative_to(folder)), result.all_rows(), observed)
 
 
-def workspace_cases(program: Program, workspace: Path, cache: Cache | None = None) -> Iterator[Case]:
+def workspace_cases(program: Program, workspace: Path) -> Iterator[Case]:
     """The components of a workspace whose models are known; each observes all that models are made from."""
     inputs = set(program.inputs)
-    with select(workspace, cache=cache) as found:
+    with select(workspace) as found:
         for component in found.components:
             facts = {name: list(rows) for name, rows in component.load().items() if name in inputs}
             result = program.evaluate(facts, keep="all")

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from rosarch.analysis.systems.reading import Reading, rules_hash
+from rosarch.analysis.method import PLAIN, Method, rules_hash
 from rosarch.analysis.systems.shared import Launch, SharedFacts, SystemFacts, shared_facts
 from rosarch.base.cache import Cache, hash_of
 from rosarch.base.diagnostics import Diagnostic
@@ -37,21 +37,20 @@ class SystemAnalysis:
 Composed = tuple[SystemModel, list[Finding]]
 """A system, and what checks find in it."""
 Made = TypeVar("Made")
-Maker = Callable[["SystemRules", Launch, Rows, Reading], Made]
+Maker = Callable[["SystemRules", Launch, Rows, Method], Made]
 
 
-def analyze_systems(root: Path, launches: Sequence[Launch], reading: Reading | None = None, memo: Memo | None = None) -> SystemAnalysis:
-    """Compose the nodes that `launches` start from their components, and check each system, by the rules of `reading`.
+def analyze_systems(root: Path, launches: Sequence[Launch], method: Method = PLAIN, memo: Memo | None = None) -> SystemAnalysis:
+    """Compose the nodes that `launches` start from their components, and check each system, by `method`.
 
     See shared_facts for the components.
     """
-    reading = reading or Reading()
-    shared = shared_facts(root, launches, reading, memo)
+    shared = shared_facts(root, launches, method, memo)
     found: dict[int, Composed | Failure] = {}
-    for index, outcome in each_system("system", shared, launches, reading, _system):
+    for index, outcome in each_system("system", shared, launches, method, _system):
         found[index] = outcome
-        if reading.progress:
-            reading.progress("systems", len(found), len(launches))
+        if method.sources.progress:
+            method.sources.progress("systems", len(found), len(launches))
     return gathered(shared, launches, found)
 
 
@@ -68,19 +67,19 @@ def gathered(shared: SharedFacts, launches: Sequence[Launch], found: Mapping[int
     return SystemAnalysis(tuple(systems), _together(raised), shared.models, tuple(diagnostics))
 
 
-def findings_in(shared: SharedFacts, launches: Sequence[Launch], reading: Reading) -> tuple[Finding, ...]:
+def findings_in(shared: SharedFacts, launches: Sequence[Launch], method: Method) -> tuple[Finding, ...]:
     """What checks find in the systems of `launches`; all in this process, and nothing is kept."""
     from rosarch.rule_programs.sets import system_rules
 
-    rules = system_rules(reading.rules)
-    return _together([found for launch in launches for found in _system(rules, launch, shared.rows(launch), reading)[1]])
+    rules = system_rules(method.rules)
+    return _together([found for launch in launches for found in _system(rules, launch, shared.rows(launch), method)[1]])
 
 
 def each_system(
     stage: str,
     shared: SharedFacts,
     launches: Sequence[Launch],
-    reading: Reading,
+    method: Method,
     make: Maker[Made],
     before: Callable[[SystemRules], object] | None = None,
 ) -> Iterator[tuple[int, Made | Failure]]:
@@ -88,7 +87,7 @@ def each_system(
 
     `stage` tells in the cache what is made; `before` is called with the rules before there are workers, which then have what it reads.
     """
-    kept = SystemCache(reading.cache, stage, rules_hash(reading.rules), reading.engine) if reading.cache else None
+    kept = SystemCache(method.sources.cache, stage, rules_hash(method.rules), method.engine) if method.sources.cache else None
     facts = list(map(shared.facts, launches))
     waiting = []
     for index, launch in enumerate(launches):
@@ -102,14 +101,14 @@ def each_system(
     from rosarch.base.limits import LIMITS
     from rosarch.rule_programs.sets import system_rules
 
-    rules = system_rules(reading.rules)
+    rules = system_rules(method.rules)
     if before:
         before(rules)
 
     def work(index: int) -> Made:
-        return make(rules, launches[index], facts[index].rows(), reading)
+        return make(rules, launches[index], facts[index].rows(), method)
 
-    for done, outcome in run_tasks(work, waiting, jobs=reading.jobs or default_jobs(), timeout=LIMITS.evaluation):
+    for done, outcome in run_tasks(work, waiting, jobs=method.sources.jobs or default_jobs(), timeout=LIMITS.evaluation):
         if kept and not isinstance(outcome, Failure):
             kept.store(launches[waiting[done]], facts[waiting[done]], outcome)
         yield waiting[done], outcome
@@ -139,10 +138,10 @@ class SystemCache:
         return hash_of([self.stage, stage_version(), self.rules, self.engine, *words, facts.digest()])
 
 
-def _system(rules: SystemRules, launch: Launch, rows: Rows, reading: Reading) -> Composed:
+def _system(rules: SystemRules, launch: Launch, rows: Rows, method: Method) -> Composed:
     from rosarch.models.system.build import evaluate
 
-    return composed(rules, launch, rows, evaluate(rules, rows, reading.engine))
+    return composed(rules, launch, rows, evaluate(rules, rows, method.engine))
 
 
 def composed(rules: SystemRules, launch: Launch, rows: Rows, result: Result) -> Composed:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from rosarch.analysis.method import Method
 from rosarch.analysis.systems.analysis import Composed, SystemAnalysis, composed, each_system, gathered
-from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.reasons import Started, system_reasons
 from rosarch.analysis.systems.shared import Launch, SharedFacts
 from rosarch.base.pool import Failure
@@ -44,40 +44,40 @@ class Told:
 
 
 def tell(
-    shared: SharedFacts, launches: Sequence[Launch], reading: Reading, shorten: Callable[[str], str] | None
+    shared: SharedFacts, launches: Sequence[Launch], method: Method, shorten: Callable[[str], str] | None
 ) -> tuple[SystemAnalysis, Mapping[str, Told]]:
     """The systems, and what is told of each by its name; with proofs, when it is told how paths of rule files are shown.
 
     Rules are evaluated once for all of that.
     """
 
-    def make(rules: SystemRules, launch: Launch, rows: Rows, reading: Reading) -> tuple[Composed, Told]:
-        result = evaluate(rules, rows, reading.engine, "all" if shorten else (*RATE_RELATIONS, *(_STEPS if reading.rules.flows else ())))
-        told = _told(result, reading)
+    def make(rules: SystemRules, launch: Launch, rows: Rows, method: Method) -> tuple[Composed, Told]:
+        result = evaluate(rules, rows, method.engine, "all" if shorten else (*RATE_RELATIONS, *(_STEPS if method.rules.flows else ())))
+        told = _told(result, method)
         if shorten:
             composition = shared.components.with_nodes(launch)[0].composition
             told = replace(
                 told,
                 reasons=system_reasons(
-                    rules, rows, result, launch.name, Started(composition, shared.root), shorten, chains=reading.rules.flows
+                    rules, rows, result, launch.name, Started(composition, shared.root), shorten, chains=method.rules.flows
                 ),
             )
         return composed(rules, launch, rows, result), told
 
     found: dict[int, tuple[Composed, Told] | Failure] = {}
     before = (lambda rules: rules_of(rules.program)) if shorten else None
-    for index, outcome in each_system("proven" if shorten else "told", shared, launches, reading, make, before):
+    for index, outcome in each_system("proven" if shorten else "told", shared, launches, method, make, before):
         found[index] = outcome
-        if reading.progress:
-            reading.progress("systems", len(found), len(launches))
+        if method.sources.progress:
+            method.sources.progress("systems", len(found), len(launches))
     systems = {index: outcome if isinstance(outcome, Failure) else outcome[0] for index, outcome in found.items()}
     told = {launches[index].name: outcome[1] for index, outcome in found.items() if not isinstance(outcome, Failure)}
     return gathered(shared, launches, systems), told
 
 
-def _told(result: Result, reading: Reading) -> Told:
+def _told(result: Result, method: Method) -> Told:
     rates = tuple(all_rates(result))
-    if not reading.rules.flows:
+    if not method.rules.flows:
         return Told(rates)
     certain = set(result.rows("certain_step"))
     steps = [

@@ -44,7 +44,7 @@ def unincluded(where: LaunchEnvironment, jobs: int | None = None) -> list[Launch
     return [Launch(_shown(path, where.root), (_shown(path, where.root),), composed, files.packages) for path, composed in found.items()]
 
 
-def by_themselves(where: LaunchEnvironment, defines: Mapping[str, str] | None = None) -> list[Launch]:
+def by_themselves(where: LaunchEnvironment, defines: Mapping[str, str]) -> list[Launch]:
     """For a workspace without launch files: each program that its packages build, as a node by itself.
 
     What runs beside it, and which parameters it is given, is not known. Of packages without programs there is what their files say.

@@ -10,12 +10,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rosarch.analysis.method import Method
 from rosarch.analysis.systems.builds import build_rows
 from rosarch.analysis.systems.instances import Configured, Known, configure
 from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
 from rosarch.analysis.systems.planning import Planner, configuring, made_by
 from rosarch.analysis.systems.processes import with_nodes
-from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.trees import Trees
 from rosarch.analysis.systems.workspace import (
     container_rows,
@@ -212,16 +212,16 @@ class SystemFacts:
         return hash_of([rows_digest(self.own), *(interface.digest for interface in self.interfaces)])
 
 
-def shared_facts(root: Path, launches: Sequence[Launch], reading: Reading, memo: Memo | None = None) -> SharedFacts:
-    """Analyse the components that `launches` start: those below `root`, of others those of the library (that in `reading` first)."""
+def shared_facts(root: Path, launches: Sequence[Launch], method: Method, memo: Memo | None = None) -> SharedFacts:
+    """Analyse the components that `launches` start: those below `root`, of others those of the library (that in `method` first)."""
     needed = _Needed(launches)
     top = os.path.abspath(root)
 
     def find() -> Components:
-        return _components(root, launches, needed, reading)
+        return _components(root, launches, needed, method)
 
-    key = ["components", top, *needed.key(), *reading.key(), hash_of(configuring(launch.composition) for launch in launches)]
-    components = memo.recall(key, (top, *_absolute(reading.library)), find) if memo else find()
+    key = ["components", top, *needed.key(), *method.key(), hash_of(configuring(launch.composition) for launch in launches)]
+    components = memo.recall(key, (top, *_absolute(method.library)), find) if memo else find()
     compositions = [launch.composition for launch in launches]
 
     def words() -> Mapping[str, frozenset[str]]:
@@ -241,7 +241,7 @@ def shared_facts(root: Path, launches: Sequence[Launch], reading: Reading, memo:
     there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected, brought)
     named = merged([there, first_rows(compositions, root), set_rows(compositions, components.models), container_rows(compositions)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
-    given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in reading.rates}}
+    given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in method.rates}}
     return SharedFacts(root, components, named, said, manifests, tuple(dict.fromkeys(found)), given)
 
 
@@ -252,7 +252,7 @@ def _absolute(folders: Sequence[Path]) -> list[str]:
 _ROUNDS = 6
 
 
-def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading: Reading) -> Components:
+def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method: Method) -> Components:
     from rosarch.analysis.components import ALONE, Wanted, analyze
     from rosarch.analysis.systems.interfaces import library_rows, model_rows
     from rosarch.library import load
@@ -260,10 +260,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading
     diagnostics: list[Diagnostic] = []
 
     def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool], wanted: Wanted = ALONE) -> Analysis:
-        options: dict[str, Any] = {"jobs": reading.jobs, "timeout": reading.timeout, "defines": reading.defines, "cache": reading.cache}
-        found = analyze(
-            root, packages, rules=reading.rules, engine=reading.engine, progress=reading.progress, only=only, wanted=wanted, **options
-        )
+        found = analyze(root, packages, method, only=only, wanted=wanted)
         diagnostics.extend(found.diagnostics)
         # of those without sources nothing is known; of a program that makes several nodes there are these
         whole = {(model.package, model.executable) for model in found.models if model.executable}
@@ -291,7 +288,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, reading
             return not needed.is_needed(component) and (is_loaded(component, alone) or component.plugin_name in needed.plugins)
 
         models += analyzed(None, is_plugin).models
-    known = load(tuple(reading.library))
+    known = load(tuple(method.library))
     diagnostics += known.problems
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
     return Components(

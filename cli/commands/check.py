@@ -82,7 +82,7 @@ def check(
         complete=not question.launches,
     )
     if withheld:
-        reported = replace(reported, withheld=_withheld(checked, check_systems(replace(inputs, rules=closed_world(rules)), configuration)))
+        reported = replace(reported, withheld=_withheld(checked, check_systems(question.inputs(closed_world(rules)), configuration)))
     write_reports(reported, destinations, folder, read, notes=verbose, scope=scope_text(checked.scope), rules=_description(rules))
     if reported.exit_code:
         raise typer.Exit(reported.exit_code)

@@ -16,7 +16,7 @@ from rosarch.cli.check_options import load_configuration
 from rosarch.cli.errors import FINDINGS, InputError
 from rosarch.cli.inputs import check_input
 from rosarch.cli.options import Packages
-from rosarch.cli.questions import Reading, asks
+from rosarch.cli.questions import ReadingOptions, asks
 from rosarch.cli.systems import Launches, load_systems
 from rosarch.cli.terminal import emit, show_diagnostics, show_note
 
@@ -51,7 +51,7 @@ Side = Annotated[
 
 @asks()
 def diff(
-    reading: Reading,
+    reading: ReadingOptions,
     old: Side,
     new: Side,
     packages: Packages = None,

@@ -2,35 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import typer
 
 from rosarch.cli.inputs import check_diagnostics, check_sources
-from rosarch.cli.options import Folder, Packages, parse_defines
-from rosarch.cli.questions import Reading, asks
+from rosarch.cli.options import Folder, Packages
+from rosarch.cli.questions import ReadingOptions, asks
 from rosarch.cli.terminal import emit, progress
 
 
 @asks("engine", "cached", "verbose")
-def doctor(reading: Reading, folder: Folder, packages: Packages = None) -> None:
+def doctor(reading: ReadingOptions, folder: Folder, packages: Packages = None) -> None:
     """Report what was replaced, missing, unresolved or slow in the packages below DIR, and what to do about it."""
-    variables = parse_defines(reading.defines)
+    settings = reading.sources()
     check_sources(folder)
     rules = reading.rules()
     from rosarch.findings.health import examine
     from rosarch.reports.doctor import doctor_text
 
     with progress() as report:
-        health = examine(
-            folder,
-            packages or None,
-            rules=rules,
-            jobs=reading.jobs,
-            timeout=reading.timeout,
-            defines=variables,
-            progress=report,
-        )
+        health = examine(folder, packages or None, replace(settings, cache=None, progress=report), rules=rules)
     check_diagnostics(folder, health.components, health.diagnostics)
     emit(doctor_text(health, Path.cwd()))
     if health.failed:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -54,6 +55,7 @@ def experiment(
     verbose: Verbose = False,
 ) -> None:
     """Compare variants of the analysis on many subjects: precision, recall and F1 with intervals, tests, cost."""
+    from rosarch.analysis.method import Method
     from rosarch.base.cache import Cache
     from rosarch.cli.check_options import load_configuration
     from rosarch.cli.systems import SystemInputs, load_systems
@@ -61,31 +63,30 @@ def experiment(
     from rosarch.evaluation.experiments.conduct import conduct
     from rosarch.evaluation.experiments.plan import PlanError, read_experiment
     from rosarch.evaluation.experiments.run import Runner
-    from rosarch.evaluation.experiments.subjects import Extracting
     from rosarch.evaluation.experiments.truth import TruthError
     from rosarch.extractor.manifest import ManifestError
+    from rosarch.extractor.settings import Settings
     from rosarch.reports.experiment import Report, report_text
     from rosarch.rule_programs.sets import system_rules
 
     read_input(file)
-    check_engine(engine)
+    check_engine(engine.value)
     try:
         with datalog_errors():
             plan = read_experiment(file)
         if out:
             check_output(out)
         with progress() as report:
+            settings = Settings(jobs, timeout, cache=extraction_cache(cached))
             kept = Cache(cache_folder() / "experiments") if cached else None
             runner = Runner(engine.value, jobs, kept, report)
 
             def check(subject: Subject, rules: RuleSet) -> Sequence[Finding]:
-                inputs = SystemInputs(
-                    subject.folder, engine=engine, jobs=jobs, timeout=timeout, defines=subject.defines, cached=cached, rules=rules
-                )
+                inputs = SystemInputs(subject.folder, Method(rules, engine.value, replace(settings, defines=subject.defines)))
                 configuration = load_configuration(subject.folder, None, system_rules(rules).checks)
                 return load_systems(inputs, configuration).findings
 
-            results, diagnostics = conduct(plan, Extracting(jobs, timeout, extraction_cache(cached), report), runner, check)
+            results, diagnostics = conduct(plan, replace(settings, progress=report), runner, check)
     except (PlanError, TruthError, ManifestError) as error:
         raise InputError(str(error)) from None
     show_diagnostics(diagnostics, verbose)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -14,6 +15,7 @@ from rosarch.cli.inputs import check_diagnostics, check_folder, extraction_cache
 from rosarch.cli.options import Cached, Defines, Folder, Jobs, Packages, Timeout, Verbose, parse_defines, path_argument
 from rosarch.cli.outputs import check_output, output_folder, unwritable
 from rosarch.cli.terminal import emit, progress, show_diagnostics
+from rosarch.extractor.settings import Settings
 
 Out = Annotated[
     Path,
@@ -38,7 +40,7 @@ def extract(
     verbose: Verbose = False,
 ) -> None:
     """Read the packages below DIR and write their facts, one folder of Soufflé .facts files per node or nodelet."""
-    variables = parse_defines(defines)
+    settings = Settings(jobs, timeout, parse_defines(defines), extraction_cache(cached))
     check_folder(folder)
     if text:
         _check_text(out)
@@ -48,15 +50,7 @@ def extract(
     from rosarch.extractor.pipeline import extract as extract_facts
 
     with progress() as report:
-        extraction = extract_facts(
-            folder,
-            packages or None,
-            jobs=jobs,
-            timeout=timeout,
-            defines=variables,
-            cache=extraction_cache(cached),
-            progress=report,
-        )
+        extraction = extract_facts(folder, packages or None, replace(settings, progress=report))
     with extraction:
         check_diagnostics(folder, len(extraction.components), extraction.diagnostics)
         if text:

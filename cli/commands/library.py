@@ -11,7 +11,7 @@ from rosarch.cli.errors import InputError
 from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import Input, Libraries, ModelFormat, Packages, path_argument
 from rosarch.cli.outputs import check_output, output_folder
-from rosarch.cli.questions import Reading, asks
+from rosarch.cli.questions import ReadingOptions, asks
 from rosarch.cli.terminal import emit, show_diagnostics
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def show(
 @app.command("build")
 @asks("own", "variants", "settings")
 def build(
-    reading: Reading,
+    reading: ReadingOptions,
     folder: Input,
     origin: Annotated[str, typer.Option(metavar="URL", help="Where the sources come from.", show_default=False)],
     revision: Annotated[str, typer.Option(metavar="REV", help="The commit or tag of the sources.", show_default=False)],

@@ -10,15 +10,14 @@ import typer
 from rosarch.cli.commands.rules_test import checked_path, systems_of
 from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import extraction_cache
 from rosarch.cli.options import path_argument
-from rosarch.cli.questions import Reading, asks
+from rosarch.cli.questions import ReadingOptions, asks
 from rosarch.cli.terminal import emit, progress
 
 
 @asks("engine", "defines", "verbose")
 def mutate(
-    reading: Reading,
+    reading: ReadingOptions,
     paths: Annotated[
         list[Path] | None,
         typer.Argument(parser=path_argument, metavar="[PATH]...", help="The tests, as for `rosarch rules test`."),
@@ -45,8 +44,7 @@ def mutate(
         found = find_cases(given)
         with datalog_errors(), progress() as report:
             program = component_program(rules)
-            cache = extraction_cache(reading.cached)
-            how = Running(rules, systems_of(rules, reading), jobs=reading.jobs, timeout=reading.timeout, cache=cache)
+            how = Running(systems_of(rules, reading), reading.method(rules))
             cases = [*(c for folder in found.rules for c in drop_in_cases(program, folder)), *mutation_cases(program, found.cases, how)]
             if not cases:
                 raise InputError(f"{', '.join(map(str, given))}: no tests of rules of components")

@@ -13,9 +13,9 @@ import typer
 
 from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_engine, check_folder, extraction_cache, read_input
+from rosarch.cli.inputs import check_engine, check_folder, read_input
 from rosarch.cli.options import Engine, path_argument
-from rosarch.cli.questions import Reading, asks
+from rosarch.cli.questions import ReadingOptions, asks
 from rosarch.cli.systems import SystemInputs, load_shared_facts, load_systems
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 @asks("defines")
 def test(
-    reading: Reading,
+    reading: ReadingOptions,
     paths: Annotated[
         list[Path] | None,
         typer.Argument(
@@ -53,7 +53,7 @@ def test(
     from rosarch.evaluation.expectations.run import Running, run_cases
 
     given = [checked_path(path) for path in paths or [Path()]]
-    check_engine(reading.engine)
+    check_engine(reading.engine.value)
     rules = reading.rules()
     try:
         found = find_cases(given)
@@ -61,8 +61,7 @@ def test(
             told = "a test is a source with comments `expect: ...`, or a folder with facts/*.facts and expected/*.csv"
             raise InputError(f"{', '.join(map(str, given))}: no tests; {told}")
         with datalog_errors(), progress() as report:
-            systems = systems_of(rules, reading)
-            how = Running(rules, systems, reading.engine.value, reading.jobs, reading.timeout, extraction_cache(reading.cached), report)
+            how = Running(systems_of(rules, reading), reading.method(rules).telling(report))
             outcomes = list(run_cases(found.cases, how))
     except ExpectationError as error:
         raise InputError(str(error)) from None
@@ -111,17 +110,16 @@ class WorkspaceSystems:
 
     def findings_with(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
         from rosarch.analysis.systems.analysis import findings_in
-        from rosarch.analysis.systems.reading import Reading
 
         shared, launches = self.around
-        return findings_in(shared.with_models(launches, models), launches, Reading(self.rules, engine=self.inputs.engine.value))
+        return findings_in(shared.with_models(launches, models), launches, self.inputs.method)
 
     def rows(self) -> Sequence[dict[str, list[tuple[Any, ...]]]]:
         shared, launches = self.around
         return [{name: list(rows) for name, rows in shared.rows(launch).items()} for launch in launches]
 
 
-def systems_of(rules: RuleSet, reading: Reading) -> Callable[[Path], WorkspaceSystems]:
+def systems_of(rules: RuleSet, reading: ReadingOptions) -> Callable[[Path], WorkspaceSystems]:
     """Gives the systems of a workspace."""
     return lambda folder: WorkspaceSystems(reading.systems_in(folder, None, rules), rules)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -12,10 +13,10 @@ import typer
 from rosarch.base.files import file_name
 from rosarch.cli.derivations import datalog_errors
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_engine, check_folder, check_input, extraction_cache
+from rosarch.cli.inputs import check_engine, check_folder, check_input
 from rosarch.cli.options import path_argument
 from rosarch.cli.outputs import check_output, output_folder
-from rosarch.cli.questions import Reading, asks
+from rosarch.cli.questions import ReadingOptions, asks
 from rosarch.cli.terminal import emit, progress, show_diagnostics
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ class ScoreFormat(str, Enum):
 
 @asks("defines")
 def score(
-    reading: Reading,
+    reading: ReadingOptions,
     truth: TruthFolder,
     systems: SystemsFolder = None,
     models: Models = None,
@@ -84,7 +85,7 @@ def score(
     check_folder(truth)
     if (systems is None) == (models is None):
         raise InputError("name either the folder of the systems or, with --models, that of their models")
-    check_engine(reading.engine)
+    check_engine(reading.engine.value)
     if out:
         check_output(out)
     try:
@@ -102,20 +103,19 @@ def score(
     emit(WRITERS[output_format.value](found, misses))
 
 
-def _analyzed(truths: Sequence[Truth], folder: Path, reading: Reading, absent: bool) -> SingleRun:
+def _analyzed(truths: Sequence[Truth], folder: Path, reading: ReadingOptions, absent: bool) -> SingleRun:
     from rosarch.evaluation.experiments.run import Runner
     from rosarch.evaluation.experiments.single import run_single, subjects_of
-    from rosarch.evaluation.experiments.subjects import Extracting
     from rosarch.extractor.manifest import ManifestError
     from rosarch.rule_programs.sets import model_program
 
     with datalog_errors():
         program = model_program(reading.rules())
     with progress() as report:
-        how = Extracting(reading.jobs, reading.timeout, extraction_cache(reading.cached), report)
+        settings = replace(reading.sources(), progress=report)
         runner = Runner(reading.engine.value, reading.jobs, progress=report)
         try:
-            return run_single(truths, subjects_of(truths, folder, absent=absent), program, how, runner, absent=absent)
+            return run_single(truths, subjects_of(truths, folder, absent=absent), program, settings, runner, absent=absent)
         except ManifestError as error:
             raise InputError(str(error)) from None
 

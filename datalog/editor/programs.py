@@ -10,7 +10,7 @@ from typing import TypeAlias
 from rosarch.datalog.editor.occurrences import Names, names_of
 from rosarch.datalog.engine.preparation import prepare
 from rosarch.datalog.language.errors import DatalogError, Diagnostic, Report
-from rosarch.datalog.language.preprocess import Reading
+from rosarch.datalog.language.preprocess import Loading
 from rosarch.datalog.language.sources import TOO_DEEP, deepest, read_program, read_text
 
 
@@ -105,7 +105,7 @@ class Programs:
 
     def _check(self, entry: Entry) -> CheckResult:
         try:
-            reading = Reading(instead=entry.instead)
+            reading = Loading(instead=entry.instead)
             unit, sources, report = read_program(entry.roots, reading=reading, edited=self.edited)
         except DatalogError as error:
             return CheckResult(entry, {}, tuple(error.diagnostics))

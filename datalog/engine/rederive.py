@@ -18,7 +18,7 @@ from typing import Any
 from rosarch.datalog.engine.slices import slice_unit
 from rosarch.datalog.language.components import instantiate
 from rosarch.datalog.language.errors import Report
-from rosarch.datalog.language.preprocess import Reading
+from rosarch.datalog.language.preprocess import Loading
 from rosarch.datalog.language.semantics import check
 from rosarch.datalog.language.sources import Sources, read_program
 from rosarch.datalog.language.strata import components, dependencies, reachable, turned_around
@@ -63,7 +63,7 @@ class RuleHistory:
     ) -> None:  # fmt: skip
         self.roots = tuple(roots)
         self.extra_source = extra_source
-        self.reading = Reading(instead=tuple(sorted((instead or {}).items())))
+        self.reading = Loading(instead=tuple(sorted((instead or {}).items())))
         self.bits = bits
         self._base: Unit | None = None
 

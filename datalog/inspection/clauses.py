@@ -17,7 +17,7 @@ from rosarch.datalog.engine.preparation import prepare
 from rosarch.datalog.language.clause_text import TOKEN
 from rosarch.datalog.language.errors import Location, Report
 from rosarch.datalog.language.inference import ClauseTypes
-from rosarch.datalog.language.preprocess import Reading
+from rosarch.datalog.language.preprocess import Loading
 from rosarch.datalog.language.sources import Sources, _Loader, collect, remembered
 from rosarch.datalog.language.strata import dependencies
 from rosarch.datalog.language.syntax import Clause, Relation, Unit
@@ -103,7 +103,7 @@ class _KnownTexts(_Loader):
     """Reads the files of a program from memory, as they went to the parser."""
 
     def __init__(self, texts: Mapping[str, str], report: Report, sources: Sources) -> None:
-        super().__init__(report, sources, Reading())
+        super().__init__(report, sources, Loading())
         self.known = texts
 
     def parse_file(self, path: Path, shown: str, included_at: Location | None, entered: set[str]) -> list[Item]:

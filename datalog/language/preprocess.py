@@ -22,7 +22,7 @@ LINE_MARK = re.compile(r'^[ \t]*#(?:line)?[ \t]*(\d+)(?:[ \t]+"([^"\n]*)")?[^\n]
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class Loading:
     """How files are found and read.
 
     `preprocess`: texts with C preprocessor directives are expanded first, with `macros` (`NAME` or `NAME=VALUE`) defined.

@@ -12,7 +12,7 @@ from pathlib import Path
 from rosarch.datalog.language.errors import DatalogError, Diagnostic, Location, Report
 from rosarch.datalog.language.overrides import Overridden, drop_overridden
 from rosarch.datalog.language.parser import parse_text
-from rosarch.datalog.language.preprocess import Reading, expand
+from rosarch.datalog.language.preprocess import Loading, expand
 from rosarch.datalog.language.syntax import (
     AdtDecl,
     Clause,
@@ -70,7 +70,7 @@ _NOTHING: Mapping[str, str] = {}
 
 
 class _Loader:
-    def __init__(self, report: Report, sources: Sources, reading: Reading, edited: Mapping[str, str] = _NOTHING) -> None:
+    def __init__(self, report: Report, sources: Sources, reading: Loading, edited: Mapping[str, str] = _NOTHING) -> None:
         self.report = report
         self.sources = sources
         self.reading = reading
@@ -195,7 +195,7 @@ def remembered(text: str, shown: str, report: Report, texts: dict[str, str]) -> 
 
 
 def read_program(
-    paths: Sequence[Path], extra_source: str = "", reading: Reading | None = None, *, edited: Mapping[str, str] = _NOTHING
+    paths: Sequence[Path], extra_source: str = "", reading: Loading | None = None, *, edited: Mapping[str, str] = _NOTHING
 ) -> tuple[Unit, Sources, Report]:
     """Parse root files, everything they include, and `extra_source` after them.
 
@@ -204,7 +204,7 @@ def read_program(
     """
     sources = Sources()
     report = Report(sources.texts)
-    loader = _Loader(report, sources, reading or Reading(), edited)
+    loader = _Loader(report, sources, reading or Loading(), edited)
     items: list[Item] = []
     entered: set[str] = set()
     for path in paths:

@@ -7,10 +7,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from rosarch.analysis.method import PLAIN, Method
 from rosarch.base.hints import hint
-from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.datalog import Program
 from rosarch.evaluation.expectations.actual import Found, Systems, is_source, require_query
 from rosarch.evaluation.expectations.alone import Alone
@@ -21,10 +20,6 @@ from rosarch.evaluation.expectations.judgement import Unmet, unmet
 from rosarch.extractor.pipeline import extract
 from rosarch.extractor.workspace import Diagnostic, loose_workspace
 from rosarch.rule_programs.sets import RuleSet, component_program, system_rules
-
-if TYPE_CHECKING:
-    from rosarch.base.cache import Cache
-    from rosarch.extractor.units import Progress
 
 
 @dataclass(frozen=True)
@@ -48,13 +43,8 @@ class CaseOutcome:
 class Running:
     """How cases are run; `systems` are those of a workspace."""
 
-    rules: RuleSet
     systems: Callable[[Path], Systems]
-    engine: str = "embedded"
-    jobs: int | None = None
-    timeout: float = SOURCE_SECONDS
-    cache: Cache | None = None
-    progress: Progress | None = None
+    method: Method = PLAIN
 
 
 def run_cases(cases: Sequence[Case], how: Running) -> Iterator[CaseOutcome]:
@@ -64,8 +54,8 @@ def run_cases(cases: Sequence[Case], how: Running) -> Iterator[CaseOutcome]:
         ExpectationError: a relation or check that there is not; all of these are told.
         DatalogError: the rules are wrong.
     """
-    program = component_program(how.rules)
-    _require_known(cases, program, how.rules)
+    program = component_program(how.method.rules)
+    _require_known(cases, program, how.method.rules)
     for case in cases:
         yield _run(case, program, how)
 
@@ -101,9 +91,9 @@ def observed(case: Case, program: Program, how: Running) -> Iterator[Found]:
     """What is found in the sources of a case."""
     loose = case.sources is not None
     workspace = loose_workspace(case.root.absolute(), [source.absolute() for source in case.sources or ()]) if loose else None
-    systems = Alone(case.root, how.rules, how.engine) if loose else how.systems(case.root)
-    with extract(case.root, jobs=how.jobs, timeout=how.timeout, cache=how.cache, progress=how.progress, workspace=workspace) as extraction:
-        yield Found(case.root, extraction, program, how.engine, systems)
+    systems = Alone(case.root, how.method.rules, how.method.engine) if loose else how.systems(case.root)
+    with extract(case.root, settings=how.method.sources, workspace=workspace) as extraction:
+        yield Found(case.root, extraction, program, how.method.engine, systems)
 
 
 def _run(case: Case, program: Program, how: Running) -> CaseOutcome:

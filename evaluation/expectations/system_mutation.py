@@ -58,7 +58,7 @@ class System:
 
 def finding_cases(cases: Sequence[Case], how: Running) -> Iterator[MutationCase]:
     """A case for each system of the workspaces in which checks are expected to find something, or nothing."""
-    rules = system_rules(how.rules)
+    rules = system_rules(how.method.rules)
     for case in cases:
         about = list(filter(is_finding, case.expectations))
         systems = how.systems(case.root).rows() if about and case.sources is None else ()

@@ -13,8 +13,9 @@ from rosarch.evaluation.experiments.comparison import EXTRA, FINDINGS, HIT, MISS
 from rosarch.evaluation.experiments.plan import Experiment
 from rosarch.evaluation.experiments.results import Component, Outcome, Results
 from rosarch.evaluation.experiments.run import Cell, Configuration, Evaluated, Runner
-from rosarch.evaluation.experiments.subjects import Extracting, OpenSubject, Subject, about, digest_of, opened
+from rosarch.evaluation.experiments.subjects import OpenSubject, Subject, about, digest_of, opened
 from rosarch.evaluation.experiments.truth import TruthError
+from rosarch.extractor.settings import Settings
 from rosarch.findings.model import Finding
 from rosarch.rule_programs.sets import RuleSet, system_rules
 
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 Check = Callable[[Subject, RuleSet], Sequence[Finding]]
 
 
-def conduct(experiment: Experiment, how: Extracting, runner: Runner, check: Check) -> tuple[Results, tuple[Diagnostic, ...]]:
+def conduct(experiment: Experiment, settings: Settings, runner: Runner, check: Check) -> tuple[Results, tuple[Diagnostic, ...]]:
     """Extract the facts of all subjects, then evaluate what was not evaluated before; also what was not understood.
 
     `check` makes the findings in the systems of a subject.
@@ -36,7 +37,7 @@ def conduct(experiment: Experiment, how: Extracting, runner: Runner, check: Chec
     """
     configurations = experiment.variants
     with ExitStack() as stack:
-        subjects = _opened(experiment, how, stack)
+        subjects = _opened(experiment, settings, stack)
         cells = [Cell(subject, facts, each) for subject in subjects for each in configurations for facts in subject.components]
         evaluated: dict[tuple[str, Component], Evaluated | None] = {}
         diagnostics = [diagnostic for subject in subjects for diagnostic in subject.diagnostics]
@@ -60,12 +61,12 @@ def conduct(experiment: Experiment, how: Extracting, runner: Runner, check: Chec
     return Results(experiment, outcomes, _provenance(experiment, configurations, subjects, runner.engine)), tuple(diagnostics)
 
 
-def _opened(experiment: Experiment, how: Extracting, stack: ExitStack) -> list[OpenSubject]:
+def _opened(experiment: Experiment, settings: Settings, stack: ExitStack) -> list[OpenSubject]:
     found = []
     problems = []
     for subject in experiment.subjects:
         try:
-            found.append(stack.enter_context(opened(subject, how)))
+            found.append(stack.enter_context(opened(subject, settings)))
         except TruthError as error:
             problems.append(str(error))
     if problems:

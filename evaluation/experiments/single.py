@@ -13,8 +13,9 @@ from rosarch.datalog import Program
 from rosarch.evaluation.experiments.comparison import Document
 from rosarch.evaluation.experiments.run import Cell, Configuration, Runner
 from rosarch.evaluation.experiments.scores import Score, score
-from rosarch.evaluation.experiments.subjects import Extracting, Subject, about, opened
+from rosarch.evaluation.experiments.subjects import Subject, about, opened
 from rosarch.evaluation.experiments.truth import Truth, TruthError, read_models, systems
+from rosarch.extractor.settings import Settings
 from rosarch.extractor.stored_facts import is_facts_text
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def subjects_of(truths: Sequence[Truth], folder: Path, *, absent: bool = False) 
 
 
 def run_single(
-    truths: Sequence[Truth], subjects: Sequence[Subject], program: Program, how: Extracting, runner: Runner, *, absent: bool = False,
+    truths: Sequence[Truth], subjects: Sequence[Subject], program: Program, settings: Settings, runner: Runner, *, absent: bool = False,
     done: Callable[[str, int], None] | None = None,
 ) -> SingleRun:  # fmt: skip
     """Analyse the components that truth names; `done` is told each system and its number of models.
@@ -71,7 +72,7 @@ def run_single(
     models: dict[tuple[str, str, str], Document] = {}
     diagnostics: list[Diagnostic] = []
     for subject in subjects:
-        with opened(subject, how, absent=absent) as found:
+        with opened(subject, settings, absent=absent) as found:
             diagnostics += found.diagnostics
             cells = [Cell(found, facts, Configuration("", program, tuple(program.outputs))) for facts in found.components]
             for cell, outcome in runner.run(cells):

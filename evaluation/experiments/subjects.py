@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rosarch.base.cache import Cache, hash_of, rows_digest
+from rosarch.base.cache import hash_of, rows_digest
 from rosarch.base.hints import hint
-from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.evaluation.experiments.truth import Truth, TruthError
+from rosarch.extractor.settings import Settings
 from rosarch.extractor.stored_facts import Facts, has_facts, read_stored
 
 if TYPE_CHECKING:
-    from rosarch.extractor.units import Progress
     from rosarch.extractor.workspace import Component, Diagnostic
 
 
@@ -52,18 +51,8 @@ class OpenSubject:
     absent: tuple[Truth, ...]
 
 
-@dataclass(frozen=True)
-class Extracting:
-    """How sources are read."""
-
-    jobs: int | None = None
-    timeout: float = SOURCE_SECONDS
-    cache: Cache | None = None
-    progress: Progress | None = None
-
-
 @contextmanager
-def opened(subject: Subject, how: Extracting, *, absent: bool = False) -> Iterator[OpenSubject]:
+def opened(subject: Subject, settings: Settings, *, absent: bool = False) -> Iterator[OpenSubject]:
     """Read the facts of a subject, or extract them.
 
     Raises:
@@ -84,16 +73,7 @@ def opened(subject: Subject, how: Extracting, *, absent: bool = False) -> Iterat
         return subject.wants(component.package, component.name)
 
     packages = sorted({truth.package for truth in subject.truths} or set(subject.packages)) or None
-    with extract(
-        subject.folder,
-        packages,
-        jobs=how.jobs,
-        timeout=how.timeout,
-        defines=subject.defines,
-        cache=how.cache,
-        progress=how.progress,
-        only=wanted,
-    ) as extraction:
+    with extract(subject.folder, packages, replace(settings, defines=subject.defines), only=wanted) as extraction:
         components = tuple(
             Facts(c.name, c.package, c.kind, c.sources, c.key or rows_digest(c.rows()), c.rows) for c in extraction.components
         )

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.analysis.method import Method
 from rosarch.analysis.systems.analysis import SystemAnalysis, analyze_systems
 from rosarch.analysis.systems.launches import given
-from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.base.places import Place
+from rosarch.extractor.settings import Settings
 from rosarch.models.system.build import evaluate, system_model
 from rosarch.models.system.model import Connector, Inclusion
 from rosarch.models.system.rows import merged
@@ -37,7 +38,7 @@ def analysis(workspace: Path) -> SystemAnalysis:
     (workspace / "talker" / "main.launch").write_text(LAUNCH)
     (workspace / "talker" / "part.launch").write_text('<launch>\n<node pkg="talker" type="talker" name="two"/>\n</launch>')
     where = LaunchEnvironment(workspace, (workspace,), {})
-    return analyze_systems(workspace, given([parse_request("talker/main.launch")], where), Reading(jobs=1))
+    return analyze_systems(workspace, given([parse_request("talker/main.launch")], where), Method(sources=Settings(jobs=1)))
 
 
 def test_nodes(analysis: SystemAnalysis) -> None:
@@ -94,7 +95,7 @@ def test_one_system_that_fails_costs_that_system(workspace: Path, monkeypatch: p
         return system_model(name, *rest)  # type: ignore[arg-type]
 
     monkeypatch.setattr("rosarch.models.system.build.system_model", broken)
-    found = analyze_systems(workspace, launches, Reading(jobs=1))
+    found = analyze_systems(workspace, launches, Method(sources=Settings(jobs=1)))
     assert [system.name for system in found.systems] == ["talker/b.launch"]
     assert [diagnostic.message.partition(":")[0] for diagnostic in found.diagnostics] == ["talker/a.launch not composed"]
 

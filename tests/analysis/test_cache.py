@@ -14,7 +14,9 @@ import pytest
 
 from rosarch.analysis.cache import ModelCache
 from rosarch.analysis.components import analyze
+from rosarch.analysis.method import Method
 from rosarch.base.cache import Cache
+from rosarch.extractor.settings import Settings
 from rosarch.models.component import ComponentModel, to_json
 
 CMAKE = """
@@ -52,7 +54,7 @@ def workspace(tmp_path: Path) -> Path:
 
 
 def documents(root: Path, cache: Cache | None) -> str:
-    return json.dumps([to_json(model) for model in analyze(root, jobs=1, cache=cache).models])
+    return json.dumps([to_json(model) for model in analyze(root, method=Method(sources=Settings(jobs=1, cache=cache))).models])
 
 
 @pytest.fixture

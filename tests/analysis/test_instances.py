@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.analysis.method import Method
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
-from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
+from rosarch.extractor.settings import Settings
 from rosarch.models.component import component_of
 from rosarch.models.node_configuration import PluginTold, told_to
 from rosarch.models.system.model import SystemModel
@@ -146,7 +147,7 @@ def system(tmp_path_factory: pytest.TempPathFactory) -> SystemModel:
     for name, text in files.items():
         (package / name).write_text(text)
     where = LaunchEnvironment(root, (root,), {})
-    analysis = analyze_systems(root, given([parse_request("host/main.launch.py")], where), Reading(jobs=1))
+    analysis = analyze_systems(root, given([parse_request("host/main.launch.py")], where), Method(sources=Settings(jobs=1)))
     return analysis.systems[0]
 
 
@@ -245,7 +246,7 @@ def test_what_may_be_reconfigured_is_not_decided(tmp_path: Path) -> None:
         (tmp_path / "cam" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "cam" / name).write_text(text)
     where = LaunchEnvironment(tmp_path, (tmp_path,), {})
-    analysis = analyze_systems(tmp_path, given([parse_request("cam/main.launch")], where), Reading(jobs=1))
+    analysis = analyze_systems(tmp_path, given([parse_request("cam/main.launch")], where), Method(sources=Settings(jobs=1)))
     (system,) = analysis.systems
     assert [name for name in ("/one", "/two") if "/raw" in ports_of(system, name)] == ["/one"]
     for title in (node.component for node in system.nodes):
@@ -339,7 +340,7 @@ def test_texts_are_followed_through_what_they_decide(tmp_path: Path) -> None:
         (tmp_path / "grid" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "grid" / name).write_text(text)
     where = LaunchEnvironment(tmp_path, (tmp_path,), {})
-    (system,) = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1)).systems
+    (system,) = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Method(sources=Settings(jobs=1))).systems
     assert ports_of(system, "/cart/local/grid") == {"/cart/laser/scan", "/cart/cloud", "/cart/zones", "/cart/local/state"}
     assert ports_of(system, "/grid") == {"/map", "/mask", "/state"}
     (node,) = (node for node in system.nodes if node.name == "/cart/local/grid")
@@ -388,7 +389,7 @@ def test_a_text_decides_what_a_callback_does(tmp_path: Path) -> None:
         (tmp_path / "grid" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "grid" / name).write_text(text)
     where = LaunchEnvironment(tmp_path, (tmp_path,), {})
-    analysis = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Reading(jobs=1))
+    analysis = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Method(sources=Settings(jobs=1)))
     models = {model.title: model for model in analysis.models}
     found = {node.name: [reaction.must for reaction in models[node.component].behavior.reactive] for node in analysis.systems[0].nodes}
     assert found == {"/loud": [True], "/quiet": []}

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.analysis.method import Method
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
-from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
+from rosarch.extractor.settings import Settings
 
 MANIFEST = """<package format="2"><name>layers</name><version>1.0.0</version><description>d</description>
 <maintainer email="a@example.com">m</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend>
@@ -122,7 +123,7 @@ def test_each_map_of_a_list_is_a_plugin(tmp_path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     where = LaunchEnvironment(tmp_path, (tmp_path,), {})
-    (system,) = analyze_systems(tmp_path, given([parse_request("layers/main.launch")], where), Reading(jobs=1)).systems
+    (system,) = analyze_systems(tmp_path, given([parse_request("layers/main.launch")], where), Method(sources=Settings(jobs=1))).systems
     (node,) = (node for node in system.nodes if node.name == "/host")
     assert {port.name for port in node.ports if not port.implicit} == {
         "/host/one/left",

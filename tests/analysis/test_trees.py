@@ -6,11 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.analysis.method import Method
 from rosarch.analysis.systems.analysis import analyze_systems
 from rosarch.analysis.systems.launches import given
-from rosarch.analysis.systems.reading import Reading
 from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.extractor.behavior_trees import TreeNode, nodes_of
+from rosarch.extractor.settings import Settings
 from rosarch.models.system.model import SystemModel
 
 MANIFEST = """<package format="3"><name>trees</name><version>1.0.0</version><description>d</description>
@@ -154,7 +155,7 @@ def _system(folder: Path, client: str = OWN, parameters: str = "", trees: dict[s
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     where = LaunchEnvironment(folder, (folder,), {})
-    (system,) = analyze_systems(folder, given([parse_request("launch/all.launch.py")], where), Reading(jobs=1)).systems
+    (system,) = analyze_systems(folder, given([parse_request("launch/all.launch.py")], where), Method(sources=Settings(jobs=1))).systems
     return system
 
 

@@ -13,6 +13,7 @@ import pytest
 
 from rosarch.base.cache import Cache, hash_of
 from rosarch.extractor.pipeline import extract
+from rosarch.extractor.settings import Settings
 from rosarch.extractor.version import extractor_version
 
 CMAKE = """
@@ -45,7 +46,7 @@ def workspace(tmp_path: Path) -> Path:
 
 def facts(root: Path, cache: Cache | None) -> dict[str, set[tuple[object, ...]]]:
     """The facts of the only component; none are known, so that the index of units and the entries of all of them are used."""
-    with extract(root, jobs=1, cache=cache, known=lambda _component: False) as extraction:
+    with extract(root, settings=Settings(jobs=1, cache=cache), known=lambda _component: False) as extraction:
         (component,) = extraction.components
         return {name: set(rows) for name, rows in component.rows().items()}
 
@@ -122,9 +123,10 @@ def test_a_workspace_elsewhere_shares_the_entries(workspace: Path, tmp_path: Pat
     assert len(entries(cache)) == 1
 
 
-def key(root: Path, cache: Cache, **options: Any) -> str | None:
+def key(root: Path, cache: Cache, packages: list[str] | None = None, **options: Any) -> str | None:
     """The key of the facts of the only component, which are known when they have one."""
-    with extract(root, jobs=1, cache=cache, known=lambda component: component.key is not None, **options) as extraction:
+    settings = Settings(jobs=1, cache=cache, **options)
+    with extract(root, packages, settings, known=lambda component: component.key is not None) as extraction:
         (component,) = extraction.components
         return component.key
 

@@ -9,6 +9,7 @@ import pytest
 from workspace_builder import package, write
 
 from rosarch.extractor.pipeline import extract
+from rosarch.extractor.settings import Settings
 
 Live = Callable[..., set[str]]
 
@@ -22,7 +23,7 @@ def live(tmp_path: Path) -> Live:
     def names(source: str, **more: str) -> set[str]:
         files = {"node.cpp": source, **{f"{name}.cpp": text for name, text in more.items()}}
         package(tmp_path, "demo", f"add_executable(node {' '.join(files)})\n", files)
-        with extract(tmp_path, jobs=1) as extraction:
+        with extract(tmp_path, settings=Settings(jobs=1)) as extraction:
             (component,) = extraction.components
             rows = component.rows()
         bodies = {function for _, function in rows["block"]}
@@ -91,7 +92,7 @@ def test_a_library_makes_the_plugin(tmp_path: Path) -> None:
     """
     plugins = '<library path="lib/libfilter"><class name="demo/filter" type="Filter" base_class_type="nodelet::Nodelet"/></library>'
     package(tmp_path, "demo", "add_library(filter filter.cpp)\n", {"filter.cpp": source, "nodelets.xml": plugins}, export='<nodelet plugin="${prefix}/nodelets.xml"/>')  # fmt: skip
-    with extract(tmp_path, jobs=1) as extraction:
+    with extract(tmp_path, settings=Settings(jobs=1)) as extraction:
         (component,) = extraction.components
         rows = component.rows()
     bodies = {function for _, function in rows["block"]}
@@ -119,7 +120,7 @@ if __name__ == '__main__':
     package(tmp_path, "demo", "catkin_install_python(PROGRAMS scripts/node.py DESTINATION lib)\n")
     write(tmp_path, {"demo/scripts/node.py": "#!/usr/bin/env python\n" + code})
     (tmp_path / "demo/scripts/node.py").chmod(0o755)
-    with extract(tmp_path, jobs=1) as extraction:
+    with extract(tmp_path, settings=Settings(jobs=1)) as extraction:
         (component,) = extraction.components
         rows = component.rows()
     bodies = {function for _, function in rows["block"]}

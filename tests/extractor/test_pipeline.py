@@ -13,6 +13,7 @@ from rosarch.base.cache import Cache
 from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.manifest import read_manifest
 from rosarch.extractor.pipeline import ComponentFacts, Extraction, extract
+from rosarch.extractor.settings import Settings
 
 LIBRARY = '#include "common/helper.h"\nvoid help(int x) { help_more(x); }\n'
 HEADER = "#pragma once\nvoid help(int x);\ninline void help_more(int x) { if (x > 0) help(x - 1); }\n"
@@ -42,15 +43,15 @@ def component(extraction: Extraction, name: str) -> ComponentFacts:
     return found
 
 
-def rows(root: Path, **options: object) -> dict[str, dict[str, set[tuple[str | int, ...]]]]:
-    with extract(root, **options) as extraction:  # type: ignore[arg-type]
+def rows(root: Path, packages: list[str] | None = None, *, jobs: int) -> dict[str, dict[str, set[tuple[str | int, ...]]]]:
+    with extract(root, packages, Settings(jobs)) as extraction:
         return {
             component.name: {name: set(found) for name, found in component.rows().items() if found} for component in extraction.components
         }
 
 
 def test_components_and_their_sources(root: Path) -> None:
-    with extract(root, jobs=1) as extraction:
+    with extract(root, settings=Settings(jobs=1)) as extraction:
         assert [(c.package, c.name, c.kind, c.sources) for c in extraction.components] == [
             ("common", "self", "node", ("common/src/self.cpp",)),
             ("robot", "left", "node", ("robot/left.cpp",)),
@@ -117,7 +118,7 @@ def test_written_facts_are_the_same_bytes(root: Path, tmp_path: Path) -> None:
     texts = []
     for jobs in (1, 2):
         out = tmp_path / f"facts{jobs}"
-        with extract(root, jobs=jobs) as extraction:
+        with extract(root, settings=Settings(jobs=jobs)) as extraction:
             extraction.write(out)
         texts.append({path.relative_to(out).as_posix(): path.read_bytes() for path in sorted(out.rglob("*")) if path.is_file()})
     assert texts[0] == texts[1]
@@ -141,7 +142,7 @@ def test_one_unreadable_source_costs_itself(root: Path) -> None:
     broken = root / "robot/extra.cpp"
     broken.unlink()
     broken.mkdir()
-    with extract(root, jobs=1) as extraction:
+    with extract(root, settings=Settings(jobs=1)) as extraction:
         assert [component.name for component in extraction.components] == ["self", "left", "right"]
         right = component(extraction, "right").rows()
         assert "main" in {name for _, name in right["function_name"]}
@@ -161,7 +162,7 @@ def test_a_crash_in_one_source_costs_itself(root: Path, monkeypatch: pytest.Monk
         return real(unit, *arguments, **options)
 
     monkeypatch.setattr(units, "extract_unit", crash_on_extra)
-    with extract(root, jobs=1) as extraction:
+    with extract(root, settings=Settings(jobs=1)) as extraction:
         right, left = component(extraction, "right").rows(), component(extraction, "left").rows()
         assert set(right["source_failed"]) == {(file_key("robot/extra.cpp"), "crash")}
         assert "main" in {name for _, name in right["function_name"]}
@@ -177,7 +178,7 @@ def test_an_error_in_one_source_is_one_line(root: Path, monkeypatch: pytest.Monk
         raise ValueError("broken")
 
     monkeypatch.setattr(units, "extract_unit", fail)
-    with extract(root, packages=["common"], jobs=1) as extraction:
+    with extract(root, packages=["common"], settings=Settings(jobs=1)) as extraction:
         lines = [str(diagnostic).replace(f"{root}/", "") for diagnostic in extraction.diagnostics]
         assert [line.partition(", in ")[0] for line in lines] == [
             f"common/src/{name}:1:1: not analysed: error (ValueError: broken" for name in ("helper.cpp", "self.cpp")
@@ -206,7 +207,7 @@ def test_a_bad_source_stops_nothing(root: Path, case: str) -> None:
 @pytest.mark.parametrize("case", BAD_SOURCES)
 def test_a_bad_source_is_reported(root: Path, case: str) -> None:
     write(root, {"robot/extra.cpp": BAD_SOURCES[case]})
-    with extract(root, packages=["robot"], jobs=1) as extraction:
+    with extract(root, packages=["robot"], settings=Settings(jobs=1)) as extraction:
         lines = [str(diagnostic).replace(f"{root}/", "") for diagnostic in extraction.diagnostics]
     column = 7 if case == "not UTF-8" else 1
     assert len([line for line in lines if line.startswith(f"robot/extra.cpp:1:{column}: ")]) == 1
@@ -230,7 +231,7 @@ def test_errors_that_lose_code_are_told(root: Path, tmp_path: Path, text: str) -
     write(root, {"robot/extra.cpp": text + "int last;"})
     cache = Cache(tmp_path / "cache")
     for _run in range(2):  # the second time from the cache
-        with extract(root, packages=["robot"], jobs=1, cache=cache) as extraction:
+        with extract(root, packages=["robot"], settings=Settings(jobs=1, cache=cache)) as extraction:
             lines = [str(diagnostic).replace(f"{root}/", "") for diagnostic in extraction.diagnostics]
         assert [line for line in lines] == [f"robot/extra.cpp:{LOSING[text]}"]
 
@@ -240,13 +241,13 @@ def test_harmless_errors_are_not_told(root: Path) -> None:
         root,
         {"robot/extra.cpp": "#include <QtGui/QFoo.h>\nNS_BEGIN(x)\nclass A : Q::B { Q_OBJECT; void f(Mat m) { m.bar(); } };\nNS_END\n"},
     )
-    with extract(root, packages=["robot"], jobs=1) as extraction:
+    with extract(root, packages=["robot"], settings=Settings(jobs=1)) as extraction:
         assert extraction.diagnostics == []
 
 
 def test_progress_counts_the_sources(root: Path) -> None:
     seen: list[tuple[str, int, int]] = []
-    with extract(root, jobs=1, progress=lambda *step: seen.append(step)):
+    with extract(root, settings=Settings(jobs=1, progress=lambda *step: seen.append(step))):
         pass
     total = seen[-1][2]
     assert seen == [("sources", number, total) for number in range(1, total + 1)]
@@ -256,14 +257,14 @@ def test_temporary_files_go(root: Path, tmp_path: Path, monkeypatch: pytest.Monk
     scratch = tmp_path / "scratch"
     scratch.mkdir()
     monkeypatch.setattr("tempfile.tempdir", str(scratch))
-    with extract(root, jobs=1):
+    with extract(root, settings=Settings(jobs=1)):
         assert list(scratch.iterdir()) != []
     assert list(scratch.iterdir()) == []
     assert sorted(path.name for path in root.iterdir()) == ["common", "robot"]
 
 
 def test_an_empty_folder_has_no_components(tmp_path: Path) -> None:
-    with extract(tmp_path, jobs=1) as extraction:
+    with extract(tmp_path, settings=Settings(jobs=1)) as extraction:
         assert extraction.components == ()
 
 

@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 
 from rosarch.analysis.components import analyze
+from rosarch.analysis.method import Method
+from rosarch.extractor.settings import Settings
 from rosarch.models.component import to_json
 
 HERE = Path(__file__).parent / "behavior"
@@ -72,7 +74,7 @@ def test_behavior_is_as_expected(node: Path, tmp_path: Path) -> None:
     source = node.read_text(encoding="utf-8")
     for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
         (tmp_path / name).write_text(text, encoding="utf-8")
-    (model,) = analyze(tmp_path, jobs=1).models
+    (model,) = analyze(tmp_path, method=Method(sources=Settings(jobs=1))).models
     expected = sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
     assert expected
     assert lines(to_json(model)) == expected

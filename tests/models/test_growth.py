@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from check_speed import make_workspace
 
+from rosarch.analysis.method import PLAIN
 from rosarch.cli.systems import SystemInputs, load_shared_facts
 from rosarch.models.system.build import evaluate
 from rosarch.rule_programs.sets import system_rules
@@ -18,7 +19,7 @@ BUS = 6
 def derived(folder: Path, nodes: int) -> dict[str, int]:
     """The rows of every relation for a system of so many nodes of one component."""
     make_workspace(folder, nodes, 1, BUS)
-    shared, (launch,) = load_shared_facts(SystemInputs(folder))
+    shared, (launch,) = load_shared_facts(SystemInputs(folder, PLAIN))
     rules = system_rules()
     result = evaluate(rules, shared.rows(launch), keep=list(rules.program.relations))
     return {name: result.count(name) for name in result.names()}

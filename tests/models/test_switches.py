@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from rosarch.analysis.components import analyze
+from rosarch.analysis.method import Method
+from rosarch.extractor.settings import Settings
 from rosarch.models import formula
 from rosarch.models.switches import Switched
 
@@ -40,7 +42,7 @@ def test_what_is_on_at_times_is_as_expected(node: Path, tmp_path: Path) -> None:
     source = node.read_text(encoding="utf-8")
     for name, text in _files(source, managed=node.stem in MANAGED).items():
         (tmp_path / name).write_text(text, encoding="utf-8")
-    (model,) = analyze(tmp_path, jobs=1).models
+    (model,) = analyze(tmp_path, method=Method(sources=Settings(jobs=1))).models
     assert [_line(each) for each in model.behavior.switched] == re.findall(r"^// expect: (.*)$", source, re.MULTILINE)
     names = {port.id: port.name for port in model.ports}
     starts = ", ".join(sorted(f"{names[port]} {place.line} {how}" for port, place, how in model.behavior.starting))

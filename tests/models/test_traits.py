@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 
 from rosarch.analysis.components import analyze
+from rosarch.analysis.method import Method
+from rosarch.extractor.settings import Settings
 from rosarch.models.component import ComponentModel
 from rosarch.models.traits import TRAITS
 
@@ -68,7 +70,7 @@ def test_what_goes_on_and_in_which_order_is_as_expected(node: Path, tmp_path: Pa
     source = node.read_text(encoding="utf-8")
     for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
         (tmp_path / name).write_text(text, encoding="utf-8")
-    (model,) = analyze(tmp_path, jobs=1).models
+    (model,) = analyze(tmp_path, method=Method(sources=Settings(jobs=1))).models
     assert lines(model, lives=True) == sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
 
 
@@ -77,6 +79,6 @@ def test_traits_are_as_expected(node: Path, tmp_path: Path) -> None:
     source = node.read_text(encoding="utf-8")
     for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
         (tmp_path / name).write_text(text, encoding="utf-8")
-    (model,) = analyze(tmp_path, jobs=1).models
+    (model,) = analyze(tmp_path, method=Method(sources=Settings(jobs=1))).models
     assert lines(model) == sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
     assert ("// expect:" in source) != node.stem.endswith("_not")

@@ -14,6 +14,7 @@ from rosarch.datalog import RelationDecl, load_declarations
 from rosarch.extractor.facts import schema
 from rosarch.extractor.manifest import rules_folder
 from rosarch.extractor.pipeline import extract
+from rosarch.extractor.settings import Settings
 from rosarch.rule_programs.lint import lint_rules
 from rosarch.rule_programs.sets import component_program, other_variants, system_rules
 from rosarch.rule_programs.variants import Decision, decisions
@@ -220,7 +221,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (package / "echo.py").write_text(SCRIPT, encoding="utf-8")
     filled: set[str] = set()
     for root in (tmp_path / "src", EXAMPLES / "nodelet_filter", EXAMPLES / "services_and_actions"):
-        with extract(root, jobs=1) as extraction:
+        with extract(root, settings=Settings(jobs=1)) as extraction:
             for component in extraction.components:
                 filled |= {relation for relation, rows in component.rows().items() if rows}
     assert sorted(set(schema()) - filled - set(ELSEWHERE)) == []

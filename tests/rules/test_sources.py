@@ -13,11 +13,13 @@ from pathlib import Path
 
 import pytest
 
+from rosarch.analysis.method import Method
 from rosarch.cli.commands.rules_test import systems_of
-from rosarch.cli.questions import Reading
+from rosarch.cli.questions import ReadingOptions
 from rosarch.evaluation.expectations.alone import Alone
 from rosarch.evaluation.expectations.cases import Case, find_cases
 from rosarch.evaluation.expectations.run import FileOutcome, Running, run_cases
+from rosarch.extractor.settings import Settings
 from rosarch.reports.expectations import file_text
 from rosarch.rule_programs.sets import SHIPPED, rule_set
 
@@ -51,8 +53,8 @@ Outcomes = dict[Path, FileOutcome]
 def outcomes(folder: str, case: Case) -> Outcomes:
     """What became of each file of a case."""
     rules = FOLDERS[folder]
-    systems = systems_of(rules, Reading(jobs=1)) if folder == "packages" else partial(Alone, rules=rules, engine="embedded")
-    (outcome,) = run_cases([case], Running(rules, systems, jobs=1))
+    systems = systems_of(rules, ReadingOptions(jobs=1)) if folder == "packages" else partial(Alone, rules=rules, engine="embedded")
+    (outcome,) = run_cases([case], Running(systems, Method(rules, sources=Settings(jobs=1))))
     return {file.path: file for file in outcome.files}
 
 

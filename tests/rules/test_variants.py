@@ -12,6 +12,7 @@ import pytest
 
 from rosarch.datalog import Program
 from rosarch.extractor.pipeline import extract
+from rosarch.extractor.settings import Settings
 from rosarch.rule_programs.sets import component_program, rule_set, system_rules
 from rosarch.rule_programs.variants import decisions
 
@@ -131,7 +132,7 @@ def facts_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Facts]
         (package / "package.xml").write_text(MANIFEST, encoding="utf-8")
         (package / "CMakeLists.txt").write_text("project(demo)\nadd_executable(demo demo.cpp)\n", encoding="utf-8")
         (package / "demo.cpp").write_text(source, encoding="utf-8")
-        with extract(package.parent, jobs=1) as extraction:
+        with extract(package.parent, settings=Settings(jobs=1)) as extraction:
             return {name: list(rows) for name, rows in extraction.components[0].rows().items()}
 
     return extracted

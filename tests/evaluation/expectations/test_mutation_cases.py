@@ -8,11 +8,13 @@ from types import SimpleNamespace
 
 import pytest
 
+from rosarch.analysis.method import Method
 from rosarch.evaluation.expectations.alone import Alone
 from rosarch.evaluation.expectations.cases import find_cases
 from rosarch.evaluation.expectations.mutation import mutation_cases
 from rosarch.evaluation.expectations.run import Running
 from rosarch.evaluation.expectations.system_mutation import finding_cases
+from rosarch.extractor.settings import Settings
 from rosarch.rule_programs.sets import SHIPPED, component_program
 from tests.rules.rule_cases import case_of, facts_and_program
 
@@ -37,7 +39,7 @@ SCRIPT = "#!/usr/bin/env python3\n# expect: publisher /text\nimport rospy\nfrom 
 
 def test_other_rows_are_noticed_and_the_same_are_not(tmp_path: Path) -> None:
     (tmp_path / "node.cpp").write_text(NODE)
-    how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=1)
+    how = Running(partial(Alone, rules=SHIPPED, engine="embedded"), Method(sources=Settings(jobs=1)))
     (case,) = mutation_cases(component_program(), find_cases([tmp_path / "node.cpp"]).cases, how)
     assert case.fails is not None and not case.fails(case.rows)
     assert case.notices({"port_latched": []})
@@ -47,7 +49,7 @@ def test_other_rows_are_noticed_and_the_same_are_not(tmp_path: Path) -> None:
 def test_a_script_beside_other_sources_is_one_component(tmp_path: Path) -> None:
     (tmp_path / "node.cpp").write_text(NODE)
     (tmp_path / "script.py").write_text(SCRIPT)
-    how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=1)
+    how = Running(partial(Alone, rules=SHIPPED, engine="embedded"), Method(sources=Settings(jobs=1)))
     cases = list(mutation_cases(component_program(), find_cases([tmp_path]).cases, how))
     assert sorted(case.name for case in cases) == [f"{tmp_path}: node", f"{tmp_path}: script"]
 
@@ -70,7 +72,7 @@ int main(int argc, char** argv)
 
 def test_findings_that_are_gone_are_noticed(tmp_path: Path) -> None:
     (tmp_path / "echo.cpp").write_text(ECHO)
-    how = Running(SHIPPED, partial(Alone, rules=SHIPPED, engine="embedded"), jobs=1)
+    how = Running(partial(Alone, rules=SHIPPED, engine="embedded"), Method(sources=Settings(jobs=1)))
     (case,) = mutation_cases(component_program(), find_cases([tmp_path / "echo.cpp"]).cases, how)
     assert case.notices({"reacts": []})
     assert not case.notices({"node_name": []})
@@ -84,7 +86,7 @@ def test_systems_in_which_checks_find_other_things(tmp_path: Path) -> None:
     expected = find_cases([tmp_path]).cases
 
     def noticed(*systems: object) -> list[bool]:
-        cases = finding_cases(expected, Running(SHIPPED, lambda _: SimpleNamespace(rows=lambda: systems)))
+        cases = finding_cases(expected, Running(lambda _: SimpleNamespace(rows=lambda: systems)))
         return [case.notices({"topic_type_mismatch": []}) for case in cases]
 
     placed = {**facts, "place": [(at, "demo.launch", 3, 1) for at, *_ in facts["place"]]}

@@ -1,40 +1,46 @@
-"""How the components of a workspace are read."""
+"""By what components and systems are analysed."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosarch.base.cache import hash_of
-from rosarch.base.limits import SOURCE_SECONDS
+from rosarch.extractor.settings import DEFAULT, Progress, Settings
 from rosarch.rule_programs.choice import SHIPPED, RuleSet
 
 if TYPE_CHECKING:
-    from rosarch.base.cache import Cache
-    from rosarch.extractor.units import Progress
     from rosarch.findings.configuration import RateGiven
 
 
 @dataclass(frozen=True)
-class Reading:
-    """The rules, users' folders of library files that come before rosarch's own, the rates that users give; for the rest see `analyze`."""
+class Method:
+    """The rules, the engine that evaluates them, and how `sources` are read.
+
+    Of systems, too, users' folders of library files that come before rosarch's own, and the rates that users give.
+    """
 
     rules: RuleSet = SHIPPED
-    library: Sequence[Path] = ()
     engine: str = "embedded"
-    jobs: int | None = None
-    timeout: float = SOURCE_SECONDS
-    defines: Mapping[str, str] = field(default_factory=dict)
-    cache: Cache | None = None
-    progress: Progress | None = None
+    sources: Settings = DEFAULT
+    library: Sequence[Path] = ()
     rates: Sequence[RateGiven] = ()
+
+    def telling(self, progress: Progress | None) -> Method:
+        """The same, of which `progress` is told."""
+        return replace(self, sources=replace(self.sources, progress=progress))
 
     def key(self) -> list[str]:
         """All that the result depends on, but for the input and what ships."""
-        return [rules_hash(self.rules), self.engine, repr(self.timeout), repr(sorted(self.defines.items())), library_hash(self.library)]
+        sources = [repr(self.sources.timeout), repr(sorted(self.sources.defines.items()))]
+        return [rules_hash(self.rules), self.engine, *sources, library_hash(self.library)]
+
+
+PLAIN = Method()
+"""What ships, by sources that are read as by default."""
 
 
 def rules_hash(rules: RuleSet) -> str:

@@ -1,0 +1,32 @@
+"""How sources are read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from rosarch.base.limits import SOURCE_SECONDS
+
+if TYPE_CHECKING:
+    from rosarch.base.cache import Cache
+
+Progress = Callable[[str, int, int], None]
+"""Is told at which stage how many are done, and of how many."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How sources are read: by `jobs` processes, or as many as there are processors, with `timeout` as the limit in seconds for one source.
+
+    `defines` are CMake cache variables. With a `cache`, only what has changed since an earlier time is read again.
+    """
+
+    jobs: int | None = None
+    timeout: float = SOURCE_SECONDS
+    defines: Mapping[str, str] = field(default_factory=dict)
+    cache: Cache | None = None
+    progress: Progress | None = None
+
+
+DEFAULT = Settings()
