@@ -76,7 +76,7 @@ def run_tasks(
             ready = wait([worker.connection for worker in busy], patience)
             for worker in [w for w in busy if w.connection in ready or time.monotonic() > w.deadline]:
                 busy.remove(worker)
-                index, outcome = worker.index, _outcome(worker, timeout) if worker.connection in ready else _expire(worker, timeout)
+                index, outcome = worker.index, _outcome(worker) if worker.connection in ready else _expire(worker, timeout)
                 if not worker.process.is_alive():
                     workers.remove(worker)
                     worker.connection.close()
@@ -167,7 +167,7 @@ def _feed(worker: _Worker[Task], pending: Iterator[int], tasks: Sequence[Task], 
         busy.append(worker)
 
 
-def _outcome(worker: _Worker[Any], timeout: float) -> Any:
+def _outcome(worker: _Worker[Any]) -> Any:
     try:
         return worker.connection.recv()
     except (EOFError, ConnectionResetError):

@@ -66,7 +66,7 @@ def plan(machine: Machine, rows: Mapping[Row, tuple[str, ...]]) -> Plan:
                 silent.add(row)
         if len(found) == len(rows):
             break
-    left = tuple((row, _reason(machine, row, triggers, row in silent)) for row, triggers in rows.items() if row not in found)
+    left = tuple((row, _reason(machine, triggers, row in silent)) for row, triggers in rows.items() if row not in found)
     return Plan(tuple(found[row] for row in rows if row in found), left)
 
 
@@ -131,7 +131,7 @@ def _sent_by(machine: Machine, row: Row) -> frozenset[str]:
     return frozenset(found)
 
 
-def _reason(machine: Machine, row: Row, triggers: tuple[str, ...], silent: bool) -> str:
+def _reason(machine: Machine, triggers: tuple[str, ...], silent: bool) -> str:
     if silent:
         return "nothing that is sent tells whether it happened"
     if not any(trigger in machine.reactions for trigger in triggers):

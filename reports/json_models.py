@@ -16,11 +16,6 @@ from rosarch.reports.printable import json_text
 _IDENTITY = ("system", "component", "package", "kind", "node_name", "executable", "ports")
 
 
-def model_text(model: ComponentModel) -> str:
-    """One component's document."""
-    return json_text(to_json(model))
-
-
 def models_text(models: Iterable[ComponentModel]) -> str:
     """All documents in one array."""
     return json_text([to_json(model) for model in models])

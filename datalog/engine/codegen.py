@@ -70,7 +70,7 @@ class Emitter(NestedCode):
             if isinstance(step, Generate):
                 self._generate(step, bound)
             else:
-                self._scan(step, pending, bound, wanted, bag)
+                self._scan(step, pending, bound, wanted)
         finish(bound)
         while checkpoint is not None and self.functions and self.functions[-1] >= depth:
             self.depth = self.functions.pop()
@@ -298,7 +298,7 @@ class Emitter(NestedCode):
         self.open_loop(f"for {name} in {values}:")
         bound[step.variable] = name
 
-    def _scan(self, step: Scan, pending: list[Step], bound: dict[str, str], wanted: set[str], bag: bool) -> None:
+    def _scan(self, step: Scan, pending: list[Step], bound: dict[str, str], wanted: set[str]) -> None:
         atom, names = step.atom, set(bound)
         needed = self._needed(pending, wanted)
         is_delta = step.index == self.delta and step.index >= 0

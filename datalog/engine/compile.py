@@ -246,9 +246,8 @@ class Normalised:
 def normalised(clause: Clause, types: ClauseTypes) -> Normalised:
     """The clause in this form."""
     normaliser = Normaliser(types)
-    outside = {v.name for a in clause.head.args for v in walk(a) if isinstance(v, Variable)}
     body = clause.body if clause.dominating is None else (clause.head, clause.dominating, *clause.body)
-    steps = normaliser.body(body, outside, set(), top=True)
+    steps = normaliser.body(body, set(), top=True)
     return Normalised(normaliser.head(clause.head, steps, grounded_variables(body)), steps, normaliser)
 
 

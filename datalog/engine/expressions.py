@@ -114,7 +114,6 @@ class Expressions:
         self.bits = types.bits
         self.constants = {"HALF": str(1 << types.bits - 1), "MASK": str((1 << types.bits) - 1), "LAST": str(types.bits - 1)}
         self.matchers = matchers  # regular expression -> name of its module-level matcher
-        self.uses_state = False
 
     def kind(self, term: Argument) -> str:
         """The base kind of a term, `i` when nothing says otherwise."""
@@ -153,10 +152,8 @@ class Expressions:
             case Branch():
                 return self._record([repr(term.name), *(self.write(a, bound) for a in term.args)], ["s", *map(self.kind, term.args)])
             case Counter():
-                self.uses_state = True
                 return "S.next_counter()"
             case IterationCounter():
-                self.uses_state = True
                 return "S.iteration"
             case Functor():
                 return self._functor(term, bound)
@@ -174,7 +171,6 @@ class Expressions:
         fields = self._tuple(parts)
         if not self.interned:
             return fields
-        self.uses_state = True
         if "f" in kinds:
             return f"S.records.pack_floats({fields}, {''.join('f' if k == 'f' else '.' for k in kinds)!r})"
         return f"S.records.pack({fields})"
@@ -189,7 +185,6 @@ class Expressions:
         if (source, target) == ("u", "i"):
             return f"wrap({inner})"
         if source == "s" and target in "iu":
-            self.uses_state = True
             return f"S.ordinals.number({inner})"
         return inner
 
@@ -216,7 +211,6 @@ class Expressions:
             case "range":
                 return f"{'float' if kind == 'f' else 'number'}_range({', '.join(args)})"
             case "ord":
-                self.uses_state = True
                 inner = self.kind(term.args[0])
                 return args[0] if inner == "i" else f"S.ordinals.number({args[0]})"
         raise DatalogError([Diagnostic(f"unknown functor `{op}`", term.location)])

@@ -152,7 +152,7 @@ def _read(program: Program) -> Rules:
     entered: set[str] = set()
     for shown in program.parsed:
         items.extend(loader.parse_file(Path(shown), shown, None, entered))
-    checked, written = prepare(collect(items, report), report, program.types.bits)
+    checked, written = prepare(collect(items), report, program.types.bits)
     unit = checked.unit
     numbers = {id(clause): number for number, clause in enumerate(unit.clauses)}
     lines = {path: text.splitlines() for path, text in program.sources.items()}

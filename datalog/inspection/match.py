@@ -91,7 +91,7 @@ class Lifted:
         given = grounded_variables(literals)
         self.steps: list[tuple[int, Step]] = []
         for number, literal in enumerate(literals):
-            for step in self.normaliser.body([literal], set(), given, top=True):
+            for step in self.normaliser.body([literal], given, top=True):
                 self.steps.append((number, step))
         self.head_args: tuple[Argument, ...] = ()
         if head is not None:

@@ -154,7 +154,7 @@ class _Finder:
         match planned.step:
             case Scan(atom=atom):
                 reason = "no row"
-                best, near = self._nearest_attempt(body, atom, planned, kept)
+                best, near = self._nearest_attempt(body, atom, kept)
             case Absent(atom=atom):
                 reason = "present"
                 row = body.blocking(atom, best.bound)
@@ -179,7 +179,7 @@ class _Finder:
 
     # -- nearest rows -------------------------------------------------------------------------------
 
-    def _nearest_attempt(self, body: Body, atom: Atom, planned: Planned, kept: list[Match]) -> tuple[Match, list[str]]:
+    def _nearest_attempt(self, body: Body, atom: Atom, kept: list[Match]) -> tuple[Match, list[str]]:
         """Of several attempts the one whose wanted row comes closest to one that is there."""
         most = max(1, MOST_COMPARED // max(self.store.count(atom.name), 1))
         best: tuple[float, Match, list[str]] | None = None

@@ -119,8 +119,8 @@ class Normaliser:
                 self.types.overloads[id(new)] = self.types.overloads[id(term)]
         return new
 
-    def body(self, body: Sequence[Literal], outside: set[str], given: set[str], top: bool) -> list[Step]:
-        """The steps of a body. `outside`: variables that occur outside it; `given`: those bound there."""
+    def body(self, body: Sequence[Literal], given: set[str], top: bool) -> list[Step]:
+        """The steps of a body. `given`: variables that are bound outside."""
         bound = grounded_variables(body, given)
         steps: list[Step] = []
         position = 0
@@ -212,7 +212,7 @@ class Normaliser:
         inside = {v for part in children(term) for v in variables(part)}
         local = variables(term.target) if term.target is not None else set()
         inputs = (inside & bound) - local
-        inner = self.body(term.body, inside, inputs, top=False)
+        inner = self.body(term.body, inputs, top=False)
         target = term.target
         if target is not None:
             target = self._lift(target, inner, grounded_variables(term.body, inputs))

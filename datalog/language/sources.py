@@ -110,7 +110,7 @@ class _Loader:
                     target = self.find(item)
                     result.extend(self.parse_file(target, str(target), item.location, entered))
                 case ComponentBody():  # two components may include the same file
-                    unit = collect(self._splice(item.items, set(entered)), self.report)
+                    unit = collect(self._splice(item.items, set(entered)))
                     result.append(Component(item.type, item.bases, unit))
                 case _:
                     result.append(item)
@@ -143,7 +143,7 @@ def deepest(texts: Mapping[str, str]) -> Location:
     return Location(path, max(range(len(lines)), key=lambda i: len(lines[i]), default=0) + 1, 1)
 
 
-def collect(items: Sequence[Item], report: Report) -> Unit:
+def collect(items: Sequence[Item]) -> Unit:
     """Sort items by kind."""
     unit = Unit()
     for item in items:
@@ -213,6 +213,6 @@ def read_program(
         items.extend(loader.parse_file(path, str(path), None, entered))
     if extra_source:
         items.extend(loader.parse(extra_source, EXTRA_SOURCE, entered))
-    unit = collect(items, report)
+    unit = collect(items)
     sources.overridden = drop_overridden(unit, sources.parsed, report)
     return unit, sources, report

@@ -262,7 +262,7 @@ class _Reader:
         self.unit.add("literal", expr, kind, value)
         return expr
 
-    def _sum(self, text: str, begin: int, end: int) -> str | None:
+    def _sum(self, _text: str, begin: int, end: int) -> str | None:
         parts = list(split(self.hidden[begin:end], b"+"))
         if len(parts) < 2:
             return None

@@ -140,7 +140,7 @@ class _Scanner:
                 index += 2
             else:
                 after = self._macro(scope, owner, index, end, behind)
-                index = self._statement(scope, owner, index, end) if after is None else after
+                index = self._statement(scope, index, end) if after is None else after
 
     def _offset(self, index: int) -> int:
         return self.tokens[index].begin if self.place < 0 else self.place
@@ -238,7 +238,7 @@ class _Scanner:
             index = self.ends.get(index, index) + 1
         return None
 
-    def _statement(self, scope: Scope, owner: str, begin: int, end: int) -> int:
+    def _statement(self, scope: Scope, begin: int, end: int) -> int:
         """Read one declaration or statement; where it ends."""
         index, braced = begin, False
         while index < end:

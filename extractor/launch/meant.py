@@ -15,7 +15,7 @@ _NAMED = re.compile(r"(?<![\w./~-])/[^\s'\",;:=\[\]{}()$]+\.\w+(?![\w$(])")
 _WRITTEN = frozenset({".yaml", ".yml", ".xml", ".urdf", ".xacro", ".sdf", ".world", ".rviz", ".json", ".srdf", ".launch"})
 
 
-def meant(composition: Composition, packages: PackagePath) -> Iterator[tuple[str, str, Place]]:
+def meant(composition: Composition) -> Iterator[tuple[str, str, Place]]:
     """Role, path and place of each file in a package that is included, or that a node gets the name of: in its arguments or parameters."""
     for include in composition.includes:
         if os.path.isabs(include.text) and "$(" not in include.text:
@@ -29,7 +29,7 @@ def meant(composition: Composition, packages: PackagePath) -> Iterator[tuple[str
 
 def files_meant(composition: Composition, packages: PackagePath) -> Iterator[FileMeant]:
     """The files that are meant, as they lie in the sources."""
-    for role, path, place in meant(composition, packages):
+    for role, path, place in meant(composition):
         if packages.of_file(path) is not None:
             tracing.probe(path)
             yield file_meant(role, path, place, packages, there=os.path.exists(path))

@@ -66,7 +66,7 @@ def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:
     """The files that are meant; those that a launch file looks for first need not be there."""
     packages = world.state.files.packages
     read = (("read", path, place) for path, place in world.read if is_known(path))
-    for role, path, place in (*read, *meant(composition, packages)):
+    for role, path, place in (*read, *meant(composition)):
         made = path in world.written or world.is_handed(path)
         if packages.of_file(path) is not None and path not in world.looked_for and not made:
             yield file_meant(role, path, place, packages, there=os.path.exists(world.located(path)))

@@ -15,8 +15,8 @@ _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
 _PIECE = re.compile(r"\\(.)|\$(ENV|CACHE|)\{|([{}])", re.DOTALL)
 
 
-def expand(text: str, lookup: Lookup, quoted: bool) -> str:
-    r"""Replace references and escapes. `\;` stays escaped in unquoted text, where it must not split a list."""
+def expand(text: str, lookup: Lookup) -> str:
+    r"""Replace references and escapes. `\;` stays escaped: in unquoted text it must not split a list."""
     if "$" not in text and "\\" not in text:
         return text
     open_references: list[tuple[str, str, list[str]]] = []  # how each is written, its kind, and what stands before it
@@ -28,7 +28,7 @@ def expand(text: str, lookup: Lookup, quoted: bool) -> str:
         position = match.end()
         escaped, kind, brace = match.groups()
         if escaped is not None:
-            pieces.append(_escape(escaped, quoted or bool(open_references)))
+            pieces.append(_escape(escaped))
         elif kind is not None:
             open_references.append((match.group(), kind, pieces))
             pieces = []
@@ -45,7 +45,7 @@ def expand(text: str, lookup: Lookup, quoted: bool) -> str:
     return "".join([part for written, _, before in open_references for part in (*before, written)] + pieces)
 
 
-def _escape(character: str, quoted: bool) -> str:
+def _escape(character: str) -> str:
     if character == ";":
         return "\\;"
     if character == "\n":

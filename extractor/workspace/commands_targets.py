@@ -210,7 +210,7 @@ def _set_target_properties(run: Evaluator, call: Call) -> None:
     if "PROPERTIES" not in call.args:
         return
     place = call.args.index("PROPERTIES")
-    pairs = _property_pairs(run, call)
+    pairs = _property_pairs(call)
     for name in call.args[:place]:
         target = run.targets.get(run.aliases.get(name, name))
         if target is None:
@@ -220,7 +220,7 @@ def _set_target_properties(run: Evaluator, call: Call) -> None:
             _set_property(run, target, key, [value])
 
 
-def _property_pairs(run: Evaluator, call: Call) -> list[tuple[str, str]]:
+def _property_pairs(call: Call) -> list[tuple[str, str]]:
     """Names and values after `PROPERTIES`; an empty quoted value keeps its place."""
     words = call.args[call.args.index("PROPERTIES") + 1 :]
     return list(zip(words[::2], words[1::2], strict=False))
@@ -287,7 +287,7 @@ def _set_directory_properties(run: Evaluator, call: Call) -> None:
 def _set_source_files_properties(run: Evaluator, call: Call) -> None:
     if "PROPERTIES" not in call.args:
         return
-    pairs = dict(_property_pairs(run, call))
+    pairs = dict(_property_pairs(call))
     if truthy(pairs.get("GENERATED")):
         names = call.args[: call.args.index("PROPERTIES")]
         run.generated.update(run.binary_path(name) for name in names)

@@ -167,7 +167,7 @@ class Evaluator:
 
     def expanded(self, argument: Argument) -> str:
         """An argument with its references replaced."""
-        text = expand(argument.text, self.lookup, argument.quoted)
+        text = expand(argument.text, self.lookup)
         if text is not argument.text:
             self.count(1)  # references and escapes take as long as another word
         self.charge(0, len(text))

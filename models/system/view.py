@@ -12,8 +12,6 @@ from rosarch.models.component import component_of
 from rosarch.models.system.links import KINDS, End, Link, by_node, connector_kind, cut, is_implicit, merged, moved, neighbourhood, ports_of
 from rosarch.models.system.model import CONNECTOR_KINDS, SystemModel, SystemNode
 
-GROUPINGS = ("namespace", "package")
-
 
 class UnknownName(Exception):
     """A name that nothing in the system has; `known` are those that it could have been."""

@@ -89,8 +89,8 @@ def test_expand() -> None:
     def lookup(kind: str, name: str) -> str:
         return table.get(f"{kind}.{name}" if kind else name, "")
 
-    assert expand("${b${a}}-$ENV{H}-${none}", lookup, True) == "x;y-/h-"
-    assert expand("\\${a} \\n\\;${a", lookup, True) == "${a} \n\\;${a"
+    assert expand("${b${a}}-$ENV{H}-${none}", lookup) == "x;y-/h-"
+    assert expand("\\${a} \\n\\;${a", lookup) == "${a} \n\\;${a"
 
 
 @pytest.mark.parametrize(
