@@ -26,7 +26,7 @@ _ANY_NAME = (".py", ".xml")  # `ros2 launch` takes a file of any name with such 
 _TEST = re.compile(r"test_.*|.*[._-]test\.py")
 _TESTS = frozenset({"test", "tests"})
 _DESCRIBES = {".py": b"generate_launch_description", ".xml": b"<launch", ".yaml": b"launch:", ".yml": b"launch:"}
-_OF_ECLIPSE = re.compile(rb"\s*(?:<\?.*?\?>|<!--.*?-->|\s)*<launchConfiguration\b", re.DOTALL)
+_BEFORE_ROOT = re.compile(rb"<!--.*?-->|<\?.*?\?>", re.DOTALL)
 _UNKNOWN = re.compile(r"\$\([^()]*\)")
 _FIND = re.compile(r"\$\((?:find|find-pkg-share) ([^()$]+)\)")
 _NAME = re.compile(r"[\w.-]+")
@@ -50,7 +50,7 @@ def _is_ros1(folder: str, name: str) -> bool:
     if not name.endswith(_SUFFIXES):
         return False
     try:
-        return _OF_ECLIPSE.match(read_file(os.path.join(folder, name))) is None
+        return not _BEFORE_ROOT.sub(b"", read_file(os.path.join(folder, name))).lstrip().startswith(b"<launchConfiguration")
     except OSError:
         return True  # reported where it is composed
 

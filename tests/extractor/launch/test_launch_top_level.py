@@ -86,7 +86,8 @@ def test_what_eclipse_starts_is_no_launch_file(tmp_path: Path) -> None:
     )
     (tmp_path / "robot.launch").write_text(head + "<!-- not <launchConfiguration -->\n<launch/>\n")
     (tmp_path / "broken.launch").write_text("<lunch/>")
-    assert [Path(path).name for path in launch_files(tmp_path)] == ["broken.launch", "robot.launch"]
+    (tmp_path / "remarks.launch").write_text("<!-- a --> <!-- b -->\n" * 5000 + "<launch/>\n")  # in time that grows as the text does
+    assert [Path(path).name for path in launch_files(tmp_path)] == ["broken.launch", "remarks.launch", "robot.launch"]
 
 
 def test_templates_are_no_launch_files_yet(tmp_path: Path) -> None:
