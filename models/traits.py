@@ -53,6 +53,7 @@ TRAITS = {
     "provides_after": ("port", "place"),
     "sends_in_burst": ("place", "port", "text"),
     "begins_in": ("variable", "text"),
+    "field_begins": ("variable", "text", "text"),
     "moves_on": ("port", "variable", "text", "text"),
     "moves_freely": ("variable", "text", "text"),
     "asks_for": ("place", "variable", "text"),

@@ -171,6 +171,8 @@ class Domains:
 
     def __init__(self, document: Document, *, counts: bool = False) -> None:
         self._counts = counts
+        begins = (document.get("traits") or {}).get("field_begins", ())
+        self._fields = {(str(name), str(path)): str(value) for name, path, value in begins}
         self._repeated = {str(place) for (place,) in (document.get("traits") or {}).get("repeated", ())} if counts else set()
         self._variables = {v["name"]: v for v in reversed(document.get("state_variables") or ())}
         self._order = list(dict.fromkeys(v["name"] for v in document.get("state_variables") or ()))
@@ -402,6 +404,8 @@ class Domains:
         text, type_ = row.get("initial"), _plain_type(row)
         if suffix.endswith(EMPTY):
             return "true" if text in (None, "", '""') else None
+        if place in self._fields:
+            return constant(self._fields[place])
         if text is not None and constant(str(text)) is not None:
             alone = suffix == "" or sum(place[0] == name for place in self._drafts) == 1
             return constant(str(text)) if alone else None
