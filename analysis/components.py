@@ -74,11 +74,11 @@ def analyze(
             rules_compiled()
             return ModelCache(cache, system, method.engine, rules_digest(rules)) if cache else None
 
-        def known(component: ComponentFacts) -> bool:
+        def is_cached(component: ComponentFacts) -> bool:
             models = kept()
-            return models is not None and _all_known(models, component, wanted)
+            return models is not None and _all_cached(models, component, wanted)
 
-        with extract(root, packages, method.sources, only=only, known=known) as extraction:
+        with extract(root, packages, method.sources, only=only, is_cached=is_cached) as extraction:
             models, failures = _evaluate(system, extraction.components, root, method, kept(), wanted)
             return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs, extraction.builds)
 
@@ -96,7 +96,7 @@ def analyze_facts(path: Path, method: Method = PLAIN) -> Analysis:
 _Job = tuple["ComponentFacts | Facts", NodeConfiguration | None]
 
 
-def _all_known(kept: ModelCache, component: ComponentFacts, wanted: Wanted) -> bool:
+def _all_cached(kept: ModelCache, component: ComponentFacts, wanted: Wanted) -> bool:
     """Whether all models that are wanted of a component were made before."""
     waiting, seen = list(wanted.first(component)), set()
     while waiting:

@@ -29,8 +29,8 @@ class Method:
     library: Sequence[Path] = ()
     rates: Sequence[RateGiven] = ()
 
-    def telling(self, progress: Progress | None) -> Method:
-        """The same, of which `progress` is told."""
+    def reporting_to(self, progress: Progress | None) -> Method:
+        """The same, which reports its progress to `progress`."""
         return replace(self, sources=replace(self.sources, progress=progress))
 
     def key(self) -> list[str]:

@@ -11,7 +11,7 @@ OUTSIDE = "outside of the workspace"
 _OWN = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))  # what rosarch brings is read whatever is analysed
 
 _folders: tuple[str, ...] = ()
-_known: dict[str, bool] = {}
+_inside_by_folder: dict[str, bool] = {}
 
 
 @contextmanager
@@ -21,12 +21,12 @@ def confined(folders: Iterable[str | os.PathLike[str]]) -> Iterator[None]:
     before = _folders
     absolute = [os.path.abspath(folder) for folder in folders]
     _folders = tuple(dict.fromkeys([*before, *absolute, *map(os.path.realpath, absolute)]))
-    _known.clear()
+    _inside_by_folder.clear()
     try:
         yield
     finally:
         _folders = before
-        _known.clear()
+        _inside_by_folder.clear()
 
 
 def folders() -> tuple[str, ...]:
@@ -41,9 +41,9 @@ def is_inside(path: str | os.PathLike[str]) -> bool:
     above, name = os.path.split(os.path.abspath(path))
     if os.path.islink(path) or not name:
         return _holds(os.path.realpath(path))
-    if above not in _known:
-        _known[above] = _holds(os.path.realpath(above))
-    return _known[above] or _holds(os.path.realpath(path))
+    if above not in _inside_by_folder:
+        _inside_by_folder[above] = _holds(os.path.realpath(above))
+    return _inside_by_folder[above] or _holds(os.path.realpath(path))
 
 
 def _holds(real: str) -> bool:

@@ -39,7 +39,7 @@ class Memo:
         `make` may look at everything below `trees`, and read files and variables as `tracing` records it.
         """
         name = hash_of(["stage", stage_version(), *folders(), "", *key])
-        known = self._known(name)
+        known = self._stored(name)
         if known is not None:
             tracing.seen(known[0])
             return cast(Value, known[1])
@@ -56,7 +56,7 @@ class Memo:
             self._present.append(tracing.Present(self.variables))
         return self._present[0]
 
-    def _known(self, name: str) -> tuple[tracing.Trace, object] | None:
+    def _stored(self, name: str) -> tuple[tracing.Trace, object] | None:
         data = self.cache.load(name)
         if data is None:
             return None

@@ -52,7 +52,7 @@ class Measured:
 
     path: str
     compiled: frozenset[Word]
-    found: frozenset[Word]
+    extracted: frozenset[Word]
 
 
 def words(data: bytes) -> list[Word]:
@@ -151,7 +151,7 @@ def read_system(root: Path, jobs: int) -> tuple[dict[str, tuple[set[Word], set[W
             for one in outcome[0]:
                 compiled, found = files.setdefault(one.path, (set(), set()))
                 compiled |= one.compiled
-                found |= one.found
+                found |= one.extracted
             calls += outcome[1]
             lost += outcome[2]
     return files, calls, lost, failed

@@ -32,7 +32,7 @@ from rosarch.evaluation.expectations.system_mutation import System, finding_case
 from rosarch.extractor.settings import Settings
 from rosarch.findings.of_systems import findings
 from rosarch.models.component import ComponentModel, to_json
-from rosarch.models.system.build import system_model, told_by
+from rosarch.models.system.build import finding_relations, system_model
 from rosarch.rule_programs.checks import Check, evidence_of, read_check, shown_as
 from rosarch.rule_programs.mutation import judge_all, mutants_of, workspace_cases
 from rosarch.rule_programs.sets import SHIPPED, component_program, rule_set, system_rules
@@ -107,7 +107,7 @@ def example_cases(workspace: Path, jobs: int | None) -> Iterator[Case]:
         others = {line for other in systems if other is not system for line in warnings(other)}
         usual = shown_of(system, others, connected=launch.name in shown)
         fails = partial(shows_other, system, others, usual)
-        yield Case(f"{workspace.name}: {launch.name}", system.rows, frozenset({*rules.program.outputs, *told_by(rules)}), fails)
+        yield Case(f"{workspace.name}: {launch.name}", system.rows, frozenset({*rules.program.outputs, *finding_relations(rules)}), fails)
 
 
 Shown = tuple[set[tuple[str, ...]], list[tuple[object, ...]]]
@@ -135,10 +135,10 @@ def warnings(system: System) -> set[tuple[str, ...]]:
 
 def finds_other(check: Check, program: Program, usual: Rows, changed: Rows) -> bool:
     """Whether a check has other findings when some relations have changed."""
-    return found(check, program, {**usual, **changed}) != found(check, program, usual)
+    return findings_of(check, program, {**usual, **changed}) != findings_of(check, program, usual)
 
 
-def found(check: Check, program: Program, rows: Rows) -> set[tuple[str, str]]:
+def findings_of(check: Check, program: Program, rows: Rows) -> set[tuple[str, str]]:
     """The findings of a check, as `tests/rules/test_checks.py` compares them."""
     places = {row[0]: Place(*row[1:]) for row in rows["place"]}
     return {(finding.message, str(finding.place)) for finding in findings([check], Result.of(rows, program), places, "demo")}

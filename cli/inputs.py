@@ -108,7 +108,7 @@ def load_analysis(
     with progress() as report:
         from rosarch.extractor.stored_facts import has_facts
 
-        method = method.telling(report)
+        method = method.reporting_to(report)
         if has_facts(folder):
             return _load_facts(folder, packages, method)
         analysis = _analysis(folder, packages or None, component, method)

@@ -11,7 +11,7 @@ from rosarch.cli.derivations import datalog_errors, shorten
 from rosarch.cli.inputs import check_sources
 from rosarch.cli.questions import SystemQuestion
 from rosarch.cli.report_proofs import prove_components
-from rosarch.cli.systems import tell_systems, text_reader
+from rosarch.cli.systems import load_systems_in_detail, text_reader
 
 if TYPE_CHECKING:
     from rosarch.analysis.systems.analysis import SystemAnalysis
@@ -34,7 +34,7 @@ def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, pr
     analysis = question.analysis(rules, folder, None)
     followed = replace(rules, flows=chains)
     inputs = question.inputs(followed)
-    composed, told = tell_systems(inputs, configuration, shorten if proofs else None)
+    composed, details = load_systems_in_detail(inputs, configuration, shorten if proofs else None)
     read = text_reader(inputs, configuration)
     reported = _judged(question, rules, configuration, composed, read)
     return Subject(
@@ -45,7 +45,7 @@ def load_subject(question: SystemQuestion, link: str | None, *, chains: bool, pr
         systems=composed.systems,
         reported=reported,
         diagnostics=tuple(dict.fromkeys((*analysis.diagnostics, *composed.diagnostics))),
-        told=told,
+        details=details,
         derivations=prove_components(question, followed) if proofs else {},
         link=link,
     )

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rosarch.analysis.method import Method
     from rosarch.analysis.systems.analysis import SystemAnalysis
     from rosarch.analysis.systems.check_result import CheckResult
-    from rosarch.analysis.systems.influences import Told
+    from rosarch.analysis.systems.influences import SystemDetails
     from rosarch.analysis.systems.requests import LaunchEnvironment, Request
     from rosarch.analysis.systems.shared import Launch, SharedFacts
     from rosarch.base.memo import Memo
@@ -120,18 +120,21 @@ def load_shared_facts(inputs: SystemInputs, configuration: Configuration | None 
             return shared_facts(inputs.folder, launches, _method(inputs, configuration, report), _memo(inputs, where)), launches
 
 
-def tell_systems(
+def load_systems_in_detail(
     inputs: SystemInputs, configuration: Configuration, shorten: Callable[[str], str] | None
-) -> tuple[SystemAnalysis, Mapping[str, Told]]:
-    """The systems, how often their topics are sent on, by rules of data flow what influences what, and (see `tell`) why all that is so."""
-    from rosarch.analysis.systems.influences import tell
+) -> tuple[SystemAnalysis, Mapping[str, SystemDetails]]:
+    """The systems, how often their topics are sent on, by rules of data flow what influences what, and why all that is so.
+
+    See `analyse_in_detail`.
+    """
+    from rosarch.analysis.systems.influences import analyse_in_detail
 
     shared, launches = load_shared_facts(inputs, configuration)
     with progress() as report:
-        analysis, told = tell(shared, launches, _method(inputs, configuration, report), shorten)
+        analysis, details = analyse_in_detail(shared, launches, _method(inputs, configuration, report), shorten)
     if not analysis.systems:
         check_diagnostics(inputs.folder, 0, analysis.diagnostics)
-    return analysis, told
+    return analysis, details
 
 
 def text_reader(inputs: SystemInputs, configuration: Configuration | None = None) -> Callable[[str], str | None]:
@@ -183,7 +186,7 @@ def _analyze(
 def _method(inputs: SystemInputs, configuration: Configuration | None, report: Progress | None = None) -> Method:
     """By what these systems are analysed, with what the configuration tells."""
     library = tuple(map(check_folder, inputs.method.library))
-    return replace(inputs.method.telling(report), library=library, rates=configuration.rates if configuration else ())
+    return replace(inputs.method.reporting_to(report), library=library, rates=configuration.rates if configuration else ())
 
 
 def _memo(inputs: SystemInputs, where: LaunchEnvironment) -> Memo | None:

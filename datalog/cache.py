@@ -64,7 +64,7 @@ def _entry(paths: Sequence[Path], extra: str) -> Path:
     return cache_folder() / "datalog" / f"{key.hexdigest()[:32]}.pickle"
 
 
-def known(paths: Sequence[Path], extra: str) -> bool:
+def is_stored(paths: Sequence[Path], extra: str) -> bool:
     """Whether a value is stored for a program, be it stale or not."""
     return os.path.isfile(_entry(paths, extra))
 

@@ -282,7 +282,7 @@ def is_compiled(
 ) -> bool:  # fmt: skip
     """Whether there is a compiled program of these files, which `load_program` takes unless a file has changed since."""
     key = _cache_key(extra_source, _reading(False, (), (), instead, 32), 32, on_demand)
-    return cache.known(paths, key) or (shipped is not None and is_shipped(shipped, paths, key))
+    return cache.is_stored(paths, key) or (shipped is not None and is_shipped(shipped, paths, key))
 
 
 def ship_program(file: Path, paths: Sequence[Path], *, on_demand: bool = False) -> None:
@@ -350,7 +350,7 @@ def declarations(unit: Unit, types: Types) -> dict[str, RelationDecl]:
     outputs = {d.relation for d in unit.directives if d.kind in ("output", "printsize")}
     result: dict[str, RelationDecl] = {}
     for r in unit.relations:
-        attributes = tuple(Attribute(a.name, a.type, _BASES[types.kind(a.type)] if types.known(a.type) else "") for a in r.attributes)
+        attributes = tuple(Attribute(a.name, a.type, _BASES[types.kind(a.type)] if types.exists(a.type) else "") for a in r.attributes)
         result[r.name] = RelationDecl(r.name, attributes, r.doc, r.location, r.name in inputs, r.name in outputs, r.qualifiers)
     return result
 

@@ -19,7 +19,7 @@ _SUBTREE = frozenset({"SubTree", "SubTreePlus"})
 _NO_INPUTS = frozenset({"ID", "name"})
 _DEEPEST = 50
 """Trees within trees are followed so far."""
-_Told = tuple[tuple[str, str], ...]
+_PortValues = tuple[tuple[str, str], ...]
 """What a tree gives a node, or another tree in it: names and texts."""
 
 
@@ -31,7 +31,7 @@ class TreeNode:
     """
 
     id: str
-    inputs: _Told
+    inputs: _PortValues
 
 
 @dataclass
@@ -74,31 +74,33 @@ class Forest:
     def nodes(self) -> tuple[TreeNode, ...]:
         """The nodes of the main trees and of all that these contain, each once; of all trees where no tree is the main one."""
         found: set[TreeNode] = set()
-        told: set[tuple[str, _Told]] = set()
+        visited: set[tuple[str, _PortValues]] = set()
         for name in self.main or self.trees:
-            self._collect(name, (), (), found, told)
+            self._collect(name, (), (), found, visited)
         return tuple(sorted(found))
 
-    def _collect(self, name: str, given: _Told, within: tuple[str, ...], found: set[TreeNode], told: set[tuple[str, _Told]]) -> None:
-        """Add the nodes of a tree, which is `within` others, to `found`; once for all that it is `told` by the trees that contain it."""
+    def _collect(
+        self, name: str, given: _PortValues, within: tuple[str, ...], found: set[TreeNode], visited: set[tuple[str, _PortValues]]
+    ) -> None:
+        """Add the nodes of a tree, which is `within` others, to `found`: once for all values that the trees that contain it pass to it."""
         tree = self.trees.get(name)
         if tree is None or name in within or len(within) > _DEEPEST:
             self.whole = False
             return
-        if (name, given) in told:
+        if (name, given) in visited:
             return
-        told.add((name, given))
+        visited.add((name, given))
         references = {f"{{{key}}}": text for key, text in given}
         for element in tree.iter():
             inputs = tuple(sorted(_inputs(element, references)))
             if element.tag in _SUBTREE:
-                self._collect(element.get("ID") or "", inputs, (*within, name), found, told)
+                self._collect(element.get("ID") or "", inputs, (*within, name), found, visited)
             elif element is not tree and (id_ := element.get("ID") if element.tag in _EXPLICIT else element.tag):
                 found.add(TreeNode(id_, inputs))
 
 
 def _inputs(element: Element, given: Mapping[str, str]) -> Iterator[tuple[str, str]]:
-    """What an element says of ports; `given` is what the tree is told by the one that contains it, by references to it."""
+    """What an element says of ports; `given` is what the tree gets from the one that contains it, by references to it."""
     for key, text in element.items():
         if key not in _NO_INPUTS and not key.startswith("_"):
             yield key, given.get(text, text)

@@ -30,7 +30,7 @@ from rosarch.extractor.facts_text import facts_text
 from rosarch.extractor.manifest import write_manifest
 from rosarch.extractor.messages import Interfaces, MessageClass
 from rosarch.extractor.messages.closed import closed_packages
-from rosarch.extractor.messages.known_fields import KnownFields
+from rosarch.extractor.messages.message_fields import MessageFields
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.settings import DEFAULT, Settings
 from rosarch.extractor.sources import Sources, diagnostics
@@ -68,7 +68,7 @@ class ComponentFacts:
     units: tuple[Path, ...]
     own: Rows
     key: str | None = None
-    fields: KnownFields = field(default_factory=lambda: KnownFields({}))
+    fields: MessageFields = field(default_factory=lambda: MessageFields({}))
 
     @property
     def size(self) -> int:
@@ -138,19 +138,19 @@ def extract(
     settings: Settings = DEFAULT,
     *,
     only: Callable[[Component], bool] | None = None,
-    known: Callable[[ComponentFacts], bool] | None = None,
+    is_cached: Callable[[ComponentFacts], bool] | None = None,
     workspace: Workspace | None = None,
 ) -> Extraction:
-    """Extract the facts of the components of `packages` (all by default) below `root`, or of those that `only` tells.
+    """Extract the facts of the components of `packages` (all by default) below `root`, or of those for which `only` holds.
 
-    A `workspace` takes the place of what is discovered there. With a cache, components that are `known` by their key may have no rows.
-    Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below `root`.
+    A `workspace` takes the place of what is discovered there. With a cache, components for which `is_cached` holds, by their key, may have
+    no rows. Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below `root`.
     """
     cache, defines, timeout = settings.cache, settings.defines, settings.timeout
     with ExitStack() as confinement, ExitStack() as unfinished:
         confinement.enter_context(confined([root, *ros_package_path()]))
         asked = [repr(packages and sorted(packages)), repr(sorted(defines.items())), repr(timeout)]
-        with _recorded(root) if cache and known and not workspace else nullcontext() as rests_on:
+        with _recorded(root) if cache and is_cached and not workspace else nullcontext() as rests_on:
             workspace = workspace or _discovered(root, lambda: discover(root, packages, defines=defines, timeout=timeout), asked, cache)
             interfaces = Interfaces.of(workspace.packages, workspace.root)
         index = UnitIndex.load(cache, asked, rests_on) if cache and rests_on and not rests_on.uncertain else None
@@ -176,8 +176,8 @@ def extract(
         make = partial(_component_facts, workspace.root, sources.paths, _defined(interfaces, workspace), built)
         outcomes = index.read(units, sources.read) if index else sources.read(units)
         made = {one: make(one, outcomes.of(units_of[one])) for one in found}
-        if known and index:
-            wanted = [one for one in found if not known(made[one])]
+        if is_cached and index:
+            wanted = [one for one in found if not is_cached(made[one])]
             lost = {unit for one in wanted for unit in units_of[one] if sources.lacks(outcomes.files[unit])}
             outcomes.files.update(sources.read(sorted(lost, key=repr)).files)
             made.update((one, make(one, outcomes.of(units_of[one]))) for one in wanted)
@@ -250,7 +250,7 @@ class _Defined:
     classes: set[tuple[str, str, str]]
     configs: set[tuple[str, str, str, str]]
     closed: dict[str, set[tuple[str, ...]]]
-    fields: Mapping[str, KnownFields]
+    fields: Mapping[str, MessageFields]
     middleware: Mapping[str, str]
     digest: str
 
@@ -264,7 +264,7 @@ def _defined(interfaces: Interfaces, workspace: Workspace) -> _Defined:
     configs = {(f"{config.name}Config", p.name, p.type, _default(p.default)) for config in interfaces.configs() for p in config.parameters}
     closed = closed_packages(workspace.packages)
     packages = workspace.packages
-    fields = {kind: KnownFields.of(store, packages, kind) for kind, store in ((ROS1, interfaces.ros1), (ROS2, interfaces.ros2))}
+    fields = {kind: MessageFields.of(store, packages, kind) for kind, store in ((ROS1, interfaces.ros1), (ROS2, interfaces.ros2))}
     rows = [sorted(rows) for rows in closed.values()] + [sorted(known.rows.items()) for known in fields.values()]
     digest = hash_of(map(repr, (*sorted(classes), *sorted(configs), *rows)))
     return _Defined(classes, configs, closed, fields, {package.name: package.middleware for package in packages}, digest)

@@ -61,13 +61,13 @@ class Reader(Protocol[Read]):
     def cache(self) -> Cache | None:
         """What earlier runs left."""
 
-    def anything_known(self) -> bool:
+    def may_have_cached(self) -> bool:
         """Whether it is worth a look into the cache."""
 
     def prepare(self, units: Sequence[Read], timeout: float) -> None:
         """Make what many units share."""
 
-    def known(self, unit: Read) -> UnitFile | None:
+    def cached(self, unit: Read) -> UnitFile | None:
         """The unit as it is in the cache."""
 
     def read(self, unit: Read) -> UnitFile:
@@ -131,7 +131,7 @@ def read_units(units: Sequence[Unit], reader: Reader[Unit], settings: Settings, 
                 settings.progress("sources", len(found.files), len(units))
         return [waiting[index] for index in sorted(left)]
 
-    unknown = run(reader.known, largest) if largest and reader.anything_known() else largest
+    unknown = run(reader.cached, largest) if largest and reader.may_have_cached() else largest
     if unknown:
         reader.prepare(unknown, settings.timeout)
         run(reader.read, unknown)

@@ -60,7 +60,7 @@ class Health:
 
 
 @dataclass(frozen=True)
-class _Found:
+class _ComponentHealth:
     """What the rows of one component say; calls are identified across components."""
 
     missing: tuple[tuple[str, str], ...]
@@ -84,10 +84,10 @@ def examine(
     asserted = sorted(name for name in program.relations if name.startswith("assert_"))
     keep = ["port", "port_unknown", "node_location", *asserted]
 
-    def work(component: ComponentFacts) -> _Found:
+    def work(component: ComponentFacts) -> _ComponentHealth:
         rows = component.rows()
         result = program.evaluate(rows, keep=keep)
-        return _found(component, rows, {name: result.rows(name) for name in keep}, asserted)
+        return _component_health(component, rows, {name: result.rows(name) for name in keep}, asserted)
 
     with extract(root, packages, settings) as extraction:
         health.components = len(extraction.components)
@@ -126,10 +126,12 @@ def examine(
     return health
 
 
-def _found(component: ComponentFacts, rows: Mapping[str, Any], derived: Mapping[str, Any], asserted: Collection[str]) -> _Found:
+def _component_health(
+    component: ComponentFacts, rows: Mapping[str, Any], derived: Mapping[str, Any], asserted: Collection[str]
+) -> _ComponentHealth:
     paths = dict(rows["source_file"])
     places = {row[0]: Place(*row[1:]) for row in derived["node_location"]}
-    return _Found(
+    return _ComponentHealth(
         missing=tuple((header, paths[file]) for file, _line, header in rows.get("include_missing", ()) if file in paths),
         macros=tuple((name, Place(paths[file], line, 1)) for file, line, name, _scope in rows.get("macro_undefined", ()) if file in paths),
         lost=tuple(

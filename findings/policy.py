@@ -59,7 +59,7 @@ class Policy:
 class Reported:
     """Findings as they are reported, sorted by place.
 
-    `shown` are told to everyone; `suppressed` by comments; `known` are those of the baseline, `gone` those of it that are no more; both are
+    `shown` are reported; `suppressed` by comments; `in_baseline` are also in the baseline, `gone` are only there; both are
     empty without a baseline (`compared`). `checks` are all that were made. `withheld` is None unless it was asked for.
     """
 
@@ -67,7 +67,7 @@ class Reported:
     checks: tuple[Check, ...]
     shown: tuple[Finding, ...]
     suppressed: tuple[Suppressed, ...] = ()
-    known: tuple[Finding, ...] = ()
+    in_baseline: tuple[Finding, ...] = ()
     gone: tuple[BaselineEntry, ...] = ()
     compared: bool = False
     withheld: tuple[Withheld, ...] | None = None
@@ -85,7 +85,7 @@ class Reported:
     @property
     def baseline(self) -> Baseline:
         """A baseline after which nothing is new."""
-        return Baseline.of((*self.shown, *self.known))
+        return Baseline.of((*self.shown, *self.in_baseline))
 
 
 def apply_policy(
@@ -115,10 +115,10 @@ def apply_policy(
             active.append(replace(finding, severity=severity))
     active.sort(key=_order)
     new, known, gone = compare(baseline, active, hidden) if baseline is not None else (active, [], [])
-    told = [Suppressed(replace(each.finding, severity=policy.severity(each.finding)), each.suppression) for each in suppressed]
-    told = [each for each in told if each.finding.severity != IGNORE]
-    told.sort(key=lambda each: _order(each.finding))
-    return Reported(policy, checks, tuple(new), tuple(told), tuple(known), tuple(gone if complete else ()), baseline is not None)
+    reported = [Suppressed(replace(each.finding, severity=policy.severity(each.finding)), each.suppression) for each in suppressed]
+    reported = [each for each in reported if each.finding.severity != IGNORE]
+    reported.sort(key=lambda each: _order(each.finding))
+    return Reported(policy, checks, tuple(new), tuple(reported), tuple(known), tuple(gone if complete else ()), baseline is not None)
 
 
 def identifiers(checks: Iterable[Check]) -> list[str]:

@@ -50,7 +50,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
     lost_ports = len(ports) < len(model.ports) or UNKNOWN in model.loads or silent
     lost_params = len(params) < len(accesses)
     kept = {str(trait.values[0]): str(trait.values[1]) for trait in model.traits if trait.name == "keeps_value_of"}
-    return _known(
+    return _present_fields(
         component=_name(model),
         kind=_kind(model),
         base=model.plugin.base if model.plugin else None,
@@ -74,7 +74,7 @@ def _name(model: ComponentModel) -> str:
     return model.types[0]
 
 
-def _known(**fields: Any) -> dict[str, Any]:
+def _present_fields(**fields: Any) -> dict[str, Any]:
     return {key: value for key, value in fields.items() if value is not None and value is not False}
 
 
@@ -87,7 +87,7 @@ def _distinct(documents: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _port(port: Port, kept: Mapping[str, str]) -> dict[str, Any]:
-    return _known(
+    return _present_fields(
         kind=port.kind,
         name=None if UNKNOWN in port.name else port.name,
         type=None if port.type in (UNKNOWN, "*") else port.type,
@@ -121,7 +121,7 @@ def _parameters(accesses: Iterable[Parameter]) -> list[dict[str, Any]]:
     found: dict[tuple[str, str], dict[str, Any]] = {}
     for access in accesses:
         known = found.setdefault((access.name, access.op), {"name": access.name, "op": access.op})
-        for key, value in _known(type=access.type).items():
+        for key, value in _present_fields(type=access.type).items():
             known.setdefault(key, value)
         if access.default not in (None, UNKNOWN):
             value = default_value(access)

@@ -354,7 +354,7 @@ def _transitions(
         how, target, value = parts.get(assignment, ("call", "", ""))
         written = _value(how, texts.get(assignment), texts.get(target), texts.get(value)) or ""
         meant = _value(how, texts.get(assignment), texts.get(target), guards.meaning(value)) or ""
-        for way in _told_apart(guards.ways(root, assignment, meant)):
+        for way in _distinct_ways(guards.ways(root, assignment, meant)):
             shown = written if way.value == meant or constant(way.value) is None else way.value
             change = _Change(assignment, variable, way.guard, shown or None, way.value or None, way.called)
             found[change].update(set(triggers.get(root, ())) - elsewhere[assignment])
@@ -385,7 +385,7 @@ class _Change:
     called: Place | None
 
 
-def _told_apart(ways: Collection[Way]) -> list[Way]:
+def _distinct_ways(ways: Collection[Way]) -> list[Way]:
     """The ways to an assignment: one for each call that gives it a value of its own, or all in one."""
     if len({way.value for way in ways}) == 1:
         return [Way(formula.either(way.guard for way in ways), next(way.value for way in ways))]

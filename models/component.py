@@ -15,7 +15,7 @@ from rosarch.models import formula
 from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards
-from rosarch.models.node_configuration import InnerNode, PluginTold
+from rosarch.models.node_configuration import InnerNode, PluginArgument
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.openness import Unseen
@@ -88,9 +88,9 @@ class ComponentModel:
     `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
-    it makes inside of its own, `told` what plug-ins are told that it loads; `asks_name` where its code asks what the node is called,
-    `asks_namespace` where it asks for its namespace. `tree_files` are the behavior trees that it carries out, `tree_hosts` the names of the
-    nodes that it makes for the nodes of these trees, where these do not use the component's own.
+    it makes inside of its own, `plugin_arguments` what it gives the plug-ins that it loads; `asks_name` where its code asks what the node
+    is called, `asks_namespace` where it asks for its namespace. `tree_files` are the behavior trees that it carries out, `tree_hosts` the
+    names of the nodes that it makes for the nodes of these trees, where these do not use the component's own.
     """
 
     system: str
@@ -113,7 +113,7 @@ class ComponentModel:
     unseen: tuple[Unseen, ...] = ()
     configuration: str = ""
     inner: tuple[InnerNode, ...] = ()
-    told: tuple[PluginTold, ...] = ()
+    plugin_arguments: tuple[PluginArgument, ...] = ()
     asks_name: bool = False
     asks_namespace: bool = False
     tree_files: tuple[str, ...] = ()
@@ -191,7 +191,9 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         asks_namespace=any(relations["own_namespace_call"]),
         tree_files=tuple(sorted(file for (file,) in relations["tree_file"])),
         tree_hosts=tuple(sorted(name for (name,) in relations["tree_host"])),
-        told=tuple(PluginTold(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_argument"])),
+        plugin_arguments=tuple(
+            PluginArgument(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_argument"])
+        ),
     )
 
 

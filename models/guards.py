@@ -123,7 +123,7 @@ class Guards:
         for root, function in relations["activity_enters"]:
             self._entered[root].add(function)
         self._roots = {root for root, kind in relations["activity"] if kind not in ("loop", "main")}
-        self._known: dict[tuple[str, str], Formula] = {}
+        self._guards: dict[tuple[str, str], Formula] = {}
         self._cuts = 0
         self._left = MOST_STEPS
 
@@ -188,7 +188,7 @@ class Guards:
         if node in path:
             self._cuts += 1
             return FALSE
-        known = self._known.get((root, node))
+        known = self._guards.get((root, node))
         if known is not None:
             return known
         self._left -= 1
@@ -197,7 +197,7 @@ class Guards:
         cuts, steps = self._cuts, self._steps.get(node, ())
         found = either(self._step(root, row, (*path, node)) for row in steps) if steps else TRUE
         if not path or cuts == self._cuts:  # else it lacks the ways that lead back
-            self._known[root, node] = found
+            self._guards[root, node] = found
         return found
 
     def _step(self, root: str, row: Row, path: tuple[str, ...]) -> Formula:
@@ -232,11 +232,11 @@ class Guards:
         """The text of a condition with its local variables, and its calls of tests, replaced by what they stand for."""
         found = expanded(node, self._meant, self._locals)
         for written, function in self._tests.get(node, ()):
-            if function not in within and (returned := self._told(function, (*within, function))) is not None:
+            if function not in within and (returned := self._return_expression(function, (*within, function))) is not None:
                 found = replaced(found, written, returned)
         return found
 
-    def _told(self, function: str, within: tuple[str, ...]) -> str | None:
+    def _return_expression(self, function: str, within: tuple[str, ...]) -> str | None:
         """What a test returns, as one expression: of several returns, when a true one is reached; None when that cannot be written."""
         values = self._returned[function]
         if any(len(self._blocks.get(value, ())) != 1 or value not in self._texts for value in values):

@@ -76,7 +76,7 @@ class InnerNode:
 
 
 @dataclass(frozen=True)
-class PluginTold:
+class PluginArgument:
     """A component loads the plug-in called `name`, an object of class `base`, and gives it a text."""
 
     base: str
@@ -84,10 +84,10 @@ class PluginTold:
     argument: Argument
 
 
-def told_to(name: str, told: Iterable[PluginTold]) -> list[tuple[Argument, ...]]:
-    """What each instance of the plug-in called `name` is told by the component that loads it."""
+def arguments_of_plugin(name: str, arguments: Iterable[PluginArgument]) -> list[tuple[Argument, ...]]:
+    """The arguments that each instance of the plug-in called `name` gets from the component that loads it."""
     by_place: dict[tuple[str, int], set[str]] = {}
-    for one in told:
+    for one in arguments:
         if one.name == name:
             by_place.setdefault(one.argument[:2], set()).add(one.argument[2])
     texts = {text for given in by_place.values() for text in given}

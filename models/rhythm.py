@@ -71,7 +71,7 @@ class Reactions:
     """A component's reactions as they are run here: the steps of each trigger, and cells with the one value that they surely begin with."""
 
     def __init__(self, document: Document) -> None:
-        self.document = with_numbers_told(document)
+        self.document = runnable_document(document)
         domains = Domains(self.document, counts=True)
         doubtful = {name for name, *_ in (document.get("traits") or {}).get("changed_at_once", ())}
         doubtful |= {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
@@ -85,7 +85,7 @@ class Reactions:
         places = {str(row["at"]) for row in self.document["periodic"]}
         return trigger.partition(" ")[2] or (places.pop() if len(places) == 1 else "")
 
-    def are_told(self, steps: Sequence[Step], trigger: str) -> bool:
+    def are_determined(self, steps: Sequence[Step], trigger: str) -> bool:
         """Whether it is known what these steps of a trigger do, one after the other, and a timer's change nothing but by it."""
         if is_ambiguous(steps, self.document):
             return False
@@ -114,7 +114,7 @@ def rhythms(reactions: Reactions) -> Iterator[Rhythm]:
                     yield replace(first, parameter=parameter, factor=factor, rounds=more.pop())
 
 
-def with_numbers_told(document: Document, numbers: Mapping[str, int] | None = None) -> Document:
+def runnable_document(document: Document, numbers: Mapping[str, int] | None = None) -> Document:
     """The document as reactions are run by it: with the numbers that constants and these names are, and the loops whose place is known."""
     document = with_numbers(with_constants(document), numbers or {})
     return {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
@@ -151,7 +151,7 @@ def _fixed(reactions: Reactions) -> Iterator[Rhythm]:
         shared = {key for other, key in changed if other != trigger}
         for output in _outputs(steps) if place else ():
             own = _needed([replace(step, outputs=(output,) if output in step.outputs else ()) for step in steps])
-            if reactions.are_told(own, trigger) and (found := _rounds(own, first, shared)):
+            if reactions.are_determined(own, trigger) and (found := _rounds(own, first, shared)):
                 yield Rhythm(place, output, "", 0, *found)
 
 
@@ -178,9 +178,9 @@ def used_up(reactions: Reactions) -> Iterator[Used]:
     timed = [trigger for trigger in reactions.triggers if trigger.partition(" ")[0] == PERIODIC and reactions.place(trigger)]
     for trigger in timed:
         steps = reactions.triggers[trigger]
-        for cell in reactions.cells if reactions.are_told(steps, trigger) else ():
+        for cell in reactions.cells if reactions.are_determined(steps, trigger) else ():
             others = {other: own for other, own in reactions.triggers.items() if other != trigger and _assigns(own, cell)}
-            if cell.counting or not _assigns(steps, cell) or not all(reactions.are_told(own, other) for other, own in others.items()):
+            if cell.counting or not _assigns(steps, cell) or not all(reactions.are_determined(own, other) for other, own in others.items()):
                 continue
             for output in _outputs(steps):
                 found = list(_used(reactions.place(trigger), steps, cell, output, others))

@@ -34,21 +34,21 @@ class Master:
         self.parameters = Parameters()
         self.asked: set[tuple[str, str, str]] = set()
         """Who asked what about which name: (caller, `parameter` or `service`, absolute name)."""
-        self._told: queue.SimpleQueue[tuple[str, str, tuple[Any, ...]] | None] = queue.SimpleQueue()
+        self._notices: queue.SimpleQueue[tuple[str, str, tuple[Any, ...]] | None] = queue.SimpleQueue()
         self._server = Server({name: getattr(self, f"_{_snake(name)}") for name in _METHODS})
         self.uri = self._server.uri
-        threading.Thread(target=self._tell, daemon=True).start()
+        threading.Thread(target=self._notify_nodes, daemon=True).start()
 
     def __enter__(self) -> Master:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._told.put(None)
+        self._notices.put(None)
         self._server.close()
 
-    def _tell(self) -> None:
+    def _notify_nodes(self) -> None:
         """Tell nodes what has changed, one after the other, in the order of the changes."""
-        while (job := self._told.get()) is not None:
+        while (job := self._notices.get()) is not None:
             api, method, arguments = job
             with suppress(CallError):
                 Remote(api, NAME, 1.0).call(method, *arguments)
@@ -58,7 +58,7 @@ class Master:
     def _join(self, caller: str, api: str) -> None:
         known = self._nodes.get(caller)
         if known is not None and known != api:  # two nodes of one name: the older one has to go
-            self._told.put((known, "shutdown", (f"new node registered as {caller}",)))
+            self._notices.put((known, "shutdown", (f"new node registered as {caller}",)))
             self._leave(caller)
         self._nodes[caller] = api
 
@@ -91,7 +91,7 @@ class Master:
 
     def _announce(self, topic: str) -> None:
         for api in self._apis("subscriber", topic):
-            self._told.put((api, "publisherUpdate", (topic, self._apis("publisher", topic))))
+            self._notices.put((api, "publisherUpdate", (topic, self._apis("publisher", topic))))
 
     def _register_publisher(self, caller: str, topic: str, type_: str, api: str) -> list[str]:
         with self._lock:
@@ -168,7 +168,7 @@ class Master:
             self.parameters.set(name, value)
             for watched in [watched for watched in self._watching if watched == name or watched.startswith(f"{name}/")]:
                 for api in self._watching[watched]:
-                    self._told.put((api, "paramUpdate", (watched, self.parameters.value(watched))))
+                    self._notices.put((api, "paramUpdate", (watched, self.parameters.value(watched))))
         return 0
 
     def _delete_param(self, caller: str, key: str) -> int:

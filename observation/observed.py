@@ -68,7 +68,7 @@ def recorded_rows(recorded: Recorded) -> Rows:
     facts.add("kind", "topic")
     by_topic: dict[str, list[tuple[str, Stream]]] = defaultdict(list)
     for number, stream in recorded.summary.streams.items():
-        sight = facts.sight(number + 1, _told(stream))
+        sight = facts.sight(number + 1, _stream_text(stream))
         by_topic[stream.topic].append((sight, stream))
         if stream.sender is not None:
             facts.add("node", stream.sender, sight)
@@ -92,7 +92,7 @@ def _rate_of(streams: Sequence[Stream]) -> float | None:
     return float(f"{sum(rate for rate in rates if rate is not None):.6g}")
 
 
-def _told(stream: Stream) -> str:
+def _stream_text(stream: Stream) -> str:
     hz = stream.arrivals.hz
     sender = f" of {stream.sender}" if stream.sender else ""
     return f"{stream.arrivals.count} messages on {stream.topic}{sender}" + (f", {hz:.3g} a second" if hz else "")

@@ -59,7 +59,7 @@ def plan(machine: Machine, rows: Mapping[Row, tuple[str, ...]]) -> Plan:
         outcome = _put(machine, way.belief, given)
         after, _ = machine.wait(outcome.belief)
         for row in (outcome.rows | after.rows) & rows.keys() - found.keys():
-            experiment = _telling(machine, way, given, row)
+            experiment = _distinguishing_experiment(machine, way, given, row)
             if experiment:
                 found[row] = experiment
             else:
@@ -97,8 +97,8 @@ def _gone(machine: Machine, way: _Way, given: Given, without: Row | None = None)
     return _Way(after.belief, (*way.stimuli, Stimulus(given, outcome.expected.then(after.expected), rounds)))
 
 
-def _telling(machine: Machine, way: _Way, given: Given, row: Row) -> Experiment | None:
-    """The way with an input, and with more of them until what is sent tells whether the row is right."""
+def _distinguishing_experiment(machine: Machine, way: _Way, given: Given, row: Row) -> Experiment | None:
+    """The way with an input, and with more of them until what is sent shows whether the row is right."""
     right = _gone(machine, way, given)
     if row.kind != "transitions":
         otherwise = _unsent(machine, way.belief, given, row)

@@ -103,11 +103,11 @@ def _verdict(subject: Subject, experiment: Experiment, command: Sequence[str], m
             for stimulus in experiment.stimuli[:-1]:
                 seen = trial.give(stimulus)
                 if not stimulus.expected.fits(seen):
-                    return Verdict(row, UNREACHED, f"on the way, {trial.told(stimulus)} made it send {_names(subject, seen)}")
+                    return Verdict(row, UNREACHED, f"on the way, {trial.description(stimulus)} made it send {_names(subject, seen)}")
             last = experiment.stimuli[-1]
             seen = trial.give(last)
             if not last.expected.fits(seen):
-                told = f"{trial.told(last)} made it send {_names(subject, seen)}"
+                told = f"{trial.description(last)} made it send {_names(subject, seen)}"
                 return Verdict(row, REFUTED if experiment.otherwise.fits(seen) else UNREACHED, told)
             if row.kind == "periodic":
                 trial.measure(row)
@@ -165,7 +165,7 @@ class _Trial:
         periods = [1 / hz for hz in self._subject.machine.loops.values() if hz]
         time.sleep(_PATIENCE + stimulus.rounds * max(periods, default=0.0))
         if self._process.ended is not None:
-            raise _ProbeError(f"after {self.told(stimulus)} it {self._process.ended}")
+            raise _ProbeError(f"after {self.description(stimulus)} it {self._process.ended}")
         late = {port: [at for at in list(times) if at >= begin] for port, times in self._heard.items()}
         seen = {port for port, times in late.items() if times}
         trailing = {p for p in seen & self._before - stimulus.expected.may if max(late[p]) < begin + _GRACE}
@@ -188,6 +188,6 @@ class _Trial:
             if intervals:
                 self._measured.rates[row, port] = 1 / median(intervals)
 
-    def told(self, stimulus: Stimulus) -> str:
+    def description(self, stimulus: Stimulus) -> str:
         """A stimulus for people."""
-        return self._subject.told(stimulus.given) if stimulus.given else "waiting"
+        return self._subject.description(stimulus.given) if stimulus.given else "waiting"

@@ -140,7 +140,7 @@ class Subject:
         except ContentError:
             return None
 
-    def told(self, given: Input) -> str:
+    def description(self, given: Input) -> str:
         """An input for people: the name, and what of its content matters."""
         conditions = [_condition(asked, value) for asked, value in given.content]
         return self.places[given.port].name + (f" with {' && '.join(conditions)}" if conditions else "")

@@ -121,11 +121,11 @@ def summary_line(reported: Reported) -> str:
     if counts:
         words = [f"{counted(len(reported.shown), 'finding')}: {', '.join(counts)}"]
     else:
-        words = ["no new findings" if reported.known else "no findings"]
+        words = ["no new findings" if reported.in_baseline else "no findings"]
     if reported.suppressed:
         words.append(f"{len(reported.suppressed)} suppressed")
-    if reported.known:
-        words.append(f"{len(reported.known)} known from the baseline")
+    if reported.in_baseline:
+        words.append(f"{len(reported.in_baseline)} known from the baseline")
     if reported.gone:
         words.append(f"{len(reported.gone)} of the baseline gone")
     return "; ".join(words)

@@ -26,7 +26,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
             {**_finding(each.finding), "reason": each.suppression.reason, "comment_line": each.suppression.line}
             for each in reported.suppressed
         ],
-        "known": [_finding(finding) for finding in reported.known],
+        "known": [_finding(finding) for finding in reported.in_baseline],
         "gone": [
             {"check": entry.check, "message": entry.message, "file": entry.file, "fingerprint": entry.fingerprint}
             for entry in reported.gone

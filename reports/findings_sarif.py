@@ -52,7 +52,7 @@ class _Results:
         compared = self.reported.compared
         return [
             *(self._result(finding, {"baselineState": "new"} if compared else {}) for finding in self.reported.shown),
-            *(self._result(finding, {"baselineState": "unchanged"}) for finding in self.reported.known),
+            *(self._result(finding, {"baselineState": "unchanged"}) for finding in self.reported.in_baseline),
             *(self._suppressed(each, {"baselineState": "unchanged"} if compared else {}) for each in self.reported.suppressed),
             *map(self._gone, self.reported.gone),
         ]

@@ -31,7 +31,7 @@ def plan_text(subject: Subject, plan: Plan) -> str:
 
 
 def _stimulus(subject: Subject, stimulus: Stimulus) -> str:
-    given = subject.told(stimulus.given) if stimulus.given else "wait"
+    given = subject.description(stimulus.given) if stimulus.given else "wait"
     uncertain = stimulus.expected.may - stimulus.expected.must
     perhaps = f", perhaps {_ports(subject, uncertain)}" if uncertain else ""
     return f"{given} -> {_ports(subject, stimulus.expected.must)}{perhaps}"

@@ -35,7 +35,7 @@ class InfluenceStep:
 
 
 @dataclass(frozen=True)
-class Told:
+class SystemDetails:
     """Of one system; without rules of data flow there are no `steps`, but None, and without proofs no `reasons`."""
 
     rates: tuple[TopicRate, ...]
@@ -43,48 +43,48 @@ class Told:
     reasons: Derivations | None = None
 
 
-def tell(
+def analyse_in_detail(
     shared: SharedFacts, launches: Sequence[Launch], method: Method, shorten: Callable[[str], str] | None
-) -> tuple[SystemAnalysis, Mapping[str, Told]]:
-    """The systems, and what is told of each by its name; with proofs, when it is told how paths of rule files are shown.
+) -> tuple[SystemAnalysis, Mapping[str, SystemDetails]]:
+    """The systems, and the details of each by its name; with proofs, when `shorten` says how paths of rule files are shown.
 
     Rules are evaluated once for all of that.
     """
 
-    def make(rules: SystemRules, launch: Launch, rows: Rows, method: Method) -> tuple[Composed, Told]:
+    def make(rules: SystemRules, launch: Launch, rows: Rows, method: Method) -> tuple[Composed, SystemDetails]:
         result = evaluate(rules, rows, method.engine, "all" if shorten else (*RATE_RELATIONS, *(_STEPS if method.rules.flows else ())))
-        told = _told(result, method)
+        details = _details(result, method)
         if shorten:
             composition = shared.components.with_nodes(launch)[0].composition
-            told = replace(
-                told,
+            details = replace(
+                details,
                 reasons=system_reasons(
                     rules, rows, result, launch.name, Started(composition, shared.root), shorten, chains=method.rules.flows
                 ),
             )
-        return composed(rules, launch, rows, result), told
+        return composed(rules, launch, rows, result), details
 
-    found: dict[int, tuple[Composed, Told] | Failure] = {}
+    found: dict[int, tuple[Composed, SystemDetails] | Failure] = {}
     before = (lambda rules: rules_of(rules.program)) if shorten else None
-    for index, outcome in each_system("proven" if shorten else "told", shared, launches, method, make, before):
+    for index, outcome in each_system("proofs" if shorten else "details", shared, launches, method, make, before):
         found[index] = outcome
         if method.sources.progress:
             method.sources.progress("systems", len(found), len(launches))
     systems = {index: outcome if isinstance(outcome, Failure) else outcome[0] for index, outcome in found.items()}
-    told = {launches[index].name: outcome[1] for index, outcome in found.items() if not isinstance(outcome, Failure)}
-    return gathered(shared, launches, systems), told
+    details = {launches[index].name: outcome[1] for index, outcome in found.items() if not isinstance(outcome, Failure)}
+    return gathered(shared, launches, systems), details
 
 
-def _told(result: Result, method: Method) -> Told:
+def _details(result: Result, method: Method) -> SystemDetails:
     rates = tuple(all_rates(result))
     if not method.rules.flows:
-        return Told(rates)
+        return SystemDetails(rates)
     certain = set(result.rows("certain_step"))
     steps = [
         InfluenceStep(_end(source), _end(sink), how, kind, (source, sink) in certain)
         for source, sink, how, kind in sorted(result.rows("chain_step"), key=repr)
     ]
-    return Told(rates, tuple(steps))
+    return SystemDetails(rates, tuple(steps))
 
 
 def _end(port: tuple[str, str, str]) -> End:

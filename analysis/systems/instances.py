@@ -20,7 +20,7 @@ from rosarch.extractor.launch.values import automatic
 from rosarch.extractor.launch_ros2.params_files import matches
 from rosarch.extractor.workspace.plugins import TREE_NODE
 from rosarch.models.component import ComponentModel
-from rosarch.models.node_configuration import InnerNode, NodeConfiguration, told_to
+from rosarch.models.node_configuration import InnerNode, NodeConfiguration, arguments_of_plugin
 
 Component = tuple[str, str]
 """Package and name."""
@@ -30,7 +30,7 @@ _DEPTH = 6
 
 
 @dataclass
-class Known:
+class ModelIndex:
     """Models that there are: of components by themselves, by package and by the names that they are started by, and with configurations.
 
     `trees` reads the behavior trees of the workspace.
@@ -42,11 +42,11 @@ class Known:
     plugins: dict[tuple[str, str], ComponentModel] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, trees: Trees, models: Iterable[ComponentModel]) -> Known:
-        """What is known by these models."""
-        known = cls(trees)
-        known.add(models)
-        return known
+    def of(cls, trees: Trees, models: Iterable[ComponentModel]) -> ModelIndex:
+        """The index of these models."""
+        index = cls(trees)
+        index.add(models)
+        return index
 
     def add(self, models: Iterable[ComponentModel]) -> None:
         """More models."""
@@ -92,9 +92,11 @@ class Configured:
     parts: Mapping[int, Parts]
 
 
-def configure(composition: Composition, known: Known, wants: Wants | None = None, only: set[tuple[str, str]] | None = None) -> Configured:
+def configure(
+    composition: Composition, index: ModelIndex, wants: Wants | None = None, only: set[tuple[str, str]] | None = None
+) -> Configured:
     """Find the models of each node; what is not there is added to what is wanted. With `only`, other programs are left out."""
-    finder = _Finder(composition, known, wants or Wants())
+    finder = _Finder(composition, index, wants or Wants())
     nodes: list[NodeStart] = []
     made: _Made = []
     parts: dict[int, Parts] = {}
@@ -119,8 +121,8 @@ _Made = list[tuple[NodeStart, Parts]]
 class _Finder:
     """Finds the models of the nodes of one composition."""
 
-    def __init__(self, composition: Composition, known: Known, wants: Wants) -> None:
-        self.composition, self.known, self.wants = composition, known, wants
+    def __init__(self, composition: Composition, index: ModelIndex, wants: Wants) -> None:
+        self.composition, self.index, self.wants = composition, index, wants
         self.settings: dict[str, list[ParamSetting]] = defaultdict(list)
         for setting in composition.params:
             self.settings[setting.name].append(setting)
@@ -128,7 +130,7 @@ class _Finder:
 
     def parts(self, node: NodeStart, made: _Made, params: list[ParamSetting]) -> Parts:
         """What a node consists of; the nodes that it makes are added to `made`, what is set for these to `params`."""
-        hosts = list(self.known.hosts.get((node.package, node.type), {}).values())
+        hosts = list(self.index.hosts.get((node.package, node.type), {}).values())
         if len(hosts) != 1:
             return Parts()
         host = hosts[0]
@@ -140,7 +142,7 @@ class _Finder:
             self.wants.alone.add(host.title)
             return Parts()
         component = (host.package, host.component)
-        model = self.known.configured.get((component, configuration.key))
+        model = self.index.configured.get((component, configuration.key))
         if model is None:
             self.wants.components[component].add(configuration)
             return Parts()
@@ -163,12 +165,12 @@ class _Finder:
 
     def _trees(self, model: ComponentModel, configuration: NodeConfiguration) -> Parts:
         """What the behavior trees consist of that a component carries out, where their nodes use a node with this configuration."""
-        nodes, unread = self.known.trees.nodes(model.tree_files)
+        nodes, unread = self.index.trees.nodes(model.tree_files)
         titles: list[str] = []
         absent: set[str] = set()
         for each in nodes:
             own = replace(configuration, arguments=(), entry=None, inputs=each.inputs)
-            found = self.known.plugins.get((each.id, own.key))
+            found = self.index.plugins.get((each.id, own.key))
             if found is None:
                 self.wants.plugins[each.id].add(own)
                 absent.add(each.id)
@@ -179,9 +181,9 @@ class _Finder:
     def _plugins(self, model: ComponentModel, configuration: NodeConfiguration, depth: int = 0) -> Iterator[ComponentModel]:
         """The models of the plug-ins that a component loads, and of those that they load."""
         for name in model.loads if depth < _DEPTH else ():
-            for arguments in told_to(name, model.told):
+            for arguments in arguments_of_plugin(name, model.plugin_arguments):
                 own = replace(configuration, arguments=arguments, entry=None)
-                plugin = self.known.plugins.get((name, own.key))
+                plugin = self.index.plugins.get((name, own.key))
                 if plugin is None:
                     self.wants.plugins[name].add(own)
                 else:
@@ -204,7 +206,7 @@ class _Finder:
             values = _configuration(started, settings, self._is_open(node))
             space = canonical(started.namespace) or "/"
             configuration = replace(values, arguments=inner.arguments, entry=inner.class_, namespace=space)
-            found = self.known.configured.get((component, configuration.key))
+            found = self.index.configured.get((component, configuration.key))
             if found is None:
                 self.wants.components[component].add(configuration)
                 continue

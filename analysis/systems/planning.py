@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from rosarch.analysis.systems.instances import Known, Wants, configure
+from rosarch.analysis.systems.instances import ModelIndex, Wants, configure
 from rosarch.analysis.systems.processes import with_nodes
 from rosarch.analysis.systems.trees import Trees
 from rosarch.models.component import ComponentModel
@@ -45,27 +45,27 @@ class Planner:
 
     def __init__(self, compositions: Sequence[Composition], trees: Trees) -> None:
         self.compositions = compositions
-        self.known = Known(trees)
+        self.index = ModelIndex(trees)
         self.generic: dict[str, ComponentModel] = {}
 
     def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
         """With which configurations the component is needed that `models` are of, as far as these tell: whether there are models or not."""
-        self.known.add(models)
+        self.index.add(models)
         self.generic |= {model.title: model for model in models if not model.configuration}
         components = {(model.package, model.component) for model in models}
         own = [model for model in self.generic.values() if (model.package, model.component) in components]
         types = {(model.package, type_) for model in own for type_ in ((model.component,) if model.executable else model.types)}
-        wanted = self.wants(made_by(own), types, Known.of(self.known.trees, [*own, *models])).components
+        wanted = self.wants(made_by(own), types, ModelIndex.of(self.index.trees, [*own, *models])).components
         return [each for one in components for each in sorted(wanted.get(one, ()), key=lambda found: found.key)]
 
     def wants(
         self,
         made: Mapping[tuple[str, str], list[ComponentModel]],
         only: set[tuple[str, str]] | None = None,
-        known: Known | None = None,
+        index: ModelIndex | None = None,
     ) -> Wants:
-        """What the launches want beside what is known."""
+        """What the launches want beside the models in the index."""
         wants = Wants()
         for composition in self.compositions:
-            configure(with_nodes(composition, made), known or self.known, wants, only)
+            configure(with_nodes(composition, made), index or self.index, wants, only)
         return wants

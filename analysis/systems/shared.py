@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.analysis.method import Method
 from rosarch.analysis.systems.builds import build_rows
-from rosarch.analysis.systems.instances import Configured, Known, configure
+from rosarch.analysis.systems.instances import Configured, ModelIndex, configure
 from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
 from rosarch.analysis.systems.planning import Planner, configuring, made_by
 from rosarch.analysis.systems.processes import with_nodes
@@ -94,12 +94,12 @@ class Components:
 
     def with_nodes(self, launch: Launch) -> tuple[Launch, Configured]:
         """The launch, with the nodes that programs make, by the names that their code has where no launch file names them; their models."""
-        found = configure(with_nodes(launch.composition, made_by(self.models)), self._known)
+        found = configure(with_nodes(launch.composition, made_by(self.models)), self._model_index)
         return replace(launch, composition=found.composition), found
 
     @cached_property
-    def _known(self) -> Known:
-        return Known.of(Trees(self.root), self.models)
+    def _model_index(self) -> ModelIndex:
+        return ModelIndex.of(Trees(self.root), self.models)
 
     def with_models(self, models: Iterable[ComponentModel]) -> Components:
         """The same components; those that are among `models` have the models there."""
@@ -280,7 +280,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
             tried[name] |= configurations
         more = _plugins(wanted, analyzed)
         models += more
-        planner.known.add(more)
+        planner.index.add(more)
     alone = [model for model in models if not model.configuration and model.title in planner.wants(made_by(models)).alone]
     if needed.plugins or any(model.loads or model.loads_any for model in alone):
 

@@ -147,7 +147,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     obligation = _oblige(builder, f"{node} {trigger}" if queue is None else queue) if due else None
     others = [builder.kept_of[node, other] for other in sorted(component.together.get(trigger, ())) if (node, other) in builder.kept_of]
     keys = {key for other, key in builder.cone.variables if other == node}
-    shared = dict(_known(builder, topic, builder.cone.steps[end]))
+    shared = dict(_content_of_inputs(builder, topic, builder.cone.steps[end]))
     found = effects(builder.cone.steps[end], keys, lambda subject: shared.get(subject, subject.values))
     idle = topic is not None and any(event.kind in ("received", "ignored") for event in _events_at(builder, end, topic))
     for effect, cases in _grouped(found, component, keys):
@@ -295,8 +295,8 @@ def _index(builder: _Builder, node: str, key: str) -> int:
     return next(index for index, variable in enumerate(builder.variables) if variable.key == (node, key))
 
 
-def _known(builder: _Builder, topic: Topic | None, steps: Iterable[Step]) -> Iterator[tuple[Subject, tuple[str, ...]]]:
-    """What the inputs tell of the content of messages on a topic."""
+def _content_of_inputs(builder: _Builder, topic: Topic | None, steps: Iterable[Step]) -> Iterator[tuple[Subject, tuple[str, ...]]]:
+    """What the inputs say about the content of messages on a topic."""
     if topic is None:
         return
     for step in steps:
@@ -331,7 +331,7 @@ def _taken_for_granted(
     inputs: list[str] = []
     assumes: list[str] = []
     for subject, values in effect.choices.items():
-        text = _told(subject, values)
+        text = _condition_text(subject, values)
         from_outside = topic is not None and not topic.senders and component.is_content(trigger, subject.text)
         from_outside = from_outside and not (component.is_unsigned(trigger) and all(map(below_zero, values)))
         if not (topic and builder.inputs.content(topic.name, subject) is not None):
@@ -340,7 +340,7 @@ def _taken_for_granted(
     return tuple(inputs), tuple(assumes)
 
 
-def _told(subject: Subject, values: frozenset[str]) -> str:
+def _condition_text(subject: Subject, values: frozenset[str]) -> str:
     if tuple(subject.values) != BOOLEAN:
         return f"{subject.text} is {' or '.join(value for value in subject.values if value in values)}"
     if values == {BOOLEAN[0]}:

@@ -15,7 +15,7 @@ from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger, names_of_messages
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import START, gated, gates, starting
-from rosarch.models.rhythm import with_numbers_told
+from rosarch.models.rhythm import runnable_document
 
 _FIELD = re.compile(r"\(?\*?(?P<message>\w+)\)?(?:->|\.)(?P<path>[\w.>\[\]-]+)")
 
@@ -205,7 +205,7 @@ def component(document: Document, settings: Settings | None = None) -> Component
     """The component that a document in the format of `rosarch analyze -o` describes, as it is with these settings."""
     known = {name: settings[parameter] for name, parameter in _keeping(document) if parameter in (settings or {})} if settings else {}
     numbers = {name: number for name, (_, text) in known.items() if (number := whole(text)) is not None}
-    document = with_numbers_told(document, numbers)
+    document = runnable_document(document, numbers)
     domains = Domains(document, counts=True)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}

@@ -119,7 +119,7 @@ class _Run:
             if entry.end is not None and time > entry.end:
                 return
             yield self._until(time)
-            self._tell(Event(self.environment.now, "sent", ENVIRONMENT, entry.topic))
+            self._record(Event(self.environment.now, "sent", ENVIRONMENT, entry.topic))
             self._deliver(Message(entry.topic, {entry.topic: self.environment.now}, entry.fields))
 
     def _until(self, time: float) -> simpy.Event:
@@ -146,7 +146,7 @@ class _Run:
             queue, size = node.waiting[port], node.component.queues.get(port)
             if size and len(queue) >= size and self.system.topics[message.topic].kind == "topic":
                 queue.popleft()
-                self._tell(Event(self.environment.now, "dropped", name, message.topic))
+                self._record(Event(self.environment.now, "dropped", name, message.topic))
                 self.record.dropped[name, message.topic] += 1
             elif self._polls(node):
                 node.arrived.append(port)
@@ -176,7 +176,7 @@ class _Run:
         message = node.waiting[trigger].popleft()
         node.latest[trigger] = message
         self.record.queued(node.name, message.topic, len(node.waiting[trigger]), self.environment.now)
-        self._tell(Event(self.environment.now, "received", node.name, message.topic))
+        self._record(Event(self.environment.now, "received", node.name, message.topic))
         return message
 
     def _duration(self, node: str, topic: str) -> float:
@@ -202,13 +202,13 @@ class _Run:
         for key, value in effect.after.items():
             if node.values[key] != value:
                 text = node.component.variables[key].text
-                self._tell(Event(now, "changed", node.name, text, f"{node.values[key]} -> {value}"))
+                self._record(Event(now, "changed", node.name, text, f"{node.values[key]} -> {value}"))
                 node.values[key] = value
         if message:
             self.record.handled(node.name, now, message.origins)
         for port in effect.sent:
             for topic in self.system.outlet((node.name, port)):
-                self._tell(Event(now, "sent", node.name, topic.name, ", ".join(f"{n}" for n, _ in topic.receivers)))
+                self._record(Event(now, "sent", node.name, topic.name, ", ".join(f"{n}" for n, _ in topic.receivers)))
                 self._deliver(Message(topic.name, self._origins(node, message, (node.name, port), topic.name)))
 
     def _origins(self, node: _Node, message: Message | None, end: End, topic: str) -> Mapping[str, float]:
@@ -221,7 +221,7 @@ class _Run:
             found |= other.origins
         return found or {topic: self.environment.now}
 
-    def _tell(self, event: Event) -> None:
+    def _record(self, event: Event) -> None:
         self.record.events.append(event)
         if len(self.record.events) > MOST_EVENTS:
             (subject, number), *_ = Counter(event.subject for event in self.record.events).most_common(1)

@@ -13,7 +13,7 @@ from rosarch.behavior.composition.inputs import Inputs
 from rosarch.behavior.composition.reactions import TooManyCases
 from rosarch.behavior.composition.system import System
 from rosarch.behavior.verification import ltl, spin, storm
-from rosarch.behavior.verification.checkers import CheckerError, Found
+from rosarch.behavior.verification.checkers import CheckerError, CheckResult
 from rosarch.behavior.verification.explorer import Explorer, Lasso, TooManyStates, violation
 from rosarch.behavior.verification.ltl import Formula
 from rosarch.behavior.verification.properties import Property
@@ -115,13 +115,13 @@ def _never(system: System, item: Property, inputs: Inputs, checker: str, bound: 
     opposite = Not(item.formula)
     try:
         transitions = model_for(system, opposite, inputs, bound)
-        found: Found = CHECKERS[checker].check(transitions, opposite, timeout=limits.seconds, memory=limits.memory)
+        found: CheckResult = CHECKERS[checker].check(transitions, opposite, timeout=limits.seconds, memory=limits.memory)
     except (CheckerError, TooManyCases):
         return False
     return found.holds
 
 
-def _lasso(system: TransitionSystem, formula: Formula, found: Found, limits: Limits) -> Lasso | None:
+def _lasso(system: TransitionSystem, formula: Formula, found: CheckResult, limits: Limits) -> Lasso | None:
     """A run that violates the property: a shortest one, where that can be searched for, else the checker's."""
     try:
         return violation(system, formula, limits.states) or found.lasso

@@ -8,8 +8,8 @@ from rosarch.behavior.verification.explorer import Lasso
 
 
 @dataclass(frozen=True)
-class Found:
-    """What a checker found: whether a property holds, in how many states, and a run that violates it, when it tells one."""
+class CheckResult:
+    """What a checker reports: whether a property holds, in how many states, and a run that violates it, when it shows one."""
 
     holds: bool
     states: int

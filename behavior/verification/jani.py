@@ -39,7 +39,7 @@ def jani(system: TransitionSystem, formula: Formula | None = None, name: str = "
             "name": number.name,
             "type": {"kind": "bounded", "base": "int", "lower-bound": 0, "upper-bound": max(number.high, 1)},
             "initial-value": number.initial,
-            "comment": number.told,
+            "comment": number.description,
         }
         for number in system.numbers
     ]

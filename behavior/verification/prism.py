@@ -19,7 +19,7 @@ def prism(system: TransitionSystem, formula: Formula | None = None) -> str:
     """The system as a Markov decision process without probabilities, with a label for each atom of the property."""
     lines = [f"// {spaced(system.model.name)}", "mdp", "", "module composition"]
     for number in system.numbers:
-        lines.append(f"  // {spaced(number.told)}")
+        lines.append(f"  // {spaced(number.description)}")
         lines.append(f"  {number.name} : [0..{max(number.high, 1)}] init {number.initial};")
     for transition in system.transitions:
         updates = " & ".join(f"({variable}'={written(value, _SIGNS)})" for variable, value in transition.updates) or "true"

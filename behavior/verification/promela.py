@@ -59,7 +59,7 @@ def _goto(system: TransitionSystem, runs: Automaton, nodes: Sequence[int], copy:
 
 def _declaration(number: Number) -> str:
     type_ = "bool" if number.high == 1 else "byte" if number.high < 256 else "int"
-    return f"{type_} {number.name} = {number.initial}; /* {_comment(number.told)} */"
+    return f"{type_} {number.name} = {number.initial}; /* {_comment(number.description)} */"
 
 
 def _comment(text: str) -> str:

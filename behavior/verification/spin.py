@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from rosarch.base.scratch import scratch_folder
-from rosarch.behavior.verification.checkers import CheckerError, Found
+from rosarch.behavior.verification.checkers import CheckerError, CheckResult
 from rosarch.behavior.verification.explorer import Lasso
 from rosarch.behavior.verification.ltl import Formula
 from rosarch.behavior.verification.promela import STEP, promela
@@ -32,7 +32,7 @@ def is_installed() -> bool:
     return bool(shutil.which("spin") and shutil.which("gcc"))
 
 
-def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory: int) -> Found:
+def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory: int) -> CheckResult:
     """Let SPIN check a property, within `timeout` seconds and `memory` MiB.
 
     Raises:
@@ -44,7 +44,7 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
         return found if found.holds else replace(found, lasso=_trail(_run(["spin", "-t", "-B", "model.pml"], folder, timeout)))
 
 
-def check_all(system: TransitionSystem, formulas: Sequence[Formula], *, timeout: float, memory: int) -> list[Found]:
+def check_all(system: TransitionSystem, formulas: Sequence[Formula], *, timeout: float, memory: int) -> list[CheckResult]:
     """Let SPIN check several properties of one model, without the runs that violate them."""
     with scratch_folder() as folder:
         _compile(system, formulas, folder, timeout, memory)
@@ -60,7 +60,7 @@ def _compile(system: TransitionSystem, formulas: Sequence[Formula], folder: Path
     _run(["gcc", effort, "-w", f"-DMEMLIM={memory}", "-DNOFAIR", "-DNOREDUCE", "-DNOSTUTTER", "-o", "pan", "pan.c"], folder, timeout)
 
 
-def _claim(index: int, folder: Path, timeout: float, memory: int) -> Found:
+def _claim(index: int, folder: Path, timeout: float, memory: int) -> CheckResult:
     for depth in (_SHORT, memory * _PER_MIB):
         report = _run(["./pan", "-a", f"-m{depth}", "-N", f"claim{index}"], folder, timeout)
         if _TOO_DEEP not in report:
@@ -69,10 +69,10 @@ def _claim(index: int, folder: Path, timeout: float, memory: int) -> Found:
     states = re.search(r"^\s*(\S+) states, stored", report, re.MULTILINE)
     count = int(float(states.group(1))) if states else 0
     if errors and int(errors.group(1)):
-        return Found(False, count, None)
+        return CheckResult(False, count, None)
     if errors is None or any(sign in report for sign in _GIVEN_UP):
         raise CheckerError(f"SPIN gave up after {count} states", large=True)
-    return Found(True, count, None)
+    return CheckResult(True, count, None)
 
 
 def _run(command: list[str], folder: Path, timeout: float) -> str:

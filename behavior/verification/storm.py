@@ -11,7 +11,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 
 from rosarch.base.scratch import scratch_folder
-from rosarch.behavior.verification.checkers import CheckerError, Found
+from rosarch.behavior.verification.checkers import CheckerError, CheckResult
 from rosarch.behavior.verification.ltl import Formula
 from rosarch.behavior.verification.prism import prism, query
 from rosarch.behavior.verification.transitions import TransitionSystem
@@ -24,7 +24,7 @@ def is_installed() -> bool:
     return importlib.util.find_spec("stormpy") is not None
 
 
-def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory: int) -> Found:
+def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory: int) -> CheckResult:
     """Let Storm check a property, within `timeout` seconds and `memory` MiB, in a process of its own.
 
     The least probability that the property has is 0 or 1, since nothing in the model is left to chance: it is 1 exactly when every run
@@ -49,7 +49,7 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
         process.join()
     if isinstance(value, str):
         raise CheckerError(f"Storm failed: {value}")
-    return Found(value > 0.5, states, None)
+    return CheckResult(value > 0.5, states, None)
 
 
 def _work(answer: Connection, text: str, asked: str, memory: int) -> None:

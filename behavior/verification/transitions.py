@@ -45,7 +45,7 @@ class Number:
     names: tuple[str, ...] = ()
 
     @property
-    def told(self) -> str:
+    def description(self) -> str:
         """What it and its values stand for."""
         names = ", ".join(f"{value}: {name}" for value, name in enumerate(self.names))
         return f"{self.text} ({names})" if names else self.text
@@ -147,7 +147,7 @@ class _Encoder:
             for value in model.variables[index].initial
         ]
         quiet = every([*self._ready(), *(equal(queue, 0) for queue in self.queues)])
-        transitions.append(Transition(quiet, self._told((), (), None), None, "nothing happens"))
+        transitions.append(Transition(quiet, self._observations((), (), None), None, "nothing happens"))
         transitions += [self._transition(index, command) for index, command in enumerate(model.commands)]
         fair = (self.turn, len(model.obligations)) if model.obligations else None
         return TransitionSystem(model, tuple(self._numbers()), tuple(transitions), fair)
@@ -182,7 +182,7 @@ class _Encoder:
         guard += [equal(self.queues[queue], self.model.queues[queue].size) for queue in command.full]
         if command.stage is not None:
             guard.append(equal(self.stage, command.stage))
-        updates = list(self._told(command.events, command.full_events, command.obligation))
+        updates = list(self._observations(command.events, command.full_events, command.obligation))
         updates += self._queued(command)
         for variable, value in command.given:
             updates.append((self.variables[variable], self.model.variables[variable].values.index(value)))
@@ -198,7 +198,7 @@ class _Encoder:
         if command.takes is not None and command.takes not in command.puts and not command.keeps:
             yield self.queues[command.takes], Operation("-", (self.queues[command.takes], 1))
 
-    def _told(
+    def _observations(
         self, events: Iterable[object], full: Sequence[tuple[object, int]], obligation: int | None
     ) -> tuple[tuple[str, Expression], ...]:
         """The updates of what only observes; they come first, since they are about the state before."""

@@ -111,7 +111,7 @@ def _states(old: str, new: str) -> Iterator[tuple[State, State]]:
                 states.append(State(check_input(Path(side)), Path.cwd()))
             else:
                 folder = Path(temporary, str(number), Path.cwd().name or "root")
-                _tell(side, _exported(commit, folder))
+                _note_omissions(side, _exported(commit, folder))
                 states.append(State(folder, folder))
         yield states[0], states[1]
 
@@ -134,7 +134,7 @@ def _exported(commit: str, folder: Path) -> Exported:
         raise InputError(str(error)) from None
 
 
-def _tell(revision: str, exported: Exported) -> None:
+def _note_omissions(revision: str, exported: Exported) -> None:
     """What of a revision is not compared."""
     for what, paths in (
         ("submodule", exported.submodules),

@@ -129,7 +129,7 @@ def _views(systems: Sequence[SystemModel], selection: Selection) -> list[View]:
     if unknown and not views:
         from rosarch.base.hints import hint
 
-        raise InputError(f"no node {unknown[0].name}{hint(unknown[0].name, {name for error in unknown for name in error.known})}")
+        raise InputError(f"no node {unknown[0].name}{hint(unknown[0].name, {name for error in unknown for name in error.candidates})}")
     return views
 
 

@@ -61,11 +61,11 @@ def test(
             told = "a test is a source with comments `expect: ...`, or a folder with facts/*.facts and expected/*.csv"
             raise InputError(f"{', '.join(map(str, given))}: no tests; {told}")
         with datalog_errors(), progress() as report:
-            how = Running(systems_of(rules, reading), reading.method(rules).telling(report))
+            how = Running(systems_of(rules, reading), reading.method(rules).reporting_to(report))
             outcomes = list(run_cases(found.cases, how))
     except ExpectationError as error:
         raise InputError(str(error)) from None
-    met = _tell(outcomes, reading.verbose)
+    met = _report(outcomes, reading.verbose)
     with datalog_errors():
         passed = [_run_folder(folder, rules, reading.engine, coverage) for folder in found.rules]
     if not (met and all(passed)):
@@ -124,7 +124,7 @@ def systems_of(rules: RuleSet, reading: ReadingOptions) -> Callable[[Path], Work
     return lambda folder: WorkspaceSystems(reading.systems_in(folder, None, rules), rules)
 
 
-def _tell(outcomes: Sequence[CaseOutcome], verbose: bool) -> bool:
+def _report(outcomes: Sequence[CaseOutcome], verbose: bool) -> bool:
     """Whether all expectations of sources are met, and which are not."""
     from rosarch.reports.expectations import file_text, total_text
 

@@ -60,7 +60,7 @@ def watch(
         except InputError as error:  # what is wrong at the start is refused; later the next save may mend it
             if before is None:
                 raise
-            _tell(f"rosarch: error: {error}")
+            _print_error(f"rosarch: error: {error}")
             if next(batches, None) is None:
                 return
         except KeyboardInterrupt:  # between two waits for a save
@@ -114,15 +114,15 @@ def _report(live: LiveRules, wanted: _Wanted, before: Tables | None, saved: Sequ
     except InputError as error:
         if before is None:
             raise
-        _tell(f"{_heading(saved)}\n{error}")
+        _print_error(f"{_heading(saved)}\n{error}")
         return before
     for title, failure in update.failures.items():
-        _tell(f"rosarch: {title}: {failure}")
+        _print_error(f"rosarch: {title}: {failure}")
     emit_lines(_all(live, update) if before is None else f"{_heading(saved)}  {_effort(update)}\n{_changes(live, update, before)}")
     return update.tables
 
 
-def _tell(text: str) -> None:
+def _print_error(text: str) -> None:
     sys.stderr.write(text + "\n")
     sys.stderr.flush()
 

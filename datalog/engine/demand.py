@@ -13,8 +13,8 @@ from typing import Any
 
 from rosarch.datalog.engine.codegen import Emitter
 from rosarch.datalog.engine.compile import Clauses, Compiler, Plan, assembled, effects, new_plan, normalised
+from rosarch.datalog.engine.constant_rows import constant_rows
 from rosarch.datalog.engine.expressions import Expressions
-from rosarch.datalog.engine.known_rows import known_rows
 from rosarch.datalog.engine.plan import Code, Rule, Stratum, TablePlan
 from rosarch.datalog.engine.storage import RowsNeeded, TableKey, row_of
 from rosarch.datalog.language.ground import is_bound
@@ -32,25 +32,25 @@ def compile_on_demand(
     inputs: Collection[str],
 ) -> Code:  # fmt: skip
     """Generate the code of a program for the rows of `goals`; facts are given of the relations `inputs` only."""
-    program = _Program(relations, strata, clauses, types, known_rows(relations, strata, clauses, types, inputs))
+    program = _Program(relations, strata, clauses, types, constant_rows(relations, strata, clauses, types, inputs))
     demanded = program.demanded(goals)
     return program.code(goals, demanded)
 
 
 class _Program:
-    """The clauses of a program by relation, but for those whose rows are `known`."""
+    """The clauses of a program by relation, but for those whose rows are `constants`."""
 
     def __init__(
         self, relations: Mapping[str, Relation], strata: Sequence[Sequence[str]], clauses: Clauses, types: Types,
-        known: Mapping[str, list[Any]],
+        constants: Mapping[str, list[Any]],
     ) -> None:  # fmt: skip
         self.relations = relations
         self.strata = strata
-        self.clauses = {name: own for name, own in clauses.items() if name not in known}
+        self.clauses = {name: own for name, own in clauses.items() if name not in constants}
         self.types = types
-        self.known = known
+        self.constants = constants
         self.stratum = {name: names for names in strata for name in names}
-        self.ranks = {name: 6.0 if name in known or not any(clause.body for clause, _ in own) else 3.0 for name, own in clauses.items()}
+        self.ranks = {name: 6.0 if name in constants or not any(clause.body for clause, _ in own) else 3.0 for name, own in clauses.items()}
         self.mentioned = {name: {atom for clause, _ in own for atom in _mentioned(clause)} for name, own in self.clauses.items()}
         self.readers = turned_around({name: self.mentioned.get(name, ()) for name in relations})
 
@@ -115,7 +115,7 @@ class _Compiler(Compiler):
     def __init__(self, program: _Program, demanded: set[str]) -> None:
         super().__init__(program.relations, program.types)
         self.program = program
-        self.code.facts = {name: rows for name, rows in program.known.items() if rows}
+        self.code.facts = {name: rows for name, rows in program.constants.items() if rows}
         self.storage.demanded = demanded
         self.storage.ranks = program.ranks
         self.plans: dict[str, Plan] = {}  # by the first relation of the stratum
@@ -212,19 +212,19 @@ class _Compiler(Compiler):
         value: Sequence[Argument] = form.head.args if len(free) > 1 else free
         guard: list[int] = []
 
-        def found(now: Mapping[str, str]) -> str:
+        def row(now: Mapping[str, str]) -> str:
             return row_of([expressions.write(a, now) for a in value])
 
         def checkpoint(now: dict[str, str]) -> bool:
             """Skip the remaining loops when the row is already there; true once emitted."""
             if not all(is_bound(a, set(now)) for a in value):
                 return False
-            emitter.fail_if(f"{found(now)} in found")
+            emitter.fail_if(f"{row(now)} in found")
             guard.append(emitter.loops)
             return True
 
         def finish(now: dict[str, str]) -> None:
-            emitter.line(f"add({found(now)})")
+            emitter.line(f"add({row(now)})")
             if not emitter.functions and (guard or not free):
                 if not free:
                     emitter.line("return")

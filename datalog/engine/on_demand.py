@@ -53,7 +53,7 @@ class Table(defaultdict[Any, Rows]):
     def __missing__(self, key: Any) -> Rows:
         if len(self) >= self._enough and self._prepare():
             return self[key]
-        self[key] = found = tuple(self._found(key))
+        self[key] = found = tuple(self._derived_rows(key))
         return found
 
     def close(self) -> None:
@@ -81,8 +81,8 @@ class Table(defaultdict[Any, Rows]):
         else:
             self.update(Index(0, plan.arity, plan.keys, (), True).build(rows, False))
 
-    def _found(self, key: Any) -> set[Any]:
-        """What the rules find for a key."""
+    def _derived_rows(self, key: Any) -> set[Any]:
+        """What the rules derive for a key."""
         found: set[Any] = set()
         prepared = None
         try:
@@ -145,7 +145,7 @@ class RecursiveTable(Table):
         while path:
             last = next(reversed(path))
             self._asked = []
-            found = self._found(last)
+            found = self._derived_rows(last)
             waiting = [k for k in dict.fromkeys(self._asked) if k not in path]
             if waiting:
                 path.update(dict.fromkeys(waiting))
@@ -165,7 +165,7 @@ class RecursiveTable(Table):
             changed = False
             for key in list(known):
                 self._asked = []
-                found = self._found(key)
+                found = self._derived_rows(key)
                 for other in self._asked:
                     if other not in known:
                         known[other], self[other], changed = set(), (), True

@@ -28,14 +28,14 @@ class Records:
     """The records of one evaluation."""
 
     def __init__(self) -> None:
-        self._known: dict[Any, Interned] = {}
+        self._interned: dict[Any, Interned] = {}
         self._with_floats: dict[str, dict[Any, Interned]] = {}  # 1 and 1.0 are equal to Python
 
     def pack(self, fields: tuple[Any, ...]) -> Interned:
         """The record with these fields, none of which is a float."""
-        found = self._known.get(fields)
+        found = self._interned.get(fields)
         if found is None:
-            found = self._known[fields] = Interned(fields)
+            found = self._interned[fields] = Interned(fields)
         return found
 
     def pack_floats(self, fields: tuple[Any, ...], places: str) -> Interned:

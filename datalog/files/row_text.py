@@ -16,7 +16,7 @@ Show = Callable[[Any], str]
 
 def column_writer(type_name: str, types: Types) -> Show:
     """What writes the values of a column of the named type."""
-    kind = types.kind(type_name) if types.known(type_name) else ""
+    kind = types.kind(type_name) if types.exists(type_name) else ""
     if kind == "s":
         return _same
     if kind in ("i", "u"):

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 _LIMIT = 8  # programs that are kept
 _LONGEST = 200  # lines of a clause
-_known: dict[tuple[str, ...], Rules] = {}
+_kept_rules: dict[tuple[str, ...], Rules] = {}
 _ENTRY = "rules"
 
 
@@ -99,36 +99,36 @@ class Rules:
         return found
 
 
-class _KnownTexts(_Loader):
+class _TextLoader(_Loader):
     """Reads the files of a program from memory, as they went to the parser."""
 
     def __init__(self, texts: Mapping[str, str], report: Report, sources: Sources) -> None:
         super().__init__(report, sources, Loading())
-        self.known = texts
+        self.contents = texts
 
     def parse_file(self, path: Path, shown: str, included_at: Location | None, entered: set[str]) -> list[Item]:
         """The items of a file that has not been entered yet."""
-        if shown in entered or shown not in self.known:
+        if shown in entered or shown not in self.contents:
             return []
         entered.add(shown)
-        return self._splice(remembered(self.known[shown], shown, self.report, self.sources.texts), entered)
+        return self._splice(remembered(self.contents[shown], shown, self.report, self.sources.texts), entered)
 
     def find(self, item: Include) -> Path:
-        """The known file that an `.include` names."""
+        """The file among these that an `.include` names."""
         found = super().find(item)
         ending = f"/{item.path}"
-        return found if str(found) in self.known else Path(next((p for p in self.known if p.endswith(ending)), str(found)))
+        return found if str(found) in self.contents else Path(next((p for p in self.contents if p.endswith(ending)), str(found)))
 
 
 def rules_of(program: Program) -> Rules:
     """The rules of a program."""
     key = (program.hash, *program.sources)  # the hash is one of contents only
-    found = _known.get(key)
+    found = _kept_rules.get(key)
     if found is None:
         found = _kept(program)
-        while len(_known) >= _LIMIT:
-            _known.pop(next(iter(_known)))
-        _known[key] = found
+        while len(_kept_rules) >= _LIMIT:
+            _kept_rules.pop(next(iter(_kept_rules)))
+        _kept_rules[key] = found
     return found
 
 
@@ -147,7 +147,7 @@ def _kept(program: Program) -> Rules:
 
 def _read(program: Program) -> Rules:
     report = Report(program.sources)
-    loader = _KnownTexts(program.parsed, report, Sources(dict(program.sources)))
+    loader = _TextLoader(program.parsed, report, Sources(dict(program.sources)))
     items: list[Item] = []
     entered: set[str] = set()
     for shown in program.parsed:

@@ -76,10 +76,10 @@ def why_not(program: Program, rows: Given, goal: str, *, engine: str = "embedded
     is_input = any(d.kind == "input" and d.relation == wanted.relation for d in rules.unit.directives)
     near = [] if present else finder.nearest(wanted.relation, dict(enumerate(wanted.args)))[1]
     text = show_goal(wanted, type_names, rules.types)
-    return WhyNot(text, wanted.relation, present, _most_telling(failures), tuple(near), is_input)
+    return WhyNot(text, wanted.relation, present, _most_informative_first(failures), tuple(near), is_input)
 
 
-def _most_telling(failures: Sequence[RuleFailure]) -> tuple[RuleFailure, ...]:
+def _most_informative_first(failures: Sequence[RuleFailure]) -> tuple[RuleFailure, ...]:
     """Rules that cannot make such a row, as their head shows, come last."""
     return tuple(sorted(failures, key=lambda f: f.reason == "head"))
 

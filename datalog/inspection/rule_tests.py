@@ -32,12 +32,12 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class TestOutcome:
-    """What became of one test; `known` is why it is known to fail, `error` why it could not be run."""
+    """What became of one test; `known_failure` is why it is known to fail, `error` why it could not be run."""
 
     name: str
     differences: tuple[Difference, ...] = ()
     error: str = ""
-    known: str = ""
+    known_failure: str = ""
 
     @property
     def passed(self) -> bool:
@@ -47,7 +47,7 @@ class TestOutcome:
     @property
     def ok(self) -> bool:
         """Whether the test does as it should: it passes, or fails and is known to."""
-        return self.passed != bool(self.known)
+        return self.passed != bool(self.known_failure)
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,9 +84,9 @@ def run_rule_tests(
         try:
             if files not in collectors:
                 collectors[files] = Collector(default if isinstance(default, Program) and files == given else load_program(files))
-            outcome = TestOutcome(name, tuple(_run(case, collectors[files], engine)), known=known)
+            outcome = TestOutcome(name, tuple(_run(case, collectors[files], engine)), known_failure=known)
         except (DatalogError, OSError, UnicodeDecodeError) as error:
-            outcome = TestOutcome(name, error=str(error), known=known)
+            outcome = TestOutcome(name, error=str(error), known_failure=known)
         outcomes.append(outcome)
         if progress is not None:
             progress(outcome)
@@ -117,7 +117,7 @@ def _lines(program: Program, result: Result, name: str) -> Iterator[str]:
 def outcome_text(outcome: TestOutcome) -> str:
     """One line for a test that does as it should, else what is wrong with it."""
     if outcome.ok:
-        return f"ok       {outcome.name}\n" if outcome.passed else f"known    {outcome.name}: {outcome.known.splitlines()[0]}\n"
+        return f"ok       {outcome.name}\n" if outcome.passed else f"known    {outcome.name}: {outcome.known_failure.splitlines()[0]}\n"
     if outcome.passed:
         return f"FAILED   {outcome.name}: passes now, remove {KNOWN_FAILURE}\n"
     lines = [f"FAILED   {outcome.name}", *(f"  {line}" for line in outcome.error.splitlines())]

@@ -46,15 +46,15 @@ class Terms:
         self.matchers: dict[str, str] = {}
         self.expressions = Expressions(types, clause_types, self.matchers)
         self.names: dict[str, Any] = {**names(types.bits), "S": State()}
-        self.known: dict[int, tuple[Any, Callable[[Bound], Any]]] = {}
+        self.compiled: dict[int, tuple[Any, Callable[[Bound], Any]]] = {}
 
     def _compiled(self, node: Any, text: Callable[[], str]) -> Callable[[Bound], Any]:
-        found = self.known.get(id(node))
+        found = self.compiled.get(id(node))
         if found is None:
             source = text()
             for pattern, name in self.matchers.items():
                 self.names.setdefault(name, full_match(pattern))
-            found = self.known[id(node)] = (node, eval(f"lambda b: {source}", self.names))
+            found = self.compiled[id(node)] = (node, eval(f"lambda b: {source}", self.names))
         return found[1]
 
     def value(self, term: Argument, bound: Bound) -> Any:

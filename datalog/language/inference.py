@@ -132,7 +132,7 @@ class Inference:
         relation = self.relations.get(atom.name)
         if relation is not None and len(relation.attributes) == len(atom.args):
             for attribute, arg in zip(relation.attributes, atom.args, strict=True):
-                if not self.types.known(attribute.type):
+                if not self.types.exists(attribute.type):
                     continue
                 if not sink:
                     self.subtype(arg, attribute.type)
@@ -155,7 +155,7 @@ class Inference:
             case IterationCounter():
                 self.subtype(term, CONSTANT_TYPES["u"])
             case Cast():
-                if self.types.known(term.type):
+                if self.types.exists(term.type):
                     self.subtype(term, term.type)
                     if isinstance(term.arg, (Number, String)):
                         self.subtype(term.arg, term.type)
@@ -180,7 +180,7 @@ class Inference:
             expected = dict(self.types.get(owner).branches)[term.name]
             if len(expected) == len(term.args):
                 for arg, type_name in zip(term.args, expected, strict=True):
-                    if self.types.known(type_name):
+                    if self.types.exists(type_name):
                         self.subtype(arg, type_name)
         for arg in term.args:
             self._term(arg)
@@ -274,7 +274,7 @@ class Inference:
                 return False
             fitting = frozenset(r for r in records if len(types.root(r).fields) > index)
             fields = frozenset(types.resolve(types.root(r).fields[index]) for r in fitting)
-            fields = frozenset(f for f in fields if types.known(f))
+            fields = frozenset(f for f in fields if types.exists(f))
             current = sets.get(ka)
             new = fields if current is None else types.common_sets(current, fields)
             changed = fitting != records or new != current

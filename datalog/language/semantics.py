@@ -89,7 +89,7 @@ def _check_relations(unit: Unit, types: Types, report: Report) -> dict[str, Rela
         relations[relation.name] = relation
         seen: set[str] = set()
         for attribute in relation.attributes:
-            if not types.known(attribute.type) and not any(t.name == attribute.type for t in unit.types):
+            if not types.exists(attribute.type) and not any(t.name == attribute.type for t in unit.types):
                 hint = did_you_mean(attribute.type, [n for n in (*types.table, *types.aliases) if n[0] != "@"])
                 report.error(f"unknown type `{attribute.type}`", attribute.location, hint)
             if attribute.name in seen:
@@ -109,7 +109,7 @@ def _check_functors(unit: Unit, types: Types, report: Report) -> None:
         if seen.setdefault(functor.name, functor.location) is not functor.location:
             report.error(f"functor `{functor.name}` is already declared at {seen[functor.name]}", functor.location)
         for name in (*functor.params, functor.result):
-            if not types.known(name):
+            if not types.exists(name):
                 hint = did_you_mean(name, [n for n in (*types.table, *types.aliases) if n[0] != "@"])
                 report.error(f"unknown type `{name}`", functor.location, hint)
 
@@ -144,7 +144,7 @@ def _check_names(clause: Clause, relations: Mapping[str, Relation], types: Types
                     _check_atom(node, relations, report)
                 case Branch() if node.name not in types.branch_owner:
                     report.error(f"unknown branch `{node.name}`", node.location, did_you_mean(node.name, types.branch_owner))
-                case Cast() if not types.known(node.type):
+                case Cast() if not types.exists(node.type):
                     known = [n for n in (*types.table, *types.aliases) if n[0] != "@"]
                     report.error(f"unknown type `{node.type}`", node.location, did_you_mean(node.type, known))
                 case UserFunctor() if node.name not in functors:
@@ -223,7 +223,7 @@ class ClauseChecker:
 
     def __init__(self, clause: Clause, found: ClauseTypes, types: Types, relations: Mapping[str, Relation], report: Report) -> None:
         self.clause = clause
-        self.found = found
+        self.inferred = found
         self.types = types
         self.relations = relations
         self.report = report
@@ -266,7 +266,7 @@ class ClauseChecker:
                 self._comparison(node)
 
     def _variable(self, node: Variable) -> None:
-        if self.found.of(node) == frozenset() and node.name not in self.failed:
+        if self.inferred.of(node) == frozenset() and node.name not in self.failed:
             self.failed.add(node.name)
             self.report.error(f"no type fits variable `{node.name}`", node.location, self._uses(node.name))
 
@@ -288,8 +288,8 @@ class ClauseChecker:
     def _atom(self, atom: Atom, negated: bool) -> None:
         relation = self.relations[atom.name]
         for attribute, arg in zip(relation.attributes, atom.args, strict=True):
-            found = self.found.of(arg)
-            if not found or not self.types.known(attribute.type):
+            found = self.inferred.of(arg)
+            if not found or not self.types.exists(attribute.type):
                 continue
             declared = self.types.resolve(attribute.type)
             accept = self._accepts_negated if negated else self._accepts
@@ -312,13 +312,13 @@ class ClauseChecker:
         return kind == self.types.kind(declared) and (kind not in "r+" or self.types.is_subtype(found, declared))
 
     def _constant(self, node: String | Nil, kind: str, what: str) -> None:
-        found = self.found.of(node)
+        found = self.inferred.of(node)
         if not found or any(self.types.kind(t) != kind for t in found):
             context = self._show(found) if found else self._context(node)
             self.report.error(f"{what} constant where {context or 'another type'} is expected", node.location)
 
     def _number(self, node: Number) -> None:
-        found = self.found.of(node)
+        found = self.inferred.of(node)
         if not found:
             self.report.error(f"numeric constant where {self._context(node) or 'another type'} is expected", node.location)
             return
@@ -339,12 +339,12 @@ class ClauseChecker:
                     attribute = relation.attributes[position]
                     return f"`{attribute.type}` (`{parent.name}.{attribute.name}`)"
                 if isinstance(parent, Constraint) and (parent.left is node or parent.right is node):
-                    other = self.found.of(parent.right if parent.left is node else parent.left)
+                    other = self.inferred.of(parent.right if parent.left is node else parent.left)
                     return f"`{self._show(other)}`" if other else ""
         return ""
 
     def _record(self, node: Record) -> None:
-        found = self.found.of(node)
+        found = self.inferred.of(node)
         if not found or len(found) != 1 or any(self.types.kind(t) != "r" for t in found):
             self.report.error(
                 "the type of this record is ambiguous" if found is None or len(found) > 1 else "record where another type is expected",
@@ -364,24 +364,24 @@ class ClauseChecker:
                 node.location,
             )
             return
-        if self.found.of(node) == frozenset():
+        if self.inferred.of(node) == frozenset():
             self.report.error(f"branch of `{owner}` where another type is expected", node.location)
         for arg, declared in zip(node.args, fields, strict=True):
-            found = self.found.of(arg)
-            if found and self.types.known(declared) and not all(self._accepts(t, self.types.resolve(declared)) for t in found):
+            found = self.inferred.of(arg)
+            if found and self.types.exists(declared) and not all(self._accepts(t, self.types.resolve(declared)) for t in found):
                 self.report.error(
                     f"argument is of type `{self._show(found)}`, but the field of `{node.name}` is of type `{declared}`",
                     arg.location,
                 )
 
     def _functor(self, node: Functor) -> None:
-        if self.found.overloads.get(id(node)):
+        if self.inferred.overloads.get(id(node)):
             return
         known = FUNCTORS.get(node.op, ())
         if not any(o.accepts(len(node.args)) for o in known):
             self.report.error(f"`{node.op}` does not take {len(node.args)} argument{'s' * (len(node.args) != 1)}", node.location)
         else:
-            given = ", ".join(self._show(self.found.of(a)) or self._literal_kind(a) for a in node.args)
+            given = ", ".join(self._show(self.inferred.of(a)) or self._literal_kind(a) for a in node.args)
             self.report.error(f"`{node.op}` is not defined for ({given})", node.location)
 
     def _literal_kind(self, node: Argument) -> str:
@@ -397,7 +397,7 @@ class ClauseChecker:
     def _comparison(self, node: Constraint) -> None:
         if node.op in ("<", "<=", ">", ">="):
             for side in (node.left, node.right):
-                found = self.found.of(side)
+                found = self.inferred.of(side)
                 if found and any(self.types.kind(t) in "r+" for t in found):
                     self.report.error(f"`{node.op}` is not defined for `{self._show(found)}`", side.location)
                     return

@@ -52,7 +52,7 @@ def show_term(value: Any, type_name: str, types: Types) -> str:
         return show_float(value)
     if not isinstance(value, tuple):
         return str(value)
-    found = types.root(type_name) if types.known(type_name) else None
+    found = types.root(type_name) if types.exists(type_name) else None
     if found is not None and found.kind == "+":
         fields = dict(found.branches)[value[0]]
         return f"${value[0]}({_terms(value[1:], fields, types)})"

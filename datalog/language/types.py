@@ -44,7 +44,7 @@ class Types:
         """The name behind an alias."""
         return self.aliases.get(name, name)
 
-    def known(self, name: str) -> bool:
+    def exists(self, name: str) -> bool:
         """Whether a type of this name exists."""
         return self.resolve(name) in self.table
 
@@ -150,7 +150,7 @@ class _Builder:
     def _check_fields(self, fields: Iterable, owner: str) -> None:  # type: ignore[type-arg]
         seen: set[str] = set()
         for f in fields:
-            if not self.types.known(f.type) and f.type not in self.failed:
+            if not self.types.exists(f.type) and f.type not in self.failed:
                 self.unknown(f.type, f.location)
             if f.name in seen:
                 self.report.error(f"field `{f.name}` is declared twice in {owner}", f.location)
@@ -162,7 +162,7 @@ class _Builder:
 
     def define(self, name: str) -> bool:
         """Define a type after the types it is built from; false when it cannot be."""
-        if self.types.known(name):
+        if self.types.exists(name):
             return True
         if name not in self.declared or name in self.failed:
             return False

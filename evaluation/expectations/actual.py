@@ -82,7 +82,7 @@ class Systems(Protocol):
 
 
 @dataclass
-class Found:
+class ActualWorkspace:
     """What is found below `root`, or is `supposed` to be; the systems there are looked at when they are asked for."""
 
     root: Path
@@ -97,7 +97,7 @@ class Found:
         name = self.root.resolve().name
         self.components = [ObservedComponent(facts, self.program, self.engine, name) for facts in self.extraction.components]
 
-    def with_component(self, component: ObservedComponent, other: ObservedComponent) -> Found:
+    def with_component(self, component: ObservedComponent, other: ObservedComponent) -> ActualWorkspace:
         """What would be found if there were another in the place of a component."""
         seen = replace(self, supposed=True)
         seen.components = [other if each is component else each for each in self.components]
@@ -125,7 +125,7 @@ class Found:
         found = []
         for program, store in self._stores(marked.path):
             table = query(program, store, text)
-            found += [_told(table.columns, cells) or "it holds" for cells in table_cells(table, program)]
+            found += [_row_text(table.columns, cells) or "it holds" for cells in table_cells(table, program)]
         return found
 
     def placed_rows(self, marked: Marked, text: str) -> list[PlacedRow]:
@@ -138,7 +138,7 @@ class Found:
             for row, cells in zip(table.rows, table_cells(table, program), strict=True):
                 line = next((lines[value] for value in symbols(row) if value in lines), None)
                 if line is not None:
-                    found.append(PlacedRow(_told(table.columns, cells), line))
+                    found.append(PlacedRow(_row_text(table.columns, cells), line))
         return found
 
     def near_rows(self, marked: Marked, text: str) -> list[str]:
@@ -162,7 +162,7 @@ class Found:
         return [RowStore(self.systems.program.evaluate(rows, engine=self.engine, keep="all"), rows) for rows in self.systems.rows()]
 
 
-def _told(columns: Sequence[str], cells: Sequence[str]) -> str:
+def _row_text(columns: Sequence[str], cells: Sequence[str]) -> str:
     """A row as text."""
     return ", ".join(f"{name} = {cell}" for name, cell in zip(columns, cells, strict=True))
 

@@ -80,7 +80,7 @@ class _Parser:
         name = self.words.pop(0)
         kind = ANY if name.text == ANY.name and self.marked.sense == "only" else kinds().get(name.text)
         if kind is None:
-            raise self._error(name.column, f"unknown kind of element `{name.text}`{_known(name.text, kinds())}")
+            raise self._error(name.column, f"unknown kind of element `{name.text}`{_name_hint(name.text, kinds())}")
         self._subject(kind)
         while self.words:
             self._attribute(kind, self.words.pop(0))
@@ -150,7 +150,7 @@ class _Parser:
         field = _FIELD.fullmatch(word.text)
         if field is not None:
             if field[1] not in kind.attributes:
-                raise self._error(word.column, f"{kind.name} has no `{field[1]}`{_known(field[1], kind.attributes)}")
+                raise self._error(word.column, f"{kind.name} has no `{field[1]}`{_name_hint(field[1], kind.attributes)}")
             self._give(field[1], word, field.start(2))
             return
         if word.text not in self._bare(kind):
@@ -180,6 +180,6 @@ def _form(kind: Kind) -> str:
     return f"`{kind.name} {between.join(parts)}{f'{between}{kind.then.upper()}' if kind.then else ''}`"
 
 
-def _known(name: str, known: Iterable[str]) -> str:
+def _name_hint(name: str, known: Iterable[str]) -> str:
     known = list(known)
     return hint(name, known) or f", there are {', '.join(known)}"

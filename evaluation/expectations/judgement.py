@@ -128,10 +128,10 @@ def _nearest(expectation: Expectation, found: Sequence[Element]) -> tuple[str, .
 
     nearest = sorted(found, key=distance)[:_MOST]
     nearest = [element for element in nearest if distance(element)[0] == distance(nearest[0])[0]]
-    return tuple(dict.fromkeys(f"{shown(element)} ({_told(expectation, element)})" for element in nearest))
+    return tuple(dict.fromkeys(f"{shown(element)} ({_deviations(expectation, element)})" for element in nearest))
 
 
-def _told(expectation: Expectation, element: Element) -> str:
+def _deviations(expectation: Expectation, element: Element) -> str:
     """What is not as expected: other attributes than those that are shown anyway with their value."""
     kind = expectation.kind
     visible = (*kind.subject, kind.then, "line") if kind else ()

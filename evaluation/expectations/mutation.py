@@ -10,7 +10,7 @@ from functools import partial
 from rosarch.datalog import Program, Result
 from rosarch.datalog.inspection.mutation import Case as MutationCase
 from rosarch.datalog.inspection.rows import Row
-from rosarch.evaluation.expectations.actual import Found, ObservedComponent, is_source
+from rosarch.evaluation.expectations.actual import ActualWorkspace, ObservedComponent, is_source
 from rosarch.evaluation.expectations.cases import Case
 from rosarch.evaluation.expectations.elements import FINDING
 from rosarch.evaluation.expectations.grammar import Expectation
@@ -45,7 +45,7 @@ def model_cases(
             yield MutationCase(f"{case.root}: {component.facts.name}", rows, frozenset(program.outputs), fails)
 
 
-def _is_about(expectation: Expectation, component: ObservedComponent, found: Found) -> bool:
+def _is_about(expectation: Expectation, component: ObservedComponent, found: ActualWorkspace) -> bool:
     """Whether an expectation is about a component; what checks find in systems may be about each in them."""
     if is_finding(expectation):
         return True
@@ -65,7 +65,7 @@ def relations_of(program: Program, expectation: Expectation) -> frozenset[str]:
 
 
 def _fails(
-    found: Found,
+    found: ActualWorkspace,
     component: ObservedComponent,
     expected: Sequence[Expectation],
     looked_at: Sequence[frozenset[str]],

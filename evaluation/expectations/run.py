@@ -11,7 +11,7 @@ from pathlib import Path
 from rosarch.analysis.method import PLAIN, Method
 from rosarch.base.hints import hint
 from rosarch.datalog import Program
-from rosarch.evaluation.expectations.actual import Found, Systems, is_source, require_query
+from rosarch.evaluation.expectations.actual import ActualWorkspace, Systems, is_source, require_query
 from rosarch.evaluation.expectations.alone import Alone
 from rosarch.evaluation.expectations.cases import Case
 from rosarch.evaluation.expectations.elements import FINDING
@@ -51,16 +51,16 @@ def run_cases(cases: Sequence[Case], how: Running) -> Iterator[CaseOutcome]:
     """Run cases one by one; nothing is run when an expectation asks for what there is not.
 
     Raises:
-        ExpectationError: a relation or check that there is not; all of these are told.
+        ExpectationError: a relation or check that there is not; all of these are reported.
         DatalogError: the rules are wrong.
     """
     program = component_program(how.method.rules)
-    _require_known(cases, program, how.method.rules)
+    _require_valid(cases, program, how.method.rules)
     for case in cases:
         yield _run(case, program, how)
 
 
-def _require_known(cases: Sequence[Case], program: Program, rules: RuleSet) -> None:
+def _require_valid(cases: Sequence[Case], program: Program, rules: RuleSet) -> None:
     asked = [(case, expectation) for case in cases for expectation in case.expectations]
     found = [expectation.kind is not None and expectation.kind.name == FINDING for _, expectation in asked]
     checks = [check.id for check in system_rules(rules).checks] if any(found) else []
@@ -87,13 +87,13 @@ def _unknown_check(expectation: Expectation, checks: Sequence[str]) -> str:
 
 
 @contextmanager
-def observed(case: Case, program: Program, how: Running) -> Iterator[Found]:
+def observed(case: Case, program: Program, how: Running) -> Iterator[ActualWorkspace]:
     """What is found in the sources of a case."""
     loose = case.sources is not None
     workspace = loose_workspace(case.root.absolute(), [source.absolute() for source in case.sources or ()]) if loose else None
     systems = Alone(case.root, how.method.rules, how.method.engine) if loose else how.systems(case.root)
     with extract(case.root, settings=how.method.sources, workspace=workspace) as extraction:
-        yield Found(case.root, extraction, program, how.method.engine, systems)
+        yield ActualWorkspace(case.root, extraction, program, how.method.engine, systems)
 
 
 def _run(case: Case, program: Program, how: Running) -> CaseOutcome:

@@ -18,7 +18,7 @@ from rosarch.evaluation.expectations.mutation import is_finding
 from rosarch.evaluation.expectations.run import Running
 from rosarch.findings.model import Finding
 from rosarch.findings.of_systems import findings
-from rosarch.models.system.build import told_by
+from rosarch.models.system.build import finding_relations
 from rosarch.models.system.rows import Rows
 from rosarch.rule_programs.sets import SystemRules, system_rules
 
@@ -66,7 +66,7 @@ def finding_cases(cases: Sequence[Case], how: Running) -> Iterator[MutationCase]
         for number, system in enumerate(composed):
             others = [finding for other in composed if other is not system for finding in other.findings]
             fails = partial(_fails, system, others, about)
-            yield MutationCase(f"{case.root}: {number}", system.rows, frozenset(told_by(rules)), fails)
+            yield MutationCase(f"{case.root}: {number}", system.rows, frozenset(finding_relations(rules)), fails)
 
 
 def _fails(system: System, others: Sequence[Finding], about: Sequence[Expectation], rows: Mapping[str, Collection[Row]]) -> bool:
@@ -82,10 +82,10 @@ class _Findings:
     """What checks found, and nothing else."""
 
     def __init__(self, found: Sequence[Finding]) -> None:
-        self._found = tuple(map(finding_element, found))
+        self._elements = tuple(map(finding_element, found))
 
     def findings(self) -> Sequence[Element]:
-        return self._found
+        return self._elements
 
     def elements(self, _path: str) -> Sequence[Element]:
         return ()

@@ -261,9 +261,9 @@ class _Reader(YamlReader):
         for key, value in self.pairs(node):
             name = self.text(value)
             if key.value not in known:
-                self.problem(key, f"unknown decision `{key.value}`{_known(key.value, known)}")
+                self.problem(key, f"unknown decision `{key.value}`{_name_hint(key.value, known)}")
             elif name is not None and name not in known[key.value]:
-                self.problem(value, f"unknown variant `{name}` of `{key.value}`{_known(name, known[key.value])}")
+                self.problem(value, f"unknown variant `{name}` of `{key.value}`{_name_hint(name, known[key.value])}")
             elif name is not None:
                 found.append((key.value, name))
         return tuple(found)
@@ -275,7 +275,7 @@ class _Reader(YamlReader):
         for key, value in self.pairs(node):
             for options in known:
                 if key.value not in options:
-                    self.problem(key, f"unknown option `{key.value}`{_known(key.value, options)}")
+                    self.problem(key, f"unknown option `{key.value}`{_name_hint(key.value, options)}")
                     break
                 for item in value.value if isinstance(value, yaml.SequenceNode) else [value]:
                     if isinstance(item, yaml.ScalarNode) and (why := options[key.value].problem(item.value)):
@@ -314,7 +314,7 @@ class _Reader(YamlReader):
             texts = [self.text(one) for one in pair]
             for one, text in zip(pair, texts, strict=True):
                 if text is not None and text not in names:
-                    self.problem(one, f"unknown variant `{text}`{_known(text, names)}")
+                    self.problem(one, f"unknown variant `{text}`{_name_hint(text, names)}")
             found.append((texts[0] or "", texts[1] or ""))
         return tuple(found)
 
@@ -324,6 +324,6 @@ def kept_relations(program: Program, more: Iterable[str] | None) -> tuple[str, .
     return tuple(dict.fromkeys((*program.outputs, *(name for name in more or () if name in program.relations))))
 
 
-def _known(name: str, known: Iterable[str]) -> str:
+def _name_hint(name: str, known: Iterable[str]) -> str:
     known = list(known)
     return hint(name, known) or (f", there are {', '.join(known)}" if known else ", there are none")

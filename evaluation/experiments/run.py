@@ -83,7 +83,7 @@ class Runner:
                 continue
             done += 1
             yield cell, known
-        self._tell(done, len(cells))
+        self._report_progress(done, len(cells))
         for program in {id(cell.configuration.program): cell.configuration.program for cell in waiting}.values():
             program.evaluate({})  # what workers share is made once, before they are forked
 
@@ -92,7 +92,7 @@ class Runner:
 
         for index, outcome in run_tasks(work, range(len(waiting)), jobs=self.jobs or default_jobs(), timeout=LIMITS.evaluation):
             done += 1
-            self._tell(done, len(cells))
+            self._report_progress(done, len(cells))
             if isinstance(outcome, Failure):
                 yield waiting[index], outcome
             else:
@@ -106,7 +106,7 @@ class Runner:
         data = self.cache.load(cell.key(self.engine)) if self.cache else None
         return _evaluated(data) if data is not None else None
 
-    def _tell(self, done: int, total: int) -> None:
+    def _report_progress(self, done: int, total: int) -> None:
         if self.progress:
             self.progress("components", done, total)
 

@@ -95,10 +95,10 @@ def _absent(subject: Subject, known: Collection[tuple[str, str]]) -> tuple[Truth
 def _require(found: OpenSubject, absent: bool, known: Collection[tuple[str, str]] = ()) -> None:
     if found.absent and not absent:
         known = known or [(component.package, component.name) for component in found.components]
-        raise TruthError("\n".join(_told(truth, found.subject, known) for truth in found.absent))
+        raise TruthError("\n".join(_absence_message(truth, found.subject, known) for truth in found.absent))
 
 
-def _told(truth: Truth, subject: Subject, known: Collection[tuple[str, str]]) -> str:
+def _absence_message(truth: Truth, subject: Subject, known: Collection[tuple[str, str]]) -> str:
     names = [name for package, name in known if package == truth.package]
     near = hint(truth.component, names) or hint(truth.title, [f"{package}/{name}" for package, name in known])
     return f"{truth.at}:{truth.at.column}: no component {truth.title} in {subject.folder}{near}"

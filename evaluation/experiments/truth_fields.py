@@ -76,10 +76,10 @@ _VARIABLE: Mapping[str, Form] = {
 
 @dataclass(frozen=True)
 class Fields:
-    """The fields of the items of a list: those that each has to have, and those that are known."""
+    """The fields of the items of a list: those that each has to have, and the forms of all that it may have."""
 
     required: tuple[str, ...]
-    known: Mapping[str, Form]
+    forms: Mapping[str, Form]
 
 
 LISTS: Mapping[str, Fields] = {
@@ -115,11 +115,11 @@ DOCUMENT: Mapping[str, Form] = {
 
 def check_truth(reader: YamlReader, root: yaml.Node) -> dict[str, yaml.Node]:
     """The fields of a document of truth; what is wrong with them is kept by `reader`."""
-    fields, items = _read(reader, root, {name: fields.known for name, fields in LISTS.items()})
+    fields, items = _read(reader, root, {name: fields.forms for name, fields in LISTS.items()})
     _check_names(reader, root, [*DOCUMENT, *LISTS], "key of a component")
     for name, own in items.items():
         for item in own:
-            _check_names(reader, item, LISTS[name].known, f"field of `{name}`")
+            _check_names(reader, item, LISTS[name].forms, f"field of `{name}`")
     _check_references(reader, items)
     return fields
 
@@ -127,7 +127,7 @@ def check_truth(reader: YamlReader, root: yaml.Node) -> dict[str, yaml.Node]:
 def check_model(reader: YamlReader, root: yaml.Node) -> dict[str, yaml.Node]:
     """The fields of a model, of whatever tool: only without some of them it cannot be compared."""
     needed = {*_LISTED, *(field for fields in LISTS.values() for field in fields.required)}
-    known = {name: {field: form for field, form in fields.known.items() if field in needed} for name, fields in LISTS.items()}
+    known = {name: {field: form for field, form in fields.forms.items() if field in needed} for name, fields in LISTS.items()}
     return _read(reader, root, known)[0]
 
 

@@ -55,7 +55,7 @@ class Missing:
     header: str
 
 
-class _Found(NamedTuple):
+class _Target(NamedTuple):
     """What an include leads to: a file to go on with, the folder to search for it beyond the usual ones, or what nothing provides."""
 
     file: str | None = None
@@ -106,8 +106,8 @@ class _Search:
         self.own = [str(folder) for folder in folders.own]
         self.installed = [str(folder) for folder in folders.installed]
         self.shipped = [str(folder) for folder in shipped_dirs(folders.middleware)]
-        self.of_file: dict[str, list[_Found]] = {}
-        self.of_name: dict[str, _Found | None] = {}
+        self.of_file: dict[str, list[_Target]] = {}
+        self.of_name: dict[str, _Target | None] = {}
         self.described: dict[str, tuple[Includes, str]] = {}
 
 
@@ -198,7 +198,7 @@ class HeaderFinder:
         result.predictable = self._unpredictable.isdisjoint(seen)
         return result
 
-    def found(self, includes: Includes) -> tuple[str, ...]:
+    def files_outside(self, includes: Includes) -> tuple[str, ...]:
         """The files of a closure that neither rosarch brings nor this makes."""
         own = f"{self.scratch}{os.sep}"
         return tuple(path for path in includes.files if not path.startswith((own, _SHIPPED_PREFIX)))
@@ -252,11 +252,11 @@ class HeaderFinder:
                 self._barred.add(path)
         return known
 
-    def _resolve(self, file: str, search: _Search, line: int, name: str, quoted: bool) -> _Found:
+    def _resolve(self, file: str, search: _Search, line: int, name: str, quoted: bool) -> _Target:
         if name.startswith("/"):
-            return _Found(name) if self._is_file(name) else _Found()
+            return _Target(name) if self._is_file(name) else _Target()
         if quoted and self._is_file(beside := f"{os.path.dirname(file)}/{name}"):
-            return _Found(os.path.normpath(beside))
+            return _Target(os.path.normpath(beside))
         if name not in search.of_name:
             search.of_name[name] = self._by_folders(name, search)
         found = search.of_name[name]
@@ -264,23 +264,23 @@ class HeaderFinder:
             return found
         elsewhere = self._elsewhere(file, name)
         if elsewhere is not None:
-            return _Found(elsewhere, self._forward(name, elsewhere))
-        return _Found(None, self._absent(name), Missing(Path(file), line, name))
+            return _Target(elsewhere, self._forward(name, elsewhere))
+        return _Target(None, self._absent(name), Missing(Path(file), line, name))
 
-    def _by_folders(self, name: str, search: _Search) -> _Found | None:
+    def _by_folders(self, name: str, search: _Search) -> _Target | None:
         """What a name leads to, whichever file includes it."""
         for folder in search.own:
             if self._is_file(path := f"{folder}/{name}"):
-                return _Found(os.path.normpath(path))
+                return _Target(os.path.normpath(path))
         for shipped in search.shipped:
             if self._is_file(path := f"{shipped}/{name}"):
-                return _Found(os.path.normpath(path))  # it may include messages in turn
+                return _Target(os.path.normpath(path))  # it may include messages in turn
         made = self._generated(name)
         if made is not None:
-            return _Found(str(made), self.scratch / "messages")
+            return _Target(str(made), self.scratch / "messages")
         for folder in search.installed:
             if self._is_file(path := f"{folder}/{name}"):
-                return _Found(path, self._forward(name, path))
+                return _Target(path, self._forward(name, path))
         return None
 
     def _generated(self, name: str) -> Path | None:

@@ -164,24 +164,24 @@ def overridden(cursor: Cursor) -> list[Cursor]:
     return result
 
 
-_found: list[Cursor] = []
+_visit_results: list[Cursor] = []
 
 
 def _visited(cursor: Cursor, visitor: Any) -> list[Cursor]:
-    """What a visit of `cursor` adds to `_found`."""
+    """What a visit of `cursor` adds to `_visit_results`."""
     _visit(cursor, visitor, None)
     return _taken()
 
 
 def _taken() -> list[Cursor]:
-    """What is in `_found`, which is empty then: what stayed in it would turn up in the next visit."""
-    found = _found[:]
-    _found.clear()
+    """What is in `_visit_results`, which is empty then: what stayed in it would turn up in the next visit."""
+    found = _visit_results[:]
+    _visit_results.clear()
     return found
 
 
 def _collect(child: Cursor, _parent: Cursor, _data: Any) -> int:
-    _found.append(child)
+    _visit_results.append(child)
     return 1
 
 
@@ -196,7 +196,7 @@ def children(cursor: Cursor) -> list[Cursor]:
 def _collect_bases(child: Cursor, _parent: Cursor, _data: Any) -> int:
     if child.kind in _MEMBERS:
         return 0
-    _found.append(child)
+    _visit_results.append(child)
     return 1
 
 
@@ -210,7 +210,7 @@ def bases(cursor: Cursor) -> list[Cursor]:
 
 
 def _collect_fields(field: Cursor, _data: Any) -> int:
-    _found.append(field)
+    _visit_results.append(field)
     return 1
 
 
@@ -225,7 +225,7 @@ def fields(type_: Type) -> list[Cursor]:
 
 def _collect_declarations(child: Cursor, _parent: Cursor, _data: Any) -> int:
     if child.kind != kinds.MACRO_DEFINITION:
-        _found.append(child)
+        _visit_results.append(child)
     return 1
 
 
@@ -276,7 +276,7 @@ def tree(cursor: Cursor) -> Tree:
 
 
 def _descend(child: Cursor, _parent: Cursor, _data: Any) -> int:
-    _found.append(child)
+    _visit_results.append(child)
     return 2
 
 
@@ -290,7 +290,7 @@ def descendants(cursor: Cursor) -> list[Cursor]:
 
 def _descend_to_calls(child: Cursor, _parent: Cursor, _data: Any) -> int:
     if child.kind == kinds.CALL:
-        _found.append(child)
+        _visit_results.append(child)
     return 2
 
 

@@ -165,12 +165,12 @@ def parsed_unit(
                     if keeps_calls(call_places(facts, declarations), call_places(again, found)):
                         _walk(again, found, headers)
                         without_unknown(again.rows)
-                        hidden.tell(again, better.unit)
+                        hidden.add_facts(again, better.unit)
                         yield better.unit, again
                         return
         _walk(facts, declarations, headers)
         if hidden:
-            hidden.tell(facts, parsed)
+            hidden.add_facts(facts, parsed)
         yield parsed, facts
 
 

@@ -117,13 +117,13 @@ class _Scanner:
     """Reads the declarations and statements of a text; that of a macro's definition stands at the `place` of its use, else this is -1."""
 
     def __init__(
-        self, text: bytes, own: Mapping[str, Sequence[bytes]], defined: Set[str], found: Macros, *, at: int = -1, depth: int = 0
+        self, text: bytes, own: Mapping[str, Sequence[bytes]], defined: Set[str], macros: Macros, *, at: int = -1, depth: int = 0
     ) -> None:
         self.place = at
         self.tokens = [_Token(match.group().decode("utf-8", "replace"), match.start()) for match in _TOKEN.finditer(text)]
         self.ends = _matching(self.tokens)
         self.starts = {end: start for start, end in self.ends.items()}
-        self.own, self.defined, self.found, self.depth = own, defined, found, depth
+        self.own, self.defined, self.macros, self.depth = own, defined, macros, depth
 
     def at(self, index: int, end: int) -> str:
         """The token at `index`, empty beyond `end`."""
@@ -148,7 +148,7 @@ class _Scanner:
     def _body(self, begin: int, end: int) -> None:
         """Read the body of a function, of which `begin` and `end` are the braces."""
         if self.place < 0 and end < len(self.tokens):
-            self.found.bodies_of_functions.append((self.tokens[begin].begin, self.tokens[end].begin))
+            self.macros.bodies_of_functions.append((self.tokens[begin].begin, self.tokens[end].begin))
         self.statements("function", "", begin + 1, end)
 
     def _undefined(self, word: str) -> bool:
@@ -164,7 +164,7 @@ class _Scanner:
             if self.depth < _DEEPEST and (scope != "function" or following != ";"):
                 own = {other: bodies for other, bodies in self.own.items() if other != name}
                 for body in self.own[name]:
-                    inner = _Scanner(body, own, self.defined, self.found, at=self._offset(index), depth=self.depth + 1)
+                    inner = _Scanner(body, own, self.defined, self.macros, at=self._offset(index), depth=self.depth + 1)
                     inner.statements(scope, owner, behind=following or "}")
             return after
         if not _WORD.fullmatch(name) or name == owner:
@@ -179,13 +179,13 @@ class _Scanner:
         else:
             found = self._called(scope, name, index + 1, after, following)
         if found is not None:
-            self.found.uses.append(Use(self._offset(index), name, stands_in))
+            self.macros.uses.append(Use(self._offset(index), name, stands_in))
         return found
 
     def _loop(self, name: str, called: bool, after: int, end: int) -> int | None:
         if not called and not self._undefined(name):
             return None  # an object of a class
-        (self.found.loops if called else self.found.bare_loops).add(name)
+        (self.macros.loops if called else self.macros.bare_loops).add(name)
         stop = self.ends.get(after, end)
         self.statements("function", "", after + 1, stop)
         return stop + 1
@@ -200,29 +200,29 @@ class _Scanner:
             alone = first in _DECLARING or first in ("}", "") or constructor or (first in _ACCESS and second == ":")
             alone = alone or (bool(_WORD.fullmatch(first)) and bool(_WORD.fullmatch(second)) and second not in _QUALIFIERS)
         if alone:
-            self.found.plain.add(name)
+            self.macros.plain.add(name)
         return alone
 
     def _called(self, scope: Scope, name: str, opening: int, after: int, following: str) -> int | None:
         """`NAME(...)` at the beginning of a statement."""
         code = self._code_argument(opening, after - 1)
         if code is not None and scope == "function":
-            self.found.code[name] = min(code, self.found.code.get(name, code))
+            self.macros.code[name] = min(code, self.macros.code.get(name, code))
             self.statements("function", "", opening + 1, after - 1)
         elif scope != "function":
             if following == "{":
-                self.found.functions.add(name)
+                self.macros.functions.add(name)
                 self._body(after, self.ends.get(after, after))
                 return self.ends.get(after, after) + 1
             if following != ";" and following != "}" and not _WORD.fullmatch(following) and following not in ("", "~", "[", "::"):
                 return None
             if following in _QUALIFIERS:
                 return None
-            self.found.empty.add(name)
+            self.macros.empty.add(name)
         elif following not in ("}", "") and (not _WORD.fullmatch(following) or following == "else"):
             return None
         else:
-            self.found.calls.add(name)
+            self.macros.calls.add(name)
         return after
 
     def _code_argument(self, opening: int, closing: int) -> int | None:
@@ -275,7 +275,7 @@ class _Scanner:
                 return index + 1
             if scope == "function":
                 if index > begin and self._undefined(word):
-                    self.found.values.add(word)
+                    self.macros.values.add(word)
             elif index > begin:
                 self._between(begin, index, end)
             index += 1
@@ -294,7 +294,7 @@ class _Scanner:
                 self._inside(index + 1, stop)
                 index = stop
             elif self._undefined(word):
-                self.found.values.add(word)
+                self.macros.values.add(word)
             index += 1
 
     def _is_lambda(self, begin: int, index: int) -> bool:
@@ -341,7 +341,7 @@ class _Scanner:
             declares = _WORD.fullmatch(before) and before not in _SPECIFIERS and before != "operator"
             macro = bool(not called and declares and _WORD.fullmatch(after))
         if macro:
-            (self.found.empty if called else self.found.plain).add(name)
+            (self.macros.empty if called else self.macros.plain).add(name)
 
     def _parameters(self, begin: int, end: int) -> None:
         """`int x UNUSED`, `int UNUSED(x)` among parameters."""
@@ -352,9 +352,9 @@ class _Scanner:
             if after in ("", ",") and _WORD.fullmatch(before) and before not in _DECLARING:
                 type_ = self.at(index - 2, end) if index - 2 >= begin else ""
                 if type_ in ("&", "*", ">") or (_WORD.fullmatch(type_) and type_ not in _SPECIFIERS):
-                    self.found.plain.add(name)
+                    self.macros.plain.add(name)
             elif after == "(" and self.ends.get(index + 1) == index + 3:
-                self.found.code.setdefault(name, 0)
+                self.macros.code.setdefault(name, 0)
 
 
 def _class_of(words: Sequence[str]) -> str:

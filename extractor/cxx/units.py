@@ -90,11 +90,11 @@ class UnitReader:
         """The precompiled declarations that a unit begins with; it includes all of them."""
         return self.precompiled(self.finder.large_headers(includes, unit.middleware), unit.middleware) if unit.language == "c++" else None
 
-    def anything_known(self) -> bool:
+    def may_have_cached(self) -> bool:
         """Whether an earlier run left anything in the cache: the first that it left are the declarations."""
         return self.cache is not None and self.cache.load(extractor_version()) is not None
 
-    def known(self, unit: CompileUnit) -> UnitFile | None:
+    def cached(self, unit: CompileUnit) -> UnitFile | None:
         """The unit as it is in the cache."""
         start = time.perf_counter()
         includes = self.finder.closure(unit.source, unit.folders)
@@ -146,7 +146,9 @@ class UnitReader:
     def _file(self, unit: CompileUnit, key: str, head: tuple[list[SourceProblem], list[str]], start: float, includes: Includes) -> UnitFile:
         lost, headers = head
         problems = (*lost, *odd_source(unit.source))
-        return UnitFile(key, tuple(headers), time.perf_counter() - start, problems, self.finder.found(includes), includes.predictable)
+        return UnitFile(
+            key, tuple(headers), time.perf_counter() - start, problems, self.finder.files_outside(includes), includes.predictable
+        )
 
 
 def odd_source(path: Path) -> list[SourceProblem]:

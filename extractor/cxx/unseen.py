@@ -18,7 +18,7 @@ _ERROR = 3
 
 @dataclass(frozen=True)
 class Unseen:
-    """What the texts of files tell of macros that nothing defines; `defined` are those that there are."""
+    """What the texts of files say about macros that nothing defines; `defined` are those that there are."""
 
     files: tuple[tuple[SourceFile, Macros], ...]
     defined: Set[str]
@@ -27,7 +27,7 @@ class Unseen:
         """See `Macros.bodies`."""
         return {name: body for _, macros in self.files for name, body in macros.bodies(unknown).items()}
 
-    def tell(self, facts: UnitFacts, parsed: libclang.Unit) -> None:
+    def add_facts(self, facts: UnitFacts, parsed: libclang.Unit) -> None:
         """Add the macros that stand for something, and the bodies of functions that the walk of `parsed` did not meet, to the facts."""
         met: dict[int, set[int]] = {}
         for function in facts.functions:

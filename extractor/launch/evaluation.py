@@ -135,7 +135,7 @@ class Evaluator:
         self.steps += size_of(value) // 16
         return value
 
-    def known(self, node: ast.expr) -> Any:
+    def known_value(self, node: ast.expr) -> Any:
         """The value of an expression that must have no unknown part."""
         value = self.value(node)
         if not is_known_value(value):
@@ -179,21 +179,21 @@ class Evaluator:
         return function(left, right)
 
     def _unaryop(self, node: ast.UnaryOp) -> Any:
-        return UNARY[type(node.op)](self.known(node.operand))
+        return UNARY[type(node.op)](self.known_value(node.operand))
 
     def _boolop(self, node: ast.BoolOp) -> Any:
         wanted = isinstance(node.op, ast.Or)
         result: Any = None
         for operand in node.values:
-            result = self.known(operand)
+            result = self.known_value(operand)
             if bool(result) is wanted:
                 break
         return result
 
     def _compare(self, node: ast.Compare) -> Any:
-        left, result = self.known(node.left), True
+        left, result = self.known_value(node.left), True
         for operation, operand in zip(node.ops, node.comparators, strict=True):
-            right = self.known(operand)
+            right = self.known_value(operand)
             result = COMPARE[type(operation)](left, right)
             if not result:
                 break
@@ -201,7 +201,7 @@ class Evaluator:
         return result
 
     def _ifexp(self, node: ast.IfExp) -> Any:
-        return self.value(node.body if self.known(node.test) else node.orelse)
+        return self.value(node.body if self.known_value(node.test) else node.orelse)
 
     def _list(self, node: ast.List) -> Any:
         return [self.value(item) for item in node.elts]
@@ -218,10 +218,10 @@ class Evaluator:
         return {self.value(key): self.value(value) for key, value in zip(node.keys, node.values, strict=True) if key is not None}
 
     def _subscript(self, node: ast.Subscript) -> Any:
-        return self.known(node.value)[self.known(node.slice)]
+        return self.known_value(node.value)[self.known_value(node.slice)]
 
     def _slice(self, node: ast.Slice) -> Any:
-        parts = [None if part is None else self.known(part) for part in (node.lower, node.upper, node.step)]
+        parts = [None if part is None else self.known_value(part) for part in (node.lower, node.upper, node.step)]
         return slice(*parts)
 
     def _joinedstr(self, node: ast.JoinedStr) -> Any:
@@ -234,11 +234,11 @@ class Evaluator:
         if not is_known_value(value):
             raise UnknownInvolved
         value = CONVERSIONS[node.conversion](value)
-        spec = "" if node.format_spec is None else self.known(node.format_spec)
+        spec = "" if node.format_spec is None else self.known_value(node.format_spec)
         return METHODS[str]["format"]("{:" + spec + "}", value)
 
     def _attribute(self, node: ast.Attribute) -> Any:
-        return self.attribute(self.known(node.value), node.attr)
+        return self.attribute(self.known_value(node.value), node.attr)
 
     def attribute(self, _value: Any, name: str) -> Any:
         """`value.name` where it is not called."""
@@ -246,7 +246,7 @@ class Evaluator:
 
     def _call(self, node: ast.Call) -> Any:
         if isinstance(node.func, ast.Attribute):
-            function = self.method(self.known(node.func.value), node.func.attr)
+            function = self.method(self.known_value(node.func.value), node.func.attr)
         else:
             function = self.value(node.func)
         if not callable(function):
@@ -284,9 +284,9 @@ class Evaluator:
         first, *rest = generators
         if not isinstance(first.target, ast.Name) or first.is_async:
             raise Unsupported("this comprehension is not evaluated")
-        for item in self.known(first.iter):
+        for item in self.known_value(first.iter):
             self.local[first.target.id] = item
-            if all(self.known(condition) for condition in first.ifs):
+            if all(self.known_value(condition) for condition in first.ifs):
                 yield from self._generated(element, rest)
         self.local.pop(first.target.id, None)
 

@@ -244,7 +244,7 @@ def _boolean(world: World, text: str) -> bool | None:
         raise LaunchError("condition", text, f"`{text}` is not true or false") from None
 
 
-def _told(world: World, found: bool | None, name: str, texts: Sequence[str], means: Callable[[], Formula]) -> str:
+def _truth_text(world: World, found: bool | None, name: str, texts: Sequence[str], means: Callable[[], Formula]) -> str:
     if found is None:
         mark = _mark(world, f"$({name} {' '.join(_rendered(world, text) for text in texts)})", *texts)
         world.state.unknowns.truths.setdefault(mark, bounded(means(), mark))
@@ -256,13 +256,13 @@ def _told(world: World, found: bool | None, name: str, texts: Sequence[str], mea
 def _not(world: World, made: Made, context: Context) -> str:
     text = perform(world, made.get("value"), context)
     found = _boolean(world, text)
-    return _told(world, None if found is None else not found, "not", [text], lambda: Not(world.truth(text)))
+    return _truth_text(world, None if found is None else not found, "not", [text], lambda: Not(world.truth(text)))
 
 
 @performs("BooleanSubstitution")
 def _bool(world: World, made: Made, context: Context) -> str:
     text = perform(world, made.get("value"), context)
-    return _told(world, _boolean(world, text), "bool", [text], lambda: world.truth(text))
+    return _truth_text(world, _boolean(world, text), "bool", [text], lambda: world.truth(text))
 
 
 @performs("AndSubstitution", "OrSubstitution", "AllSubstitution", "AnySubstitution")
@@ -273,7 +273,7 @@ def _both(world: World, made: Made, context: Context) -> str:
     wanted = made.kind in ("OrSubstitution", "AnySubstitution")
     found = wanted if wanted in values else None if None in values else not wanted
     joined = Some if wanted else Every
-    return _told(world, found, made.kind.removesuffix("Substitution").lower(), texts, lambda: joined(tuple(map(world.truth, texts))))
+    return _truth_text(world, found, made.kind.removesuffix("Substitution").lower(), texts, lambda: joined(tuple(map(world.truth, texts))))
 
 
 @performs("EqualsSubstitution", "NotEqualsSubstitution")
@@ -282,7 +282,9 @@ def _equals(world: World, made: Made, context: Context) -> str:
     left, right = texts
     name = "equals" if made.kind == "EqualsSubstitution" else "not-equals"
     found = None if left != right and _is_open(world, left, right) else (left == right or _same_value(left, right)) is (name == "equals")
-    return _told(world, found, name, texts, lambda: _equal(world, left, right) if name == "equals" else Not(_equal(world, left, right)))
+    return _truth_text(
+        world, found, name, texts, lambda: _equal(world, left, right) if name == "equals" else Not(_equal(world, left, right))
+    )
 
 
 def _equal(world: World, left: str, right: str) -> Formula:

@@ -13,11 +13,11 @@ from collections.abc import Iterator
 from rosarch.extractor.launch.model import Place, SubstitutionUsed, TextTested
 from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
 
-_Found = TextTested | SubstitutionUsed
+_Occurrence = TextTested | SubstitutionUsed
 _Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
-def truths(tree: ast.Module, path: str) -> Iterator[_Found]:
+def truths(tree: ast.Module, path: str) -> Iterator[_Occurrence]:
     """All such places of a file."""
     outer = _Names({}, tree.body)
     for found in _within(tree.body):
@@ -25,10 +25,10 @@ def truths(tree: ast.Module, path: str) -> Iterator[_Found]:
     yield from _functions(tree.body, outer, path)
 
 
-def _functions(body: list[ast.stmt], outer: _Names, path: str) -> Iterator[_Found]:
+def _functions(body: list[ast.stmt], outer: _Names, path: str) -> Iterator[_Occurrence]:
     for function in _within(body):
         if isinstance(function, _Function):
-            names = _Names(outer.known, function.body, function.args)
+            names = _Names(outer.values, function.body, function.args)
             for node in _within(function.body):
                 yield from _of_node(node, names, path)
             yield from _functions(function.body, names, path)
@@ -51,18 +51,18 @@ class _Names:
         nodes = list(_within(body))
         made = Counter(node.id for node in nodes if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load))
         given = [one.arg for one in ast.walk(arguments) if isinstance(one, ast.arg)] if arguments else []
-        self.known = {name: value for name, value in outer.items() if name not in made and name not in given}
+        self.values = {name: value for name, value in outer.items() if name not in made and name not in given}
         for node in nodes:
             if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(target := node.targets[0], ast.Name):
                 found = self.of(node.value) if made[target.id] == 1 else None
                 if found is not None:
-                    self.known[target.id] = found
+                    self.values[target.id] = found
 
     def of(self, node: ast.expr) -> tuple[str, bool] | None:
         """The configuration that an expression stands for, and whether it is its text."""
         match node:
             case ast.Name(id=name):
-                return self.known.get(name)
+                return self.values.get(name)
             case ast.Call(
                 func=ast.Name(id="LaunchConfiguration") | ast.Attribute(attr="LaunchConfiguration"),
                 args=[ast.Constant(value=str(name)), *_],
@@ -74,7 +74,7 @@ class _Names:
         return None
 
 
-def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Found]:
+def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Occurrence]:
     match node:
         case (
             ast.If(test=test)
@@ -101,7 +101,7 @@ def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Found]:
             yield from _compared(node, left, right, names, path)
 
 
-def _tested(test: ast.expr, names: _Names, path: str) -> Iterator[_Found]:
+def _tested(test: ast.expr, names: _Names, path: str) -> Iterator[_Occurrence]:
     if isinstance(test, ast.BoolOp):
         for one in test.values:
             yield from _tested(one, names, path)
@@ -116,13 +116,13 @@ def _is_text(node: ast.expr) -> bool:
     return isinstance(node, ast.JoinedStr) or (isinstance(node, ast.Constant) and isinstance(node.value, str))
 
 
-def _written(node: ast.expr, names: _Names, path: str, effect: str) -> Iterator[_Found]:
+def _written(node: ast.expr, names: _Names, path: str, effect: str) -> Iterator[_Occurrence]:
     found = names.of(node)
     if found is not None and not found[1]:
         yield SubstitutionUsed(found[0], effect, Place(path, node.lineno, node.col_offset + 1))
 
 
-def _compared(node: ast.Compare, left: ast.expr, right: ast.expr, names: _Names, path: str) -> Iterator[_Found]:
+def _compared(node: ast.Compare, left: ast.expr, right: ast.expr, names: _Names, path: str) -> Iterator[_Occurrence]:
     """A comparison with something that is written, None left out."""
     for one, other in ((left, right), (right, left)):
         found = names.of(one)

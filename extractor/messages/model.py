@@ -19,13 +19,13 @@ UNBOUNDED = -1
 
 @dataclass(frozen=True, slots=True)
 class Field:
-    """A field. `type` is a primitive or `pkg/Name`; `array` is None, `UNBOUNDED` or a length; `known` tells if the type exists."""
+    """A field. `type` is a primitive or `pkg/Name`; `array` is None, `UNBOUNDED` or a length; `type_exists`: its type is defined."""
 
     name: str
     type: str
     array: int | None = None
     default: str | None = None
-    known: bool = True
+    type_exists: bool = True
     line: int = 0
     column: int = 0
 

@@ -92,7 +92,7 @@ class _Loader:
             if field.type in PRIMITIVES or field.type in self.messages:
                 fields.append(field)
                 continue
-            fields.append(replace(field, known=False))
+            fields.append(replace(field, type_exists=False))
             text = f"unknown type {field.type} of field {field.name}{_hint(field.type, self.messages)}"
             self.problems.append(Diagnostic("unknown-type", message.path or Path(), field.line, field.column, text))
         return replace(message, fields=tuple(fields))

@@ -51,7 +51,7 @@ class Inference:
     def __init__(self, program: Program, modules: Iterable[Module]) -> None:
         self.program = program
         self._modules = list(modules)
-        self._known: dict[Variable | Function, dict[Path, Values]] = defaultdict(lambda: {(): NOTHING})
+        self._values: dict[Variable | Function, dict[Path, Values]] = defaultdict(lambda: {(): NOTHING})
         """What is known of variables and of what functions return: of these themselves, and of their parts that were asked for."""
         self._expressions: dict[tuple[ast.expr, Scope], Values] = {}
         self._taken_for: dict[tuple[ast.expr, Scope], Values] = {}
@@ -84,7 +84,7 @@ class Inference:
 
     def _learn(self, holder: Variable | Function) -> bool:
         """Add what `holder` gets, and those parts of it that are asked for; whether any is new."""
-        known = self._known[holder]
+        known = self._values[holder]
         new = False
         for path in list(known):
             if isinstance(holder, Function):
@@ -103,12 +103,12 @@ class Inference:
         for function in self.callees(call, scope):
             if function.own:
                 for parameter, argument in arguments_of(call, function).items():
-                    known = self._known[parameter]
+                    known = self._values[parameter]
                     for path in list(known):
                         new |= _grow(known, path, self.part(argument, path, scope))
             elif function.node is not None:
                 for parameter, values in handed_on(self, call, function, scope):
-                    new |= _grow(self._known[parameter], (), values)
+                    new |= _grow(self._values[parameter], (), values)
         return new
 
     def callees(self, call: ast.Call, scope: Scope) -> list[Function]:
@@ -168,7 +168,7 @@ class Inference:
             self._expressions.pop((node, scope), None)
             return _grow(self._taken_for, (node, scope), instance(cls))
         self._expressions.clear()
-        return any([_grow(self._known[variable], (), instance(cls)) for variable in variables])
+        return any([_grow(self._values[variable], (), instance(cls)) for variable in variables])
 
     def variable(self, variable: Variable) -> Values:
         """What a variable may hold."""
@@ -180,7 +180,7 @@ class Inference:
             if isinstance(holder, Function):
                 return self._returned(holder, path)
             return frozenset().union(*(self._source(source, path) for source in holder.sources if source.part == "annotation"))
-        known = self._known[holder]
+        known = self._values[holder]
         if path not in known and len(path) <= DEEPEST:
             known[path] = NOTHING
             self._asked = True

@@ -26,7 +26,7 @@ def note_member(body: Body, node: ast.Attribute) -> None:
     if not known:
         for each in body.facts.program.modules.values():
             if each is not None and not each.stub:
-                known.named |= set(_told_elsewhere(each))
+                known.named |= set(_names_mentioned(each))
                 known.guarded |= set(_guarded(each))
                 known.bound[each.name] = set(_bound(each))
     if node in known.guarded or node.attr in known.named or not {node.attr, "*"}.isdisjoint(known.bound.get(module.name, {"*"})):
@@ -68,7 +68,7 @@ def _handles(handler: ast.ExceptHandler) -> bool:
     return any(kind is None or last_name(kind) in _HANDLING for kind in kinds)
 
 
-def _told_elsewhere(module: Module) -> Iterator[str]:
+def _names_mentioned(module: Module) -> Iterator[str]:
     """What a module gives to members of others, or names as a text: it may ask for them, or set them, by it."""
     for node in ast.walk(module.tree):
         match node:

@@ -28,11 +28,11 @@ class PythonReader:
     def prepare(self, units: Sequence[PythonEntry], timeout: float) -> None:
         """Python components share nothing that has to be made first."""
 
-    def anything_known(self) -> bool:
+    def may_have_cached(self) -> bool:
         """Whether it is worth a look into the cache."""
         return self.cache is not None
 
-    def known(self, unit: PythonEntry) -> UnitFile | None:
+    def cached(self, unit: PythonEntry) -> UnitFile | None:
         """The component as it is in the cache."""
         start = time.perf_counter()
         key = self._key(unit)

@@ -25,7 +25,9 @@ def cmake_environment(run: Evaluator) -> CMakeEnvironment:
         value=lambda name: _value(run, name),
         defined=lambda name: _is_defined(run, name),
         is_command=run.is_command,
-        is_target=lambda name: name in run.targets or name in run.aliases or ("::" in name and name.partition("::")[0] in run.found),
+        is_target=lambda name: (
+            name in run.targets or name in run.aliases or ("::" in name and name.partition("::")[0] in run.found_packages)
+        ),
         exists=run.exists,
         is_directory=lambda path: run.exists(path) if run.is_outside(path) else os.path.isdir(path),
         set_matches=run.set_matches,
@@ -36,7 +38,7 @@ def _value(run: Evaluator, name: str) -> str | None:
     if name.startswith("CMAKE_CURRENT_"):
         return run.location(name)
     value = run.get(name)
-    if not value and _RESULT.search(name) and any(name.startswith(f"{found}_") for found in run.found):
+    if not value and _RESULT.search(name) and any(name.startswith(f"{found}_") for found in run.found_packages):
         return _NEWEST
     return value
 

@@ -95,7 +95,7 @@ def _set_found(run: Evaluator, name: str, folders: list[str], libraries: list[st
 
 def _set_absent(run: Evaluator, name: str) -> None:
     """What a package sets that is installed on some machine, not on this one."""
-    run.found.update((name, name.upper()))
+    run.found_packages.update((name, name.upper()))
     _set_found(run, name, [], [f"{name}::{name}"])
     run.assume(f"{name}_DIR", f"/usr/lib/cmake/{name}")
 

@@ -92,7 +92,7 @@ class Evaluator:
         self.diagnostics: list[Diagnostic] = []
         self.file = f"{folder}/CMakeLists.txt"
         self.made_before = 0
-        self.found: set[str] = set()
+        self.found_packages: set[str] = set()
         self.testing = 0
         self.excluded = 0
         self.manifest_depends: list[str] = []

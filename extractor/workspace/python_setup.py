@@ -52,11 +52,11 @@ def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
     for keyword, value, values in _keywords(script, problems):
         if keyword == "entry_points":
             points.extend(_entry_points(value, values, script))
-            if not _is_told(value, values):
+            if not _is_constant(value, values):
                 data.give_up("entry points that are not known", value)
         elif keyword == "scripts":
             programs.extend(_program(folder, text) for text, _ in values.texts(value))
-            if not _is_told(value, values):
+            if not _is_constant(value, values):
                 data.give_up("scripts that are not known", value)
         elif keyword == "data_files":
             programs.extend(_program(folder, text) for text in _installed(value, values))
@@ -75,11 +75,11 @@ def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
     unsure = (*data.unsure, *_not_read(script, problems), *declared_elsewhere(folder))
     there = tuple(program for program in programs if os.path.isfile(program.path))
     once = (tuple(dict.fromkeys(points)), there, tuple(dict.fromkeys(roots)))
-    told = packages[0] if len(packages) == 1 and roots == [folder] else None
-    return Setup(*once, tuple(dict.fromkeys(data.installs)), tuple(dict.fromkeys(unsure)), told), problems
+    only_package = packages[0] if len(packages) == 1 and roots == [folder] else None
+    return Setup(*once, tuple(dict.fromkeys(data.installs)), tuple(dict.fromkeys(unsure)), only_package), problems
 
 
-def _is_told(node: ast.expr, values: SetupValues) -> bool:
+def _is_constant(node: ast.expr, values: SetupValues) -> bool:
     """Whether all of a value is known."""
     node = values.written(node)
     if isinstance(node, ast.Dict):

@@ -78,7 +78,7 @@ class _Evaluator(Evaluator):
 
     def _call(self, node: ast.Call) -> Any:
         function = self.called.get(ast.unparse(node.func))
-        return super()._call(node) if function is None else function(*map(self.known, node.args))
+        return super()._call(node) if function is None else function(*map(self.known_value, node.args))
 
     def _glob(self, pattern: str) -> list[str]:
         inside = not os.path.isabs(pattern) and ".." not in pattern.split("/")

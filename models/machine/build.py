@@ -17,7 +17,7 @@ from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import spaced
 from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects
-from rosarch.models.machine.reactions import PERIODIC, Course, TooManyCases, component_steps, courses, loop_trigger, loops_told_apart
+from rosarch.models.machine.reactions import PERIODIC, Course, TooManyCases, component_steps, courses, distinguished_loops, loop_trigger
 from rosarch.models.machine.steps import Output, Row, Step
 
 MAX_STATES = 16
@@ -141,7 +141,7 @@ def build_machine(document: Document, *, max_states: int = MAX_STATES, joint: bo
 
 def _loops_message(document: Document, steps: Mapping[str, Sequence[Step]]) -> list[str]:
     """Where the model does not tell which of several timed loops makes an assignment."""
-    if loops_told_apart(document):
+    if distinguished_loops(document):
         return []
     loops = {row.get("at") for row in document.get("periodic") or () if sent_in_loop(row)}
     if len(loops) < 2 or not any(step.assignments for step in steps.get("periodic", ())):

@@ -78,12 +78,12 @@ def _changed(step: Step, known: Mapping[Subject, Formula], cells: Mapping[str, M
     if not known:
         return step
 
-    def told(atom: Is) -> Formula:
+    def replacement(atom: Is) -> Formula:
         found = known.get(atom.subject)
         return atom if found is None else found if atom.values == {"true"} else Not(found)
 
-    guard = tuple(substituted(formula, told) for formula in step.guard)
-    tables = [replace(a, table=tuple((substituted(formula, told), value) for formula, value in a.table)) for a in step.assignments]
+    guard = tuple(substituted(formula, replacement) for formula in step.guard)
+    tables = [replace(a, table=tuple((substituted(formula, replacement), value) for formula, value in a.table)) for a in step.assignments]
     if step.row.kind == "transitions":
         row = document["transitions"][step.row.index]
         tables += [Assignment(cell, ((TRUE, SHORT),)) for cell in cells.get(str(row["variable"]), {}).values()]

@@ -46,7 +46,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     names = {row["name"] for row in document.get("state_variables") or ()}
     found: dict[str, list[Step]] = {}
     trees: dict[Step, Any] = {}
-    loops = loops_told_apart(document)
+    loops = distinguished_loops(document)
     for index, row in enumerate(document.get("transitions") or ()):
         if not row.get("variable"):
             continue
@@ -140,8 +140,8 @@ def _follows(step: Step, other: Step, later: Mapping[str, frozenset[str]]) -> bo
     return any(place in later.get(before, ()) for before in other.row.at.split() for place in step.row.at.split())
 
 
-def loops_told_apart(document: Document) -> frozenset[str]:
-    """The places of the timed loops, if there are several and every assignment that one of them makes tells which."""
+def distinguished_loops(document: Document) -> frozenset[str]:
+    """The places of the timed loops, if there are several and every assignment that one of them makes says which."""
     rows = [row for row in document.get("transitions") or () if PERIODIC in _list(row.get("trigger"))]
     loops = frozenset(str(row.get("at")) for row in document.get("periodic") or ())
     return loops if len(loops) > 1 and all(loops.intersection(_list(row.get("timed_by"))) for row in rows) else frozenset()

@@ -54,27 +54,27 @@ class _Words:
     """The words of a question, taken one by one."""
 
     def __init__(self, text: str) -> None:
-        self._found = [(match.group(), match.start() + 1) for match in re.finditer(r"[^\s?]+", text)]
+        self._words = [(match.group(), match.start() + 1) for match in re.finditer(r"[^\s?]+", text)]
         self._end = len(text.rstrip(" ?")) + 1
 
     def next(self) -> str | None:
         """The next word, which is not taken; None at the end."""
-        return self._found[0][0] if self._found else None
+        return self._words[0][0] if self._words else None
 
     def take(self, *expected: str) -> str:
         """The next word, which must be one of these, if any are given."""
-        word, column = self._found[0] if self._found else (None, self._end)
+        word, column = self._words[0] if self._words else (None, self._end)
         if word is None or (expected and word not in expected):
             wanted = " or ".join(f"`{each}`" for each in expected) or "a name"
             told = "the end" if word is None else f"`{word}`"
             raise QuestionError(f"question:1:{column}: expected {wanted}, not {told}{hint(word, expected) if word and expected else ''}")
-        self._found.pop(0)
+        self._words.pop(0)
         return word
 
     def end(self) -> None:
         """Nothing must be left."""
-        if self._found:
-            word, column = self._found[0]
+        if self._words:
+            word, column = self._words[0]
             raise QuestionError(f"question:1:{column}: expected the end, not `{word}`")
 
 

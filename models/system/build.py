@@ -17,11 +17,11 @@ from rosarch.rule_programs.sets import SystemRules
 
 def evaluate(rules: SystemRules, rows: Rows, engine: str = "embedded", keep: Sequence[str] | Literal["all"] = ()) -> Result:
     """What the rules derive of a system: its model, the findings and, if asked for, the relations in `keep`."""
-    wanted = keep if keep == "all" else [*rules.program.outputs, *told_by(rules), *keep]
+    wanted = keep if keep == "all" else [*rules.program.outputs, *finding_relations(rules), *keep]
     return rules.program.evaluate(rows, engine=engine, keep=wanted)
 
 
-def told_by(rules: SystemRules) -> list[str]:
+def finding_relations(rules: SystemRules) -> list[str]:
     """The relations that findings are made from."""
     types = {type_ for check in rules.checks for _, type_ in check.columns}
     helpers = {relation for type_ in types for relation in (evidence_of(type_), shown_as(type_)) if relation in rules.program.relations}

@@ -156,8 +156,8 @@ class _Shower:
         self._written = {(node, model, parameter): name for node, model, parameter, name in result.rows("port_written")}
         self._models = {model.title: model for model in models}
         self._certain = set(result.rows("certain_step"))
-        told = ("step_waits", "step_filter", "step_variable")
-        self._told = {name: grouped((row[:2], *row[2:]) for row in result.rows(name)) for name in told}
+        details = ("step_waits", "step_filter", "step_variable")
+        self._step_details = {name: grouped((row[:2], *row[2:]) for row in result.rows(name)) for name in details}
         self.node_names: dict[str, str] = {row[0]: row[1] for row in rows.get("started_name", ())}
 
     def port(self, port: Port) -> PortShown:
@@ -172,7 +172,9 @@ class _Shower:
     def step(self, source: Port, sink: Port, how: str, kind: str) -> Step:
         """A step as it is shown."""
         places, condition = self._sent(source[1], sink[1], kind)
-        waits, filters, variables = (self._told[name].get((source, sink), []) for name in ("step_waits", "step_filter", "step_variable"))
+        waits, filters, variables = (
+            self._step_details[name].get((source, sink), []) for name in ("step_waits", "step_filter", "step_variable")
+        )
         certain = (source, sink) in self._certain
         kept, decided = (tuple(sorted(name for (name,) in found)) for found in (variables, filters))
         waited = tuple(sorted((seconds, reason) for reason, seconds in waits if reason == "callbacks" or kind == "deferred"))

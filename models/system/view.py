@@ -14,12 +14,12 @@ from rosarch.models.system.model import CONNECTOR_KINDS, SystemModel, SystemNode
 
 
 class UnknownName(Exception):
-    """A name that nothing in the system has; `known` are those that it could have been."""
+    """A name that nothing in the system has; `candidates` are those that it could have been."""
 
     def __init__(self, name: str, known: Iterable[str]) -> None:
         super().__init__(name)
         self.name = name
-        self.known = frozenset(known)
+        self.candidates = frozenset(known)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosarch.analysis.systems.influences import Told
+from rosarch.analysis.systems.influences import SystemDetails
 from rosarch.base.diagnostics import Diagnostic
 from rosarch.findings.policy import Reported
 from rosarch.models.component import ComponentModel
@@ -26,7 +26,7 @@ from rosarch.reports.printable import all_printable
 class Subject:
     """What a report is about.
 
-    `read` gives the text of a file of the workspace, or None. `told` is by the names of systems, `derivations` by those of components,
+    `read` gives the text of a file of the workspace, or None. `details` are by the names of systems, `derivations` by those of components,
     `link` is the pattern of links to a forge.
     """
 
@@ -37,7 +37,7 @@ class Subject:
     systems: Sequence[SystemModel]
     reported: Reported
     diagnostics: Sequence[Diagnostic]
-    told: Mapping[str, Told] = field(default_factory=dict)
+    details: Mapping[str, SystemDetails] = field(default_factory=dict)
     derivations: Mapping[str, Derivations] = field(default_factory=dict)
     link: str | None = None
 
@@ -49,7 +49,7 @@ def report_document(subject: Subject) -> dict[str, Any]:
         "title": subject.title,
         "link": subject.link,
         "components": [component_data(model) for model in subject.models],
-        "systems": [system_data(system, subject.told.get(system.name)) for system in subject.systems],
+        "systems": [system_data(system, subject.details.get(system.name)) for system in subject.systems],
         "findings": findings_data(subject.reported, subject.read),
         "diagnostics": [_diagnostic(diagnostic, subject.folder.absolute()) for diagnostic in subject.diagnostics],
     }
@@ -60,14 +60,14 @@ def report_document(subject: Subject) -> dict[str, Any]:
 
 def _derivations(subject: Subject) -> dict[str, Any]:
     """Why things are as they are, by the names of components and systems; each finding is proven in the first system that has it."""
-    reported = (*subject.reported.shown, *subject.reported.known)
+    reported = (*subject.reported.shown, *subject.reported.in_baseline)
     first = {(finding.systems[0], f"finding {finding.fingerprint}") for finding in reported if finding.systems}
     pool = Pool()
     roots = {name: pool.add(found, found.roots) for name, found in sorted(subject.derivations.items())}
-    for name, told in sorted(subject.told.items()):
-        if told.reasons:
-            keys = [key for key in told.reasons.roots if not key.startswith("finding ") or (name, key) in first]
-            roots[name] = pool.add(told.reasons, keys)
+    for name, details in sorted(subject.details.items()):
+        if details.reasons:
+            keys = [key for key in details.reasons.roots if not key.startswith("finding ") or (name, key) in first]
+            roots[name] = pool.add(details.reasons, keys)
     return {"steps": pool.steps, "places": list(pool.places), "roots": roots}
 
 

@@ -14,9 +14,9 @@ from rosarch.rule_programs.checks import Check
 def findings_data(reported: Reported, read: Callable[[str], str | None]) -> dict[str, Any]:
     """All that is reported, with the checks that are named."""
     marks = Marks(read)
-    shown = [_finding(finding, marks) for finding in (*reported.shown, *reported.known)]
+    shown = [_finding(finding, marks) for finding in (*reported.shown, *reported.in_baseline)]
     suppressed = [{**_finding(each.finding, marks), "reason": each.suppression.reason} for each in reported.suppressed]
-    named = [*reported.shown, *reported.known, *(each.finding for each in reported.suppressed)]
+    named = [*reported.shown, *reported.in_baseline, *(each.finding for each in reported.suppressed)]
     return {"shown": shown, "suppressed": suppressed, "checks": _checks(finding.check for finding in named)}
 
 

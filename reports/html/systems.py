@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rosarch.analysis.systems.influences import End, Told
+from rosarch.analysis.systems.influences import End, SystemDetails
 from rosarch.models.component import component_of
 from rosarch.models.system.links import connector_kind, is_implicit, ports_of
 from rosarch.models.system.model import SystemModel, SystemNode, SystemPort
 from rosarch.reports.include_tree import tree_data
 
 
-def system_data(system: SystemModel, told: Told | None = None) -> dict[str, Any]:
-    """One system, with what is told of it. Ends of connectors are pairs of numbers: of the node, and of the port among its ports."""
+def system_data(system: SystemModel, details: SystemDetails | None = None) -> dict[str, Any]:
+    """One system, with its details. Ends of connectors are pairs of numbers: of the node, and of the port among its ports."""
     ports = ports_of(system)
     numbers = {(node.id, port.id): [at, own] for at, node in enumerate(system.nodes) for own, port in enumerate(node.ports)}
     return {
@@ -33,19 +33,19 @@ def system_data(system: SystemModel, told: Told | None = None) -> dict[str, Any]
         "files": tree_data(system)["files"],
         "rates": [
             {"topic": rate.topic, "low": rate.low, "high": rate.high, "senders": list(rate.senders), "reasons": list(rate.reasons)}
-            for rate in (told.rates if told else ())
+            for rate in (details.rates if details else ())
         ],
-        "steps": _steps(told, numbers),
+        "steps": _steps(details, numbers),
     }
 
 
-def _steps(told: Told | None, numbers: Mapping[End, list[int]]) -> list[Any] | None:
+def _steps(details: SystemDetails | None, numbers: Mapping[End, list[int]]) -> list[Any] | None:
     """Steps of chains of cause and effect; None when data flow was not followed."""
-    if told is None or told.steps is None:
+    if details is None or details.steps is None:
         return None
     return [
         [numbers[step.source], numbers[step.sink], step.how, step.kind, step.certain]
-        for step in told.steps
+        for step in details.steps
         if step.source in numbers and step.sink in numbers
     ]
 

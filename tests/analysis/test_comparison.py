@@ -28,11 +28,11 @@ def component(*ports: Port, **more: object) -> ComponentModel:
     return replace(ComponentModel("ws", "n", "pkg", "node", "n", (), ports, ()), **more)  # type: ignore[arg-type]
 
 
-def told(old: ComponentModel, new: ComponentModel) -> list[str]:
+def changes_between(old: ComponentModel, new: ComponentModel) -> list[str]:
     return [line(change) for change in compare(Snapshot((old,)), Snapshot((new,)))]
 
 
-def told_systems(old: SystemModel, new: SystemModel) -> list[str]:
+def changes_between_systems(old: SystemModel, new: SystemModel) -> list[str]:
     return [line(change) for change in compare(Snapshot((), (old,)), Snapshot((), (new,)))]
 
 
@@ -47,11 +47,11 @@ def test_nothing() -> None:
 
 
 def test_lines_that_move_are_no_difference() -> None:
-    assert told(component(made_port("a", line=1)), component(made_port("a", line=9))) == []
+    assert changes_between(component(made_port("a", line=1)), component(made_port("a", line=9))) == []
 
 
 def test_implicit_ports_follow_from_others() -> None:
-    assert told(component(made_port("a", implicit=True)), component()) == []
+    assert changes_between(component(made_port("a", implicit=True)), component()) == []
 
 
 def test_components() -> None:
@@ -86,7 +86,7 @@ def test_components() -> None:
     ],
 )  # fmt: skip
 def test_ports(old: list[Port], new: list[Port], expected: list[str]) -> None:
-    assert told(component(*old), component(*new)) == expected
+    assert changes_between(component(*old), component(*new)) == expected
 
 
 @pytest.mark.parametrize(("size", "how"), [(50, {"renamed"}), (2000, {"lost", "gained"})])
@@ -97,7 +97,7 @@ def test_many_ports_of_one_type(size: int, how: set[str]) -> None:
 
 def test_parameters() -> None:
     old = Parameter("~rate", "read", "double", "10.0", at("n.cpp", 1))
-    assert told(component(params=(old,)), component(params=(replace(old, default="20.0"),))) == [
+    assert changes_between(component(params=(old,)), component(params=(replace(old, default="20.0"),))) == [
         "changed parameter read ~rate: default 10.0 -> 20.0"
     ]
 
@@ -113,8 +113,8 @@ def test_behavior_is_told_with_the_new_names_of_ports() -> None:
         )
         return component(made_port(name), made_port("in", "subscriber", callback="f", line=2), behavior=behavior)
 
-    assert told(model("out", 10, TRUE, must=True), model("out", 10, TRUE, must=True)) == []
-    assert told(model("out", 10, TRUE, must=True), model("out2", 12.5, ready, must=False)) == [
+    assert changes_between(model("out", 10, TRUE, must=True), model("out", 10, TRUE, must=True)) == []
+    assert changes_between(model("out", 10, TRUE, must=True), model("out2", 12.5, ready, must=False)) == [
         "renamed port publisher out: name out -> out2",
         "changed rate timer sends out2: rate 10 Hz -> 12.5 Hz",
         "changed reaction in sends out2: always yes -> None, when None -> ready_",
@@ -126,7 +126,7 @@ def test_timers_that_fire_once() -> None:
         once = OneShot(after, None, "p1", (at("n.cpp", 3),), True, at("n.cpp", 2), TRUE)
         return component(made_port("out"), behavior=replace(NOTHING, one_shot=(once,)))
 
-    assert told(model(5), model(0.5)) == ["changed rate once sends out: after 5 s -> 0.5 s"]
+    assert changes_between(model(5), model(0.5)) == ["changed rate once sends out: after 5 s -> 0.5 s"]
 
 
 def test_states_and_transitions() -> None:
@@ -137,7 +137,7 @@ def test_states_and_transitions() -> None:
     )
     more = (replace(becomes, guard=formula.condition("ok", True)), replace(becomes, value="DONE", trigger=("periodic",)))
     new = replace(old, behavior=replace(NOTHING, state_variables=(replace(variable, domain=("BUSY", "DONE", "IDLE")),), transitions=more))
-    assert told(old, new) == [
+    assert changes_between(old, new) == [
         "changed state N::s: values BUSY | IDLE -> BUSY | DONE | IDLE",
         "gained transition N::s becomes DONE on periodic",
         "changed transition N::s becomes BUSY on go: when None -> ok",
@@ -149,12 +149,12 @@ def test_the_line_of_a_type_without_a_name() -> None:
         variable = StateVariable("N::c", f"N::(unnamed struct at n.h:{line}:3)", None, None, None, at("n.h", line))
         return component(behavior=replace(NOTHING, state_variables=(variable,)))
 
-    assert told(model(3), model(5)) == []
+    assert changes_between(model(3), model(5)) == []
 
 
 def test_systems() -> None:
     new = replace(small(), name="other")
-    assert told_systems(small(), new) == ["gained system other: nodes None -> 5", "lost system robot: nodes 5 -> None"]
+    assert changes_between_systems(small(), new) == ["gained system other: nodes None -> 5", "lost system robot: nodes 5 -> None"]
 
 
 def test_connections_of_a_system() -> None:
@@ -166,12 +166,12 @@ def test_connections_of_a_system() -> None:
             )
         )
 
-    assert told_systems(pair("/x"), pair("/y", conditions=("arg b",))) == [
+    assert changes_between_systems(pair("/x"), pair("/y", conditions=("arg b",))) == [
         "changed node /b: if None -> arg b",
         "renamed port /b subscriber /x: name /x -> /y",
         "lost connection /a > /x > /b: kind topic -> None",
     ]
-    assert told_systems(pair("/x"), system((node("/a", [port("publisher", "/x", "T", written="x")]),))) == [
+    assert changes_between_systems(pair("/x"), system((node("/a", [port("publisher", "/x", "T", written="x")]),))) == [
         "lost node /b: executable pkg/b -> None",
         "lost connection /a > /x > /b: kind topic -> None",
     ]
@@ -179,8 +179,8 @@ def test_connections_of_a_system() -> None:
 
 def test_transforms_and_implicit_topics_are_no_connections() -> None:
     alone = replace(small(), connectors=())
-    assert len(told_systems(small(), alone)) == 5
-    assert all("/tf" not in told and "/diagnostics" not in told for told in told_systems(small(), alone))
+    assert len(changes_between_systems(small(), alone)) == 5
+    assert all("/tf" not in told and "/diagnostics" not in told for told in changes_between_systems(small(), alone))
 
 
 def finding(message: str, line: int, path: str = "a.launch") -> Finding:

@@ -12,7 +12,7 @@ from rosarch.analysis.systems.launches import given
 from rosarch.analysis.systems.requests import LaunchEnvironment, parse_request
 from rosarch.extractor.settings import Settings
 from rosarch.models.component import component_of
-from rosarch.models.node_configuration import PluginTold, told_to
+from rosarch.models.node_configuration import PluginArgument, arguments_of_plugin
 from rosarch.models.system.model import SystemModel
 
 MANIFEST = """<package format="3"><name>host</name><version>1.0.0</version><description>d</description>
@@ -183,9 +183,9 @@ def test_nodes_tell_their_component(system: SystemModel) -> None:
 
 
 def test_each_instance_of_a_plugin_is_told_its_own_name() -> None:
-    told = [PluginTold("B", "C", ("B::set", 0, text)) for text in ("x", "y")] + [PluginTold("B", "C", ("B::start", 1, "z"))]
-    assert told_to("C", told) == [(("B::set", 0, "x"), ("B::start", 1, "z")), (("B::set", 0, "y"), ("B::start", 1, "z"))]
-    assert told_to("other", told) == [()]
+    told = [PluginArgument("B", "C", ("B::set", 0, text)) for text in ("x", "y")] + [PluginArgument("B", "C", ("B::start", 1, "z"))]
+    assert arguments_of_plugin("C", told) == [(("B::set", 0, "x"), ("B::start", 1, "z")), (("B::set", 0, "y"), ("B::start", 1, "z"))]
+    assert arguments_of_plugin("other", told) == [()]
 
 
 ROS1_MANIFEST = """<package format="2"><name>cam</name><version>1.0.0</version><description>d</description>

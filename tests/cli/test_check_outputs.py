@@ -184,11 +184,11 @@ def test_a_text_that_is_not_utf_8_is_written_all_the_same(ws: Path) -> None:
 def test_baselines(ws: Path) -> None:
     old, new = finding(), finding(message="new")
     first = judge([old], Policy(), [], checks=CHECKS, baseline=None, new_baseline=Path("b.json"))
-    assert (first.shown, first.known, first.exit_code) == ((), (old,), 0)
+    assert (first.shown, first.in_baseline, first.exit_code) == ((), (old,), 0)
     second = judge([old, new], Policy(), [], checks=CHECKS, baseline=Path("b.json"), new_baseline=None)
-    assert (second.shown, second.known, second.exit_code) == ((new,), (old,), 1)
+    assert (second.shown, second.in_baseline, second.exit_code) == ((new,), (old,), 1)
     third = judge([new], Policy(), [], checks=CHECKS, baseline=Path("b.json"), new_baseline=Path("b.json"))
-    assert (third.shown, third.known, third.gone) == ((), (new,), ())
+    assert (third.shown, third.in_baseline, third.gone) == ((), (new,), ())
     assert [entry["message"] for entry in json.loads(Path("b.json").read_text())["findings"]] == ["new"]
 
 
@@ -203,8 +203,8 @@ def test_wrong_baselines(ws: Path) -> None:
 
 def test_findings_of_any_iterable(ws: Path) -> None:
     found = judge(iter([finding()]), Policy(), iter([]), checks=iter(CHECKS), baseline=None, new_baseline=Path("b.json"))
-    assert len(found.known) == 1
-    assert replace(found, known=()).exit_code == 0
+    assert len(found.in_baseline) == 1
+    assert replace(found, in_baseline=()).exit_code == 0
 
 
 def test_options_of_a_command() -> None:

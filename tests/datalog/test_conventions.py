@@ -26,7 +26,7 @@ listed("a").
 OUT = ".output own\n"
 
 
-def found(tmp_path: Path, text: str) -> list[str]:
+def messages(tmp_path: Path, text: str) -> list[str]:
     (tmp_path / "facts.dl").write_text(FACTS)
     own = tmp_path / "own.dl"
     own.write_text('.include "facts.dl"\n' + text)
@@ -50,7 +50,7 @@ def found(tmp_path: Path, text: str) -> list[str]:
 )
 def test_rules_that_keep_to_it(tmp_path: Path, text: str) -> None:
     """A certain row rests on certain ones, on what is asked for, on what is given, on the absence of what is possible, on the program's facts."""
-    assert found(tmp_path, text + OUT) == []
+    assert messages(tmp_path, text + OUT) == []
 
 
 @pytest.mark.parametrize(
@@ -76,11 +76,11 @@ def test_rules_that_keep_to_it(tmp_path: Path, text: str) -> None:
 )
 def test_rules_that_do_not(tmp_path: Path, text: str, message: str) -> None:
     """Each departure is told with its line."""
-    assert found(tmp_path, text + OUT) == [message]
+    assert messages(tmp_path, text + OUT) == [message]
 
 
 def test_relations_of_no_use(tmp_path: Path) -> None:
     """A relation that nothing reads but itself, and nobody is shown, is dead; assertions are looked at by their name."""
     text = "/// `x`. Must.\n.decl own(x: symbol)\nown(X) :- given(X).\nown(X) :- own(X), listed(X).\n"
-    assert found(tmp_path, text) == ["3: `own` is read by no other relation and put out by none"]
-    assert found(tmp_path, text.replace("own(", "assert_own(")) == []
+    assert messages(tmp_path, text) == ["3: `own` is read by no other relation and put out by none"]
+    assert messages(tmp_path, text.replace("own(", "assert_own(")) == []

@@ -67,7 +67,7 @@ def test_rules_that_were_read_before_are_not_parsed_again(load: Callable[[str], 
     def refuse(*_: Any) -> None:
         raise AssertionError("parsed again")
 
-    monkeypatch.setattr(clauses, "_known", {})
+    monkeypatch.setattr(clauses, "_kept_rules", {})
     monkeypatch.setattr(clauses, "remembered", refuse)
     assert [proof_text(explain(program, FACTS, goal)) for goal in goals] == first
 

@@ -49,12 +49,12 @@ def load(folder: Path) -> Program:
     return load_program([folder / "main.dl"], shipped=folder / "compiled" / "main.pickle")
 
 
-def known(folder: Path) -> bool:
+def is_stored(folder: Path) -> bool:
     return is_compiled([folder / "main.dl"], shipped=folder / "compiled" / "main.pickle")
 
 
 def test_it_is_taken_where_it_lies_now(installed: Path, compilations: list[Path]) -> None:
-    assert known(installed)
+    assert is_stored(installed)
     program = load(installed)
     assert program.evaluate(EDGES).rows("path") == [("a", "b"), ("a", "c"), ("b", "c")]
     assert not compilations
@@ -89,11 +89,11 @@ def test_it_is_not_taken_when_something_has_changed(
 ) -> None:
     change(installed, monkeypatch)
     if change is not damage:  # whether the rest of a file is whole, only reading it tells
-        assert not known(installed)
+        assert not is_stored(installed)
     rows = load(installed).evaluate(EDGES).rows("path")
     assert compilations == [installed / "main.dl"]
     assert (("new", "rule") in rows) == (change is edit)
-    assert known(installed)  # kept by now, for the next run
+    assert is_stored(installed)  # kept by now, for the next run
     load(installed)
     assert len(compilations) == 1
 
@@ -128,7 +128,7 @@ def test_it_is_compiled_once(installed: Path, compilations: list[Path]) -> None:
     edit(installed, pytest.MonkeyPatch())
     ship_program(file, [installed / "main.dl"])
     assert len(compilations) == 1
-    assert known(installed)
+    assert is_stored(installed)
 
 
 def test_a_program_of_files_elsewhere_is_not_shipped(tmp_path: Path) -> None:

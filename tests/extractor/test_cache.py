@@ -46,7 +46,7 @@ def workspace(tmp_path: Path) -> Path:
 
 def facts(root: Path, cache: Cache | None) -> dict[str, set[tuple[object, ...]]]:
     """The facts of the only component; none are known, so that the index of units and the entries of all of them are used."""
-    with extract(root, settings=Settings(jobs=1, cache=cache), known=lambda _component: False) as extraction:
+    with extract(root, settings=Settings(jobs=1, cache=cache), is_cached=lambda _component: False) as extraction:
         (component,) = extraction.components
         return {name: set(rows) for name, rows in component.rows().items()}
 
@@ -126,7 +126,7 @@ def test_a_workspace_elsewhere_shares_the_entries(workspace: Path, tmp_path: Pat
 def key(root: Path, cache: Cache, packages: list[str] | None = None, **options: Any) -> str | None:
     """The key of the facts of the only component, which are known when they have one."""
     settings = Settings(jobs=1, cache=cache, **options)
-    with extract(root, packages, settings, known=lambda component: component.key is not None) as extraction:
+    with extract(root, packages, settings, is_cached=lambda component: component.key is not None) as extraction:
         (component,) = extraction.components
         return component.key
 

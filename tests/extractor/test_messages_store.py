@@ -8,7 +8,7 @@ from workspace_builder import package, write
 
 from rosarch.extractor.messages import Field, MessageStore, load_messages, message_classes
 from rosarch.extractor.messages.common_interfaces import common_interfaces, stored_messages
-from rosarch.extractor.messages.known_fields import KnownFields
+from rosarch.extractor.messages.message_fields import MessageFields
 from rosarch.extractor.messages.model import PRIMITIVES
 from rosarch.extractor.messages.parse import parse_message
 from rosarch.extractor.workspace import Diagnostic, discover
@@ -93,7 +93,7 @@ def test_trouble(tmp_path: Path, files: dict[str, str | bytes], message: str) ->
 
 def test_a_field_of_unknown_type_is_kept(tmp_path: Path) -> None:
     store = store_of(tmp_path, {"msg/T.msg": "int32 a\nnone_msgs/None b\n"})
-    assert [(field.name, field.known) for field in store.messages["demo/T"].fields] == [("a", True), ("b", False)]
+    assert [(field.name, field.type_exists) for field in store.messages["demo/T"].fields] == [("a", True), ("b", False)]
 
 
 def test_workspace_definition_wins(tmp_path: Path) -> None:
@@ -166,14 +166,14 @@ def test_a_damaged_cache_of_common_messages_is_made_again(tmp_path: Path, monkey
     assert "std_msgs/Header" in known
 
 
-def test_known_fields(tmp_path: Path) -> None:
+def test_message_fields(tmp_path: Path) -> None:
     """Those of messages that are used, and of what these are made of; nothing of a file with a line that was not understood."""
     files = {
         "msg/Cup.msg": "uint8 FULL=1\nstd_msgs/Header header\nfloat64[] past\n",
         "msg/Odd.msg": "int32 a\n%\n",
         "srv/Fill.srv": "bool on\n---\n",
     }
-    known = KnownFields.of(store_of(tmp_path, files), (), ROS1)
+    known = MessageFields.of(store_of(tmp_path, files), (), ROS1)
     found = known.used([("", "message", "demo/Cup"), ("", "message", "demo/Odd"), ("", "service", "demo/Fill")])
     assert found["message_known"] == {("demo/Cup",), ("std_msgs/Header",), ("demo/FillRequest",), ("demo/FillResponse",)}
     assert {row[1:] for row in found["message_field"] if row[0] == "demo/Cup"} == {
@@ -184,8 +184,8 @@ def test_known_fields(tmp_path: Path) -> None:
     assert ("std_msgs/Header", "stamp", "time", "one") in found["message_field"]
 
 
-def test_known_fields_of_ros2() -> None:
-    known = KnownFields.of(load_messages([], middleware=ROS2), (), ROS2)
+def test_message_fields_of_ros2() -> None:
+    known = MessageFields.of(load_messages([], middleware=ROS2), (), ROS2)
     assert ("std_msgs/Header", "stamp", "builtin_interfaces/Time", "one") in known.rows["std_msgs/Header"]
     assert "control_msgs/JointControllerState" not in known.rows  # it is that of ROS 1
-    assert KnownFields.of(None, (), ROS1).rows == {}
+    assert MessageFields.of(None, (), ROS1).rows == {}

@@ -12,7 +12,7 @@ from rosarch.base.files import folder_reader
 from rosarch.extractor.suppressions import Suppression, find_suppressions, has_suppressions, suppressions_in
 
 
-def found(path: str, text: str) -> list[tuple[tuple[str, ...], str, int, int]]:
+def comments_in(path: str, text: str) -> list[tuple[tuple[str, ...], str, int, int]]:
     return [(each.checks, each.reason, each.first, each.last) for each in suppressions_in(path, text)]
 
 
@@ -54,7 +54,7 @@ def found(path: str, text: str) -> list[tuple[tuple[str, ...], str, int, int]]:
     ],
 )
 def test_cpp(text: str, expected: list) -> None:
-    assert found("src/a.cpp", text) == expected
+    assert comments_in("src/a.cpp", text) == expected
 
 
 @pytest.mark.parametrize(
@@ -74,7 +74,7 @@ def test_cpp(text: str, expected: list) -> None:
 )
 def test_xml(text: str, expected: list) -> None:
     for path in ("launch/a.launch", "a.test", "package.xml", "urdf/a.urdf.xacro"):
-        assert found(path, text) == expected
+        assert comments_in(path, text) == expected
 
 
 @pytest.mark.parametrize(
@@ -98,7 +98,7 @@ def test_xml(text: str, expected: list) -> None:
     ],
 )
 def test_hash_comments(path: str, text: str, expected: list) -> None:
-    assert found(path, text) == expected
+    assert comments_in(path, text) == expected
 
 
 def test_place_of_the_comment() -> None:

@@ -71,8 +71,8 @@ def test_a_check_must_have_a_place(tmp_path: Path) -> None:
 
 
 def test_a_finding_of_several_systems_is_one() -> None:
-    def found(message: str, system: str, line: int = 1) -> Finding:
+    def finding_of(message: str, system: str, line: int = 1) -> Finding:
         return Finding(CHECK, "error", message, (Evidence("", Place("a.cpp", line, 1)),), (system,))
 
-    merged = _together([found("m", "b"), found("n", "b"), found("m", "a"), found("m", "a", 2)])
+    merged = _together([finding_of("m", "b"), finding_of("n", "b"), finding_of("m", "a"), finding_of("m", "a", 2)])
     assert [(each.message, each.place.line, each.systems) for each in merged] == [("m", 1, ("a", "b")), ("n", 1, ("b",)), ("m", 2, ("a",))]

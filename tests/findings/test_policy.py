@@ -18,7 +18,7 @@ def comment(*checks: str, path: str = "a.cpp", line: int = 2, covers: int = 3, r
     return Suppression(path, line, 4, checks, reason, covers, covers)
 
 
-def told(reported: Reported) -> list[tuple[str, str, int, str]]:
+def shown_rows(reported: Reported) -> list[tuple[str, str, int, str]]:
     return [(each.check.id, each.severity, each.place.line, each.message) for each in reported.shown]
 
 
@@ -136,25 +136,27 @@ def test_suppressed_findings_have_the_severity_of_the_policy() -> None:
 
 def test_unused_suppression() -> None:
     reported = apply_policy([finding()], Policy(), [comment("type-mismatch", "style")], checks=CHECKS)
-    assert told(reported) == [("unused-suppression", "note", 2, "no finding of `style` is here to be suppressed")]
+    assert shown_rows(reported) == [("unused-suppression", "note", 2, "no finding of `style` is here to be suppressed")]
     assert reported.exit_code == 0
 
 
 def test_suppression_of_an_unknown_check() -> None:
-    assert told(apply_policy([], Policy(), [comment("near-mis")], checks=CHECKS)) == [
+    assert shown_rows(apply_policy([], Policy(), [comment("near-mis")], checks=CHECKS)) == [
         ("unused-suppression", "note", 2, "no check is called `near-mis`, did you mean `near-miss`?")
     ]
 
 
 def test_suppression_without_check() -> None:
-    assert told(apply_policy([], Policy(), [comment()], checks=CHECKS)) == [
+    assert shown_rows(apply_policy([], Policy(), [comment()], checks=CHECKS)) == [
         ("unused-suppression", "note", 2, "the comment names no check: write `rosarch: ignore[check-id] reason`")
     ]
 
 
 def test_suppression_without_reason_counts_and_is_told() -> None:
     reported = apply_policy([finding()], Policy(), [comment("type-mismatch", reason="")], checks=CHECKS)
-    assert told(reported) == [("suppression-without-reason", "note", 2, "findings of `type-mismatch` are suppressed without a reason")]
+    assert shown_rows(reported) == [
+        ("suppression-without-reason", "note", 2, "findings of `type-mismatch` are suppressed without a reason")
+    ]
     assert len(reported.suppressed) == 1
 
 
@@ -167,7 +169,7 @@ def test_two_comments_on_one_finding_are_both_used() -> None:
 def test_findings_about_comments_follow_the_policy() -> None:
     comments = [comment("style", reason="")]
     ignored = Policy(((("unused-suppression", "ignore"), ("suppression-without-reason", "error")),))
-    assert [(each[0], each[1]) for each in told(apply_policy([], ignored, comments, checks=CHECKS))] == [
+    assert [(each[0], each[1]) for each in shown_rows(apply_policy([], ignored, comments, checks=CHECKS))] == [
         ("suppression-without-reason", "error")
     ]
     assert apply_policy([], Policy(ignored_paths=("a.cpp",)), comments, checks=CHECKS).shown == ()
@@ -182,7 +184,7 @@ def test_a_comment_on_an_ignored_check_is_not_unused() -> None:
 def test_baseline_hides_what_it_knows() -> None:
     old, new = finding(), finding(message="new")
     reported = apply_policy([old, new], Policy(), baseline=Baseline.of([old]), checks=CHECKS)
-    assert (reported.shown, reported.known, reported.gone, reported.compared) == ((new,), (old,), (), True)
+    assert (reported.shown, reported.in_baseline, reported.gone, reported.compared) == ((new,), (old,), (), True)
     assert apply_policy([old], Policy(), baseline=Baseline.of([old]), checks=CHECKS).exit_code == 0
 
 
@@ -205,7 +207,7 @@ def test_baseline_counts_equal_findings() -> None:
 )
 def test_what_is_hidden_otherwise_is_not_gone(policy: Policy, comments: list[Suppression]) -> None:
     reported = apply_policy([finding()], policy, comments, Baseline.of([finding()]), checks=CHECKS)
-    assert (reported.shown, reported.known, reported.gone) == ((), (), ())
+    assert (reported.shown, reported.in_baseline, reported.gone) == ((), (), ())
 
 
 def test_new_baseline_knows_everything_active() -> None:
@@ -213,13 +215,13 @@ def test_new_baseline_knows_everything_active() -> None:
     comments = [comment("type-mismatch")]
     first = apply_policy(findings, Policy(), comments, Baseline.of(findings[:1]), checks=CHECKS)
     again = apply_policy(findings, Policy(), comments, first.baseline, checks=CHECKS)
-    assert (again.shown, again.gone, len(again.known)) == ((), (), 2)
+    assert (again.shown, again.gone, len(again.in_baseline)) == ((), (), 2)
 
 
 def test_a_part_of_a_workspace_does_not_tell_what_is_unused_or_gone() -> None:
     comments = [comment("style", reason=""), comment("stile", line=7)]
     reported = apply_policy([], Policy(), comments, Baseline.of([finding()]), checks=CHECKS, complete=False)
-    assert [(each[0], each[2]) for each in told(reported)] == [("suppression-without-reason", 2), ("unused-suppression", 7)]
+    assert [(each[0], each[2]) for each in shown_rows(reported)] == [("suppression-without-reason", 2), ("unused-suppression", 7)]
     assert (reported.gone, reported.compared) == ((), True)
 
 
@@ -244,4 +246,4 @@ def test_many_findings_and_comments() -> None:
     findings: list[Finding] = [finding(message=str(number % 100), line=number) for number in range(5000)]
     comments = [comment("type-mismatch", line=number, covers=number + 1) for number in range(0, 5000, 2)]
     reported = apply_policy(findings, Policy(), comments, Baseline.of(findings), checks=CHECKS)
-    assert (len(reported.suppressed), len(reported.known), len(reported.shown)) == (2500, 2500, 0)
+    assert (len(reported.suppressed), len(reported.in_baseline), len(reported.shown)) == (2500, 2500, 0)

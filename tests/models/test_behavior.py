@@ -31,12 +31,12 @@ def lines(document: dict[str, Any]) -> list[str]:
     """The behaviour of a document, one line each."""
     ports = {port["id"]: port["name"] for port in document["ports"]}
 
-    def known(ids: list[str]) -> str:
+    def port_names(ids: list[str]) -> str:
         return ",".join(ports.get(one, one) for one in ids)
 
     return sorted(
         [
-            f"periodic {p['mechanism']} {p['hz']} {p['hz_from_param']} {known(p['publishes'])} [{p['conditional'] or ''}]"
+            f"periodic {p['mechanism']} {p['hz']} {p['hz_from_param']} {port_names(p['publishes'])} [{p['conditional'] or ''}]"
             for p in document["periodic"]
         ]
         + [
@@ -51,7 +51,7 @@ def lines(document: dict[str, Any]) -> list[str]:
         + [f"state {v['name']} = {v['initial']}" for v in document["state_variables"]]
         + [f"config {v['name']} = {v['initial']} {v.get('from_param')}" for v in document["configuration"]]
         + [
-            f"transition {t['variable']} . {t.get('field')} on {known(t['trigger'])} [{t['guard'] or ''}] := {t['value']}"
+            f"transition {t['variable']} . {t.get('field')} on {port_names(t['trigger'])} [{t['guard'] or ''}] := {t['value']}"
             for t in document["transitions"]
         ]
     )

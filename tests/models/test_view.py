@@ -106,7 +106,7 @@ def test_focus(focus: str, hops: int, nodes: set[str], connectors: set[str]) -> 
 def test_an_unknown_focus() -> None:
     with pytest.raises(UnknownName, match="missing") as caught:
         view(focus=("missing",))
-    assert caught.value.known == {"/base/driver", "/base/odometry", "/planner", "/mission", "/viewer"}
+    assert caught.value.candidates == {"/base/driver", "/base/odometry", "/planner", "/mission", "/viewer"}
 
 
 def test_a_namespace_as_one_node() -> None:

@@ -41,7 +41,7 @@ def test_what_variables_stand_for_is_told(language: str) -> None:
     item = read_properties(data["properties"], "f", system)[0]
     transitions = model_for(system, item.formula, Inputs())
     text = "".join(text for _, text in files(language, transitions, item))
-    assert [number.told for number in transitions.numbers if number.told not in text] == []
+    assert [number.description for number in transitions.numbers if number.description not in text] == []
     assert any(number.names for number in transitions.numbers)
     assert any(not number.names for number in transitions.numbers)
     assert " ()" not in text

@@ -100,15 +100,15 @@ def test_every_format(plan: Callable, rosarch: Callable) -> None:
 def test_an_interrupted_run_goes_on(plan: Callable, rosarch: Callable, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("ROSARCH_CACHE_DIR", str(tmp_path / "cache"))
     path = plan("subjects: {ws: ws}\ntruth: truth\nvariants: {one: {}, two: {rules: heard.dl}}\n")
-    tell = Runner._tell
+    report = Runner._report_progress
 
     def stop(runner: Runner, done: int, total: int) -> None:
-        tell(runner, done, total)
+        report(runner, done, total)
         if done == total:
             raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(Runner, "_tell", stop)
+        patch.setattr(Runner, "_report_progress", stop)
         assert rosarch("experiment", path, "-o", tmp_path / "out", "--jobs", "1").code == 130
     assert not (tmp_path / "out").exists()
     assert kept(tmp_path) == 1

@@ -1,4 +1,4 @@
-"""Relations that no input has a part in: their rows are known when a program is compiled."""
+"""Relations that no input has a part in: their rows are computed when a program is compiled."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from rosarch.datalog.language.syntax import Clause, Relation, UserFunctor, claus
 from rosarch.datalog.language.types import Types
 
 
-def known_rows(
+def constant_rows(
     relations: Mapping[str, Relation], strata: Sequence[Sequence[str]], clauses: Clauses, types: Types, inputs: Collection[str],
 ) -> dict[str, list[Any]]:  # fmt: skip
     """The rows of relations that follow from the clauses alone, bare values for unary ones.
 
     What is recursive, or depends on more than the rows of other relations, is left to an evaluation, which has its limits.
     """
-    known: list[str] = []
+    constant: list[str] = []
     found: set[str] = set()
     for stratum in strata:
         name = stratum[0]
@@ -30,13 +30,13 @@ def known_rows(
         read = {atom.name for clause in own for node in (*clause.head.args, *clause.body) for atom, _ in atoms_of(node)}
         if len(stratum) == 1 and name not in inputs and read <= found and _is_plain(relations[name], own, types):
             found.add(name)
-            known.append(name)
-    code = compile_program(relations, [(name,) for name in known], {name: clauses.get(name, ()) for name in known}, types)
+            constant.append(name)
+    code = compile_program(relations, [(name,) for name in constant], {name: clauses.get(name, ()) for name in constant}, types)
     functions = load_functions(compile(code.source, "<datalog>", "exec"), runtime_names(types.bits))
     try:
-        rows = Evaluation(code, functions, {}, Control(None, None)).run(known)
+        rows = Evaluation(code, functions, {}, Control(None, None)).run(constant)
     except (DatalogError, EvaluationError):
-        return {}  # an evaluation tells of it
+        return {}  # an evaluation reports it
     return {name: sorted(each, key=repr) for name, each in rows.items()}
 
 

@@ -1,4 +1,4 @@
-"""The fields of messages, of which all are known."""
+"""The fields of messages, as far as all of a message are known."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ _PARTS = {"request": ("Request",), "response": ("Response",), "service": ("Reque
 
 
 @dataclass(frozen=True)
-class KnownFields:
+class MessageFields:
     """Rows of `message_field` by the type of the message; what has no fields has none."""
 
     rows: Mapping[str, tuple[tuple[str, str, str, str], ...]]
 
     @classmethod
-    def of(cls, store: MessageStore | None, packages: Iterable[Package], middleware: str) -> KnownFields:
+    def of(cls, store: MessageStore | None, packages: Iterable[Package], middleware: str) -> MessageFields:
         """Those of all messages that are read without a doubt."""
         if store is None:
             return cls({})
@@ -61,7 +61,12 @@ def _rows(message: Message, middleware: str) -> tuple[tuple[str, str, str, str],
     times = _TIMES if middleware == ROS2 else {}
     constants = ((message.name, constant.name, "constant", "one") for constant in message.constants)
     fields = (
-        (message.name, field.name, times.get(field.type, field.type) if field.known else "?", "one" if field.array is None else "many")
+        (
+            message.name,
+            field.name,
+            times.get(field.type, field.type) if field.type_exists else "?",
+            "one" if field.array is None else "many",
+        )
         for field in message.fields
     )
     return (*fields, *constants)
