@@ -166,6 +166,7 @@ def test_defaults_and_the_name_that_the_launch_file_gives(system: SystemModel) -
     assert ports_of(system, "/two") == {"/two/chat", "/right"}
 
 
+@pytest.mark.slow
 def test_a_list_without_plugins(system: SystemModel) -> None:
     assert ports_of(system, "/three") == {"/three/chat"}
 

@@ -80,6 +80,7 @@ def test_a_finding(ws: Path, rosarch: Callable) -> None:
     )
 
 
+@pytest.mark.slow
 def test_only_notes_are_no_failure(ws: Path, rosarch: Callable) -> None:
     outcome = rosarch("check", ws)
     assert (outcome.code, outcome.err) == (0, "")

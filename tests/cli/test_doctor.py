@@ -22,6 +22,7 @@ ports with unknown name: 1
 """
 
 
+@pytest.mark.slow
 def test_a_healthy_workspace(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(workspace)
     outcome = rosarch("doctor", workspace)
@@ -66,6 +67,7 @@ def test_sources_of_no_component(rosarch: Callable, workspace: Path, monkeypatch
     ) in rosarch("doctor", workspace).out
 
 
+@pytest.mark.slow
 def test_a_source_that_fails_is_a_finding(rosarch: Callable, workspace: Path) -> None:
     endless = "template <int N, int M> struct Tree { Tree<N - 1, 2 * M> left; Tree<N - 1, 2 * M + 1> right; };\nTree<40, 0> tree;\n"
     source = workspace / "talker/talker.cpp"

@@ -381,6 +381,7 @@ def test_one_broken_manifest_is_an_error_whatever_is_guessed(rosarch: Callable, 
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", [("analyze", "ws"), ("query", "ws", "port(P)")])
 def test_souffle_is_looked_for_first(rosarch: Callable, workspace: Path, monkeypatch: pytest.MonkeyPatch, command: tuple[str, ...]) -> None:
     monkeypatch.setenv("PATH", "")

@@ -32,6 +32,7 @@ LAUNCH = '<launch><node name="t" pkg="talker" type="talker"><rosparam command="l
 SOURCES = ("talker", "talker/CMakeLists.txt", "talker/package.xml", "talker/talker.cpp")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "files", "needed"),
     [

@@ -77,6 +77,7 @@ def test_facts_give_the_models_of_their_sources(rosarch: Callable, workspace: Pa
     assert (tmp_path / "from_facts" / name).read_bytes() == (tmp_path / "from_sources" / name).read_bytes()
 
 
+@pytest.mark.slow
 def test_two_runs_and_worker_counts_agree(rosarch: Callable, examples: Path, tmp_path: Path) -> None:
     written = []
     for number, jobs in enumerate((1, 2, 2)):

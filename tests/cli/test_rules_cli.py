@@ -44,6 +44,7 @@ def test_query_of_facts(rosarch: Run, workspace: Path, tmp_path: Path) -> None:
     assert (done.code, done.err) == (2, "rosarch: error: no package talkr among these facts, did you mean `talker`?\n")
 
 
+@pytest.mark.slow
 def test_query_of_several_components(rosarch: Run, examples: Path) -> None:
     done = rosarch("query", examples / "mobile_base", 'port([_, "publisher", Name])')
     assert [line for line in done.out.splitlines() if line.startswith("==")] == [
@@ -55,6 +56,7 @@ def test_query_of_several_components(rosarch: Run, examples: Path) -> None:
     assert rosarch("query", examples / "mobile_base", 'port([_, "no kind", Name])').out == "no rows in any component\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [
@@ -89,6 +91,7 @@ def test_explain(rosarch: Run, workspace: Path) -> None:
     assert "│  port([Site, Kind, Name]) :- port_site(" in shown
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("goal", "line"),
     [
@@ -117,6 +120,7 @@ def test_why_not(rosarch: Run, workspace: Path, examples: Path) -> None:
     assert done.err.endswith("2 components; choose one with --component: base_driver/base_driver, base_odometry/odometry_node\n")
 
 
+@pytest.mark.slow
 def test_rules_of_ones_own(rosarch: Run, workspace: Path, tmp_path: Path) -> None:
     rules = tmp_path / "fan.dl"
     rules.write_text(FAN)

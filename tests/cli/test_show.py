@@ -64,6 +64,7 @@ def test_behavior_as_json(rosarch: Callable, workspace: Path) -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_one_node_is_read_alone(rosarch: Callable, examples: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from rosarch.analysis import components as analysis
 

@@ -18,6 +18,7 @@ def simulate(rosarch: Callable, examples: Path) -> Callable:
     return lambda *words: rosarch("simulate", folder, *launch, "--scenario", folder / "patrol_run.yml", *words)
 
 
+@pytest.mark.slow
 def test_the_patrol_drives_between_two_buttons(simulate: Callable) -> None:
     """Enabled at 2 s by the service: from then on each of the 20 odometry messages a second is answered with a command."""
     found = simulate("--format", "json")
@@ -54,6 +55,7 @@ def test_diagrams(simulate: Callable) -> None:
     assert simulate("--format", "timeline", "--duration", "1").out.startswith("gantt\n  title src/patrol_bringup/launch/robot.launch\n")
 
 
+@pytest.mark.slow
 def test_rules_of_ones_own_count(simulate: Callable, tmp_path: Path) -> None:
     hints = tmp_path / "hints.dl"
     hints.write_text('hint_rate("src/patrol_robot/src/base_driver.cpp", 33, "50").\n')

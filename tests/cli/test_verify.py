@@ -42,6 +42,7 @@ def no_checker(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(checker, "is_installed", lambda: False)
 
 
+@pytest.mark.slow
 @needs_checker
 def test_an_example(rosarch: Callable, examples: Path) -> None:
     folder = examples / "patrol_robot"
@@ -58,6 +59,7 @@ def test_an_example(rosarch: Callable, examples: Path) -> None:
     }
 
 
+@pytest.mark.slow
 @needs_checker
 def test_states_of_a_node_and_its_loop(rosarch: Callable, examples: Path, tmp_path: Path) -> None:
     """Searching for the dock ends only when something comes; the lamp is lit by a message on /charging that says so."""
@@ -81,6 +83,7 @@ def test_states_of_a_node_and_its_loop(rosarch: Callable, examples: Path, tmp_pa
     assert steps[0]["inputs"] == ["msg.data"]
 
 
+@pytest.mark.slow
 @needs_checker
 def test_a_counterexample_tells_steps_and_lines(verify: Callable) -> None:
     found = verify("deaf_server", "comes_back: left(client.waiting_)\nsilent: absence(sent(/answer))\n")
@@ -138,6 +141,7 @@ def test_too_many_states(verify: Callable) -> None:
     assert "  note: Storm did not end within 0.001 s; most values have " in found.out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("checker", [spin, storm], ids=["spin", "storm"])
 def test_too_little_memory(checker: ModuleType) -> None:
     if not checker.is_installed():

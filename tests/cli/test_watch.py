@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import pytest
+
 from rosarch.cli.main import main
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "docking_states"
@@ -63,6 +65,7 @@ def _heed_interrupts() -> None:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
+@pytest.mark.slow
 def test_rules_and_sources_are_saved(tmp_path: Path) -> None:
     """Rows come and go with the rules; an error is told and the next save mends it; a saved source is read again; Ctrl-C ends it."""
     robot = shutil.copytree(EXAMPLE, tmp_path / "robot")
@@ -90,6 +93,7 @@ def test_rules_and_sources_are_saved(tmp_path: Path) -> None:
     assert (seen.process.returncode, list(seen.lines.queue)) == (0, [])
 
 
+@pytest.mark.slow
 def test_input_that_is_wrong_from_the_start(tmp_path: Path, capsys: object) -> None:
     """What is wrong at the start is refused as by every command."""
     rules = tmp_path / "own.dl"

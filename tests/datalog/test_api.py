@@ -120,6 +120,7 @@ def test_a_damaged_entry_of_the_cache_is_none(tmp_path: Path, monkeypatch: pytes
         assert cache.load([tmp_path], "") is None
 
 
+@pytest.mark.slow
 def test_damaged_tables_of_the_parser_are_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROSARCH_CACHE_DIR", str(tmp_path / "cache"))
     text = ".decl r(x: number)\nr(1) :- r(2), !r(3)."

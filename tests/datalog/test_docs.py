@@ -64,6 +64,7 @@ def test_mistakes_are_reported_as_shown(
         assert (done.code, done.err) == (2, shown[name])
 
 
+@pytest.mark.slow
 def test_a_variant_and_an_option_of_ones_own(rosarch: Callable[..., Any], examples: Path, tmp_path: Path) -> None:
     variant, option = blocks("variants.md", "prolog")
     folder = tmp_path / "my_rules"

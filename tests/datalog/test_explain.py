@@ -254,6 +254,7 @@ def test_errors(load: Callable[[str], Program], goal: str, expected: str) -> Non
     assert str(caught.value) == expected
 
 
+@pytest.mark.slow
 def test_a_port_of_an_example(examples: Path) -> None:
     """Down to the source: every leaf is a fact, and the lines of the source tell the story."""
     from rosarch.base.files import folder_reader

@@ -131,6 +131,7 @@ def test_errors_are_those_of_the_whole_program(tmp_path: Path, added: str, messa
     assert edit is not None and ("z",) in rederived(history, base, edit)["lone"]
 
 
+@pytest.mark.slow
 def test_random_edits(tmp_path: Path) -> None:
     """Any subset of the clauses gives, from the rows of any other, what it gives from nothing."""
     chance = random.Random(7)

@@ -64,6 +64,7 @@ def test_unknown_names_leave_a_component_open(rosarch: Callable, examples: Path,
     assert not [port for port in found.ports if "?" in (port.name or "")]
 
 
+@pytest.mark.slow
 def test_facts_are_as_good_as_sources(built: Path, rosarch: Callable, examples: Path, tmp_path: Path) -> None:
     assert rosarch("extract", examples / "nodelet_filter", "-o", tmp_path / "facts").code == 0
     assert rosarch("library", "build", tmp_path / "facts", *ORIGIN, "-o", tmp_path / "again").code == 0
@@ -138,6 +139,7 @@ int main(int argc, char** argv) {
 """
 
 
+@pytest.mark.slow
 def test_conditions_of_ports_are_kept(rosarch: Callable, tmp_path: Path) -> None:
     package = tmp_path / "ws" / "p"
     package.mkdir(parents=True)

@@ -39,6 +39,7 @@ def test_systems_of_properties(path: Path) -> None:
     assert outside(rates, record) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", RATES, ids=lambda case: case.name)
 def test_systems_of_rates(case: Case) -> None:
     rows = facts_and_program(case)[0]

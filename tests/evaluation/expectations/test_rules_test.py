@@ -125,6 +125,7 @@ def test_beside_code_it_is_about_that_line(rosarch: Callable, tmp_path: Path) ->
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("lines", "query", "unmet"),
     [
