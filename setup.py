@@ -1,4 +1,4 @@
-"""The build: the folders that are packages, and the rules compiled, so that whoever installs a wheel need not do it."""
+"""The build: the folders that are packages, and the rules compiled, so that the user who installs a wheel need not do it."""
 
 import os
 import subprocess
@@ -20,7 +20,7 @@ class BuildWithRules(build_py):
         super().run()
         if not self.editable_mode:
             with tempfile.TemporaryDirectory() as cache:
-                required = os.environ.get("PYTHONPATH")  # what the build requires, as pip tells it
+                required = os.environ.get("PYTHONPATH")  # what the build requires, as pip passes it
                 path = os.pathsep.join(filter(None, [str(Path(self.build_lib).absolute()), required]))
                 variables = {"PYTHONPATH": path, "ROSARCH_CACHE_DIR": cache}
                 subprocess.run([sys.executable, "-m", "rosarch.rule_programs.compile"], env=os.environ | variables, check=True)

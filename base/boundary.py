@@ -1,4 +1,4 @@
-"""What may be read while a workspace is analysed: what lies below some folders, wherever `..` and links seem to lead."""
+"""What may be read while a workspace is analysed: what is below some folders, wherever `..` and links seem to lead."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _inside_by_folder: dict[str, bool] = {}
 
 @contextmanager
 def confined(folders: Iterable[str | os.PathLike[str]]) -> Iterator[None]:
-    """Nothing but what lies below these folders, or those of a confinement around this one, is inside meanwhile."""
+    """Nothing but what is below these folders, or those of a confinement around this one, is inside meanwhile."""
     global _folders
     before = _folders
     absolute = [os.path.abspath(folder) for folder in folders]

@@ -123,7 +123,7 @@ def _below(folder: str | os.PathLike[str]) -> list[os.DirEntry[str]]:
 
 
 def hash_of(parts: Iterable[str | bytes]) -> str:
-    """A hash of a sequence of texts, which tells apart where one ends and the next begins."""
+    """A hash of a sequence of texts, which depends on where one ends and the next begins."""
     found = hashlib.sha256()
     for part in parts:
         data = part if isinstance(part, bytes) else part.encode("utf-8", "surrogateescape")

@@ -12,7 +12,7 @@ from typing import IO
 LARGEST_FILE = 4 * 1024 * 1024  # what is larger is no source; it is there, but empty
 _LINK = "120000"
 # Hooks, filters and text conversions belong to commands that are not used. What is missing in a partial clone would be fetched by the
-# program that the repository's configuration names: no protocol is allowed, and git is told not to try.
+# program that the repository's configuration names: no protocol is allowed, and git gets an option not to try.
 _ENVIRONMENT = {
     "GIT_ALLOW_PROTOCOL": "none",
     "GIT_NO_LAZY_FETCH": "1",
@@ -29,7 +29,7 @@ class RevisionError(Exception):
 
 @dataclass(frozen=True)
 class Exported:
-    """What of a revision was written; submodules and files that the repository does not have were not, as paths tell."""
+    """What of a revision was written; submodules and files that the repository does not have were not, as paths show."""
 
     written: int
     submodules: tuple[str, ...]

@@ -51,7 +51,7 @@ def truth(formula: Formula[Atom], of: Callable[[Atom], bool | None]) -> bool | N
 
 
 def normal(formula: Formula[Atom], holds: bool, literal: Callable[[Atom, bool], Formula[Other]]) -> Formula[Other]:
-    """Negation normal form of a formula or, unless it `holds`, of its opposite: `literal` tells what an atom is that holds or does not."""
+    """Negation normal form of a formula or, unless it `holds`, of its opposite: `literal` says what an atom is that holds or does not."""
     if isinstance(formula, Not):
         return normal(formula.inner, not holds, literal)
     if isinstance(formula, All | Any):

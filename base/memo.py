@@ -34,7 +34,7 @@ class Memo:
     _present: list[tracing.Present] = field(default_factory=list)
 
     def recall(self, key: Iterable[str], trees: Iterable[str], make: Callable[[], Value]) -> Value:
-        """What `make` comes to with the parameters `key`, made anew only when what it saw when it was made last is not so now.
+        """What `make` comes to with the parameters `key`, made again only when what it saw when it was made last is not so now.
 
         `make` may look at everything below `trees`, and read files and variables as `tracing` records it.
         """

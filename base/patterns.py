@@ -1,6 +1,6 @@
 """Regular expressions that the input brings, or that are made from its wildcards: matched by RE2, in time linear in the text.
 
-Python's matcher tries alternatives one after another, and some expressions keep it busy for ever. Expressions and texts are bytes to
+Python's matcher tries alternatives one after another, and some expressions keep it busy forever. Expressions and texts are bytes to
 RE2, as they are to CMake and to file systems.
 """
 
@@ -77,7 +77,7 @@ class Pattern:
 
 @lru_cache(maxsize=512)
 def compiled(expression: bytes, written: str, *, groups: bool = False) -> Pattern:
-    """The pattern of an expression, which messages show as the input has it; without `groups` none are told.
+    """The pattern of an expression, which messages show as the input has it; without `groups` it has none.
 
     Raises:
         PatternError: it is not valid, or too large.

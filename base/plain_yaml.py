@@ -39,7 +39,7 @@ def compose(text: str, path: str) -> yaml.Node | None:
 
 
 def yaml_problem(path: str, error: yaml.YAMLError) -> str:
-    """`path:line:col: reason` of what the YAML reader refused."""
+    """`path:line:col: reason` of what the YAML reader rejected."""
     if not isinstance(error, yaml.MarkedYAMLError):
         return f"{path}:1:1: {' '.join(str(error).split())}"
     mark = error.problem_mark or error.context_mark

@@ -61,7 +61,7 @@ def run_tasks(
     """Yield (index of the task, its result or failure) as tasks end, in no particular order.
 
     A worker that dies or works on one task for more than `timeout` seconds is replaced. None has more than `memory` bytes of
-    addresses, as many as `LIMITS` tells by default.
+    addresses, as many as `LIMITS` says by default.
     """
     observed, memory = tracing.carried(function), memory or LIMITS.memory
     pending = iter(range(len(tasks)))
@@ -97,7 +97,7 @@ def run_tasks(
 def meanwhile(function: Callable[[], object]) -> Iterator[Callable[[], None]]:
     """Call a function for what it leaves on disk, in a process of its own; yields what waits for its end.
 
-    Whether it succeeds is not told: it must be work that the caller does itself where it finds it undone.
+    Whether it succeeds is not reported: it must be work that the caller does itself where it finds it undone.
     """
     process = alongside(partial(_quietly, function))
     try:

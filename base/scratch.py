@@ -15,7 +15,7 @@ PREFIX = "rosarch.run-"
 
 @contextmanager
 def scratch_folder(within: Path | None = None) -> Iterator[Path]:
-    """A folder of this process and those that it starts; a lock that ends with the last of them tells that it is in use.
+    """A folder of this process and those that it starts; a lock that ends with the last of them shows that it is in use.
 
     It is among the temporary files of the machine, or hidden in a folder.
     """

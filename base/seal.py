@@ -1,4 +1,4 @@
-"""Files that tell whether they are damaged: a checksum, and below it the content."""
+"""Files that show whether they are damaged: a checksum, and below it the content."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ _DIGEST_SIZE = hashlib.sha256().digest_size
 
 
 def sealed(data: bytes) -> bytes:
-    """The content of a file that tells whether it is damaged."""
+    """The content of a file that shows whether it is damaged."""
     return hashlib.sha256(data).digest() + data
 
 

@@ -1,7 +1,7 @@
-"""What a result rests on: all that was read, looked for and asked for while it was made, so that it can be told whether that is as it was.
+"""What a result rests on: all that was read, looked for and asked for while it was made, to check whether that is as it was.
 
 A recording knows some folders, its *trees*: below these every name counts, looked at or not. Of files, the content that was read counts;
-outside of the trees, what was looked for; of environment variables, those that were asked for. What cannot be told this way (a time limit)
+outside of the trees, what was looked for; of environment variables, those that were asked for. What is not recorded this way (a time limit)
 makes a recording *uncertain*, and its result is good for once.
 """
 
@@ -34,7 +34,7 @@ _SETTLED = 2_000_000_000
 class Trace:
     """What was seen: `trees` with a hash of their names, files that were read, what lies at other paths, and variables.
 
-    Files have a hash of their content, "" when they could not be read, and where it can be trusted a stamp that tells that they are as they
+    Files have a hash of their content, "" when they could not be read, and where it can be trusted a stamp that shows that they are as they
     were.
     """
 
@@ -46,7 +46,7 @@ class Trace:
 
 @dataclass
 class Recording:
-    """What was seen so far below and outside of `trees`, but for what lies in folders that are `ignored`."""
+    """What was seen so far below and outside of `trees`, but for what is in folders that are `ignored`."""
 
     trees: Mapping[str, str] = field(default_factory=dict)
     reads: dict[str, Read] = field(default_factory=dict)
@@ -70,7 +70,7 @@ class Recording:
         return Trace(dict(self.trees), dict(self.reads), dict(self.probes), dict(self.variables))
 
     def covers(self, path: str) -> bool:
-        """Whether the names of a tree tell what lies at `path`."""
+        """Whether the names of a tree show what is at `path`."""
         return f"{path}/".startswith(self._prefixes) and not _UNCOVERED.search(path)
 
 
@@ -97,13 +97,13 @@ def seen(trace: Trace) -> None:
 
 
 def uncertain() -> None:
-    """The result depends on what no recording tells."""
+    """The result depends on what no recording shows."""
     if _recordings:
         _recordings[-1].uncertain = True
 
 
 def ignore(folder: str | os.PathLike[str]) -> None:
-    """What lies in `folder` is made from what is seen elsewhere."""
+    """What is in `folder` is made from what is seen elsewhere."""
     if _recordings:
         _recordings[-1].ignored += (f"{os.path.abspath(folder)}/",)
 
@@ -134,7 +134,7 @@ def probe(path: str | os.PathLike[str]) -> None:
 
 
 def listed(folder: str | os.PathLike[str]) -> None:
-    """It was asked what lies below a folder."""
+    """It was asked what is below a folder."""
     if _recordings and not _recordings[-1].covers(os.path.abspath(folder)):
         _recordings[-1].uncertain = True
 

@@ -1,4 +1,4 @@
-"""XML read with expat. A document may come from anyone: entities are refused, nothing outside the text is read, depth is bounded."""
+"""XML read with expat. A document may come from anyone: entities are rejected, nothing outside the text is read, depth is bounded."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
 MAX_DEPTH = 150  # elements within elements; far above any file of ROS, far below what the interpreter's stack holds
-_SEPARATOR = " "  # between namespace, name and prefix; expat refuses a namespace that contains it
+_SEPARATOR = " "  # between namespace, name and prefix; expat rejects a namespace that contains it
 
 
 class XmlError(Exception):

@@ -1,4 +1,4 @@
-"""Write a bag of ROS 1 of a given size, and tell how long its summary takes and how much memory: `benchmarks/bags.py --mib 1024`."""
+"""Write a bag of ROS 1 of a given size, and report how long its summary takes and how much memory: `benchmarks/bags.py --mib 1024`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rosarch.observation.wire import packed_fields
 
 HEADED = "Header header\nuint8[] data\n"
 CHUNK = 768 * 1024
-# topic, type, sender, bytes, messages a second: as on a robot with a camera, a laser scanner and wheels
+# topic, type, sender, bytes, messages per second: as on a robot with a camera, a laser scanner and wheels
 TOPICS = (
     ("/camera/image", "sensor_msgs/Image", "/camera", 300_000, 15),
     ("/points", "sensor_msgs/PointCloud2", "/lidar", 500_000, 10),
@@ -74,7 +74,7 @@ def write(file: BinaryIO, size: int) -> int:
 
 
 def main() -> None:
-    """Write, read, tell."""
+    """Write, read, report."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--mib", type=int, default=1024)
     mib = parser.parse_args().mib

@@ -6,7 +6,7 @@ Usage: bugs.py BUGS.yml TREES_DIR --out FINDINGS_DIR [--bug ID ...]
 TREES_DIR/<id>/{buggy,fixed} are the trees; FINDINGS_DIR/<id>.{buggy,fixed}.json become lists of
 {"message", "file", "line", "check", "severity"}. `${T}` in a bug's arguments and variables is its tree, `${B}` the folder of BUGS.yml.
 Packages are looked for in the tree, then in the bug's `companions` (TREES_DIR/<id>/<path>: siblings of the same day, which the tree
-needs), then in `stubs/` beside BUGS.yml, which stand in for absent packages. No path of the machine is written, so that both trees
+needs), then in `stubs/` beside BUGS.yml, which replace absent packages. No path of the machine is written, so that both trees
 can be compared.
 """
 

@@ -143,14 +143,14 @@ def _make_package(folder: Path, components: range) -> None:
 
 
 def write(path: Path, text: str) -> None:
-    """Write a file, and the folders that it lies in."""
+    """Write a file, and the folders that it is in."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
 
 
 @dataclass(frozen=True)
 class Run:
-    """What one run cost, and how many findings its report tells of."""
+    """What one run cost, and how many findings its report lists."""
 
     seconds: float
     processor_seconds: float

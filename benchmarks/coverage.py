@@ -10,7 +10,7 @@ missed. Missed sites are listed, with `--list` unreached ones too.
 Beside the sites, all API calls are counted that the rules know of (ports of every library and accesses to parameters), and those whose name
 is not known, *unnamed*; all reached calls that send a message, a request or a goal, and those of which no port is known that it goes
 through, *portless*; all ports that something can be sent through, and those that nothing is known to go through, *silent*. `--list` shows
-these, so that a reader can judge which ones the source tells.
+these, so that a reader can judge which ones the source names.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ Site = tuple[str, int]
 
 @dataclass
 class Judged:
-    """Nodes of the syntax tree that should be understood, and those that are not in any component, with what is known of them."""
+    """Nodes of the syntax tree that should be understood, and those that are not in any component, with what is known about them."""
 
     nodes: set[str] = field(default_factory=set)
     missing: dict[str, str] = field(default_factory=dict)

@@ -5,7 +5,7 @@
 A run begins with an empty cache, every third time with what earlier runs left of it, and is ended at a moment that is chosen by chance from
 as long as such a run takes: in seconds of processor time, so that it falls within the run whatever else the machine does. Then the same
 command runs to its end with that cache: it must print what a cold run prints. Ctrl-C (INT) goes to all processes of the run, as a terminal
-sends it: it must be told by one line, or come too late. No process and, but for those of a run that was killed, no folder for temporary
+sends it: one line must report it, unless it comes too late. No process and, but for those of a run that was killed, no folder for temporary
 files may be left; these go with the next run.
 """
 

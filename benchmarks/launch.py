@@ -4,7 +4,7 @@
 
 ORACLE.jsonl has one JSON object per launch file below ROOT: `file`, the `arguments` it was loaded with, if any (a list of
 `name:=value`), and either what roslaunch then had in its memory (`nodes`, `params`, `tests`) or the `exception` it stopped with. Every
-difference is listed; the exit code is 1 if there is one. A file that roslaunch refuses must be refused by rosarch, with the same cause.
+difference is listed; the exit code is 1 if there is one. A file that roslaunch rejects must be rejected by rosarch, with the same cause.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ CAUSES: tuple[tuple[str, str], ...] = (
 
 
 def causes_of(exception: str) -> list[tuple[str, str]]:
-    """The kinds of problem, and the subject if the text tells, that an exception of roslaunch can stand for."""
+    """The kinds of problem, and the subject if the text gives it, that an exception of roslaunch can stand for."""
     matches = [(re.search(pattern, exception, re.DOTALL), kinds) for pattern, kinds in CAUSES]
     return [(kind, match[1] or "") for match, kinds in matches if match for kind in kinds.split()]
 
@@ -88,7 +88,7 @@ def refusal_difference(exception: str, composition: Composition, cut: bool = Fal
 
     A command that rosarch does not run counts as one that fails, and so does one that it answers although the program was not installed
     where roslaunch ran: that is no property of the files. With `cut`, the text of the exception may end before the cause; then
-    rosarch must refuse something after entering the files whose names are left.
+    rosarch must reject something after entering the files whose names are left.
     """
     causes = causes_of(exception)
     through = re.findall(r"while processing (\S+):\n", exception)

@@ -23,7 +23,7 @@ from rosarch.extractor.launch import Composition, Files, PackagePath, compose
 
 TABLE = Path(__file__).with_suffix(".tsv")
 ASPECTS = ("package", "executable", "name", "namespace", "container", "remappings", "parameters")
-ANY = object()  # a value that the table does not tell
+ANY = object()  # a value that the table does not give
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def composed(root: Path, file: str, words: str, files: Files) -> Composition:
 
 
 def expected_parameters(root: Path, row: Row) -> dict[str, Any]:
-    """The parameters that the table tells, those of files read anew."""
+    """The parameters that the table gives, those of files read again."""
     found: dict[str, Any] = {}
     for word in row.parameters.split(" "):
         if word.startswith("@"):

@@ -1,7 +1,7 @@
 """Are models right about real nodes? The ports of nodes of Debian's ROS 1, recovered from sources, against those of the running nodes.
 
-Nothing is installed: it is told which packages are missing. Sources are fetched by `apt-get source` to --folder, where those that are there
-(a folder called like the source package) are used as they are.
+Nothing is installed: the program says which packages are missing. Sources are fetched by `apt-get source` to --folder; those that are
+there already (a folder called like the source package) are used as they are.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ NODES = (
         inputs=(("/image", IMAGE),), outputs=("/rotated/image",), loads=Path("/usr/share/image_rotate/nodelet_plugins.xml"),
     ),
 )  # fmt: skip
-# their topics are named on the command line, which the sources alone do not tell
+# their topics are named on the command line, which the sources alone do not say
 OF_THE_LIBRARY = (
     Node("topic-tools", "", "topic_tools", "relay", ("/in", "/out"), (("/in", BOOL),)),
     Node("topic-tools", "", "topic_tools", "throttle", ("messages", "/in", "5", "/out"), (("/in", BOOL),)),

@@ -3,9 +3,9 @@
     benchmarks/souffle_suite.py SOUFFLE_SOURCE_DIR [--only FOLDER] [--test NAME]... [--list]
 
 A case is a folder of `tests/evaluation` or `tests/example` with a program and expected outputs: `.csv` files, and a `.out` file where the
-program prints. It passes when each of them has the same lines, each as often, in any order, and when no `.csv` is written besides; so does
-souffle compare them. In `tests/semantic` and `tests/syntactic` there are programs without outputs too: a program that souffle refuses
-passes when it is refused, without a traceback. Prints a table, and the cases that do not pass with the reason. The exit code is 1 when one
+program prints. It passes when each of them has the same lines, each as often, in any order, and when no further `.csv` is written; so does
+souffle compare them. In `tests/semantic` and `tests/syntactic` there are programs without outputs too: a program that souffle rejects
+passes when it is rejected, without a traceback. Prints a table, and the cases that do not pass with the reason. The exit code is 1 when one
 does not pass.
 """
 

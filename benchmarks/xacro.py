@@ -4,7 +4,7 @@
 
 ORACLE.jsonl has one JSON object per file below ROOT: `file`, the `arguments` it was evaluated with, if any (a list of `name:=value`), and
 either the `text` that xacro printed or the `exception` it stopped with. ROOT is the package path. The first difference of each file is
-listed; the exit code is 1 if there is one. A file that xacro refuses must be refused by rosarch.
+listed; the exit code is 1 if there is one. A file that xacro rejects must be rejected by rosarch.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ def script() -> int:
         from rosarch.cli.main import main
 
         return main()
-    except KeyboardInterrupt:  # while modules are loaded; later it is `main` that tells
+    except KeyboardInterrupt:  # while modules are loaded; later it is `main` that reports it
         print("rosarch: interrupted", file=sys.stderr)
         return 128 + signal.SIGINT
 

@@ -96,7 +96,7 @@ def make_policy(
     fail_on: FailOn | None = None,
     exit_zero: bool = False,
 ) -> Policy:
-    """What a workspace and its user want to be told; the options overrule the file."""
+    """What a workspace and its user want reported; the options overrule the file."""
     from rosarch.findings.policy import Policy, identifiers
 
     known = identifiers(checks)

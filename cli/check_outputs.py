@@ -39,7 +39,7 @@ class Destinations:
 
 
 def parse_destinations(formats: str, outputs: Sequence[str] | None) -> Destinations:
-    """What `--format` and `--output` say: better refused before a long analysis than after it."""
+    """What `--format` and `--output` say: better rejected before a long analysis than after it."""
     from rosarch.reports.findings import LINE_FORMATS
 
     stdout = tuple(dict.fromkeys(_format(name.strip(), f"--format {formats}") for name in formats.split(",")))

@@ -77,7 +77,7 @@ SUMMARIES = {
 
 
 class Group(TyperGroup):
-    """A group whose help tells all that its sub-commands do, and not the beginning of that."""
+    """A group whose help lists all that its sub-commands do, and not the beginning of that."""
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """What each sub-command does."""

@@ -90,7 +90,7 @@ def facts_of(component: SelectedComponent, program: Program) -> Facts:
 
 
 def check_profile(profiled: bool, engine: Engine) -> None:
-    """Refuse a profile of an engine that is not measured."""
+    """Reject a profile of an engine that is not measured."""
     if profiled and engine is not Engine.embedded:
         raise InputError("--profile measures the embedded engine; souffle has a profiler of its own")
 

@@ -25,7 +25,7 @@ def run(command: Callable[[], Any], traceback: bool = False) -> int:
     """Run `command`; turn every exception into one line on stderr and an exit code."""
     try:
         result = command()
-        if result == INTERRUPTED:  # so typer tells of Ctrl-C
+        if result == INTERRUPTED:  # so typer reports Ctrl-C
             raise KeyboardInterrupt
         return result if isinstance(result, int) else CLEAN
     except (KeyboardInterrupt, typer.Abort):

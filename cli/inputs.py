@@ -77,7 +77,7 @@ def extraction_cache(wanted: bool) -> Cache | None:
 
 
 def check_diagnostics(folder: Path, found: int, diagnostics: Iterable[Diagnostic]) -> None:
-    """Refuse input that gave nothing to work on: no package, an unknown package, only broken packages, rules that fail on all of it."""
+    """Reject input that gave nothing to work on: no package, an unknown package, only broken packages, rules that fail on all of it."""
     from rosarch.base.diagnostics import shortened
 
     diagnostics = list(diagnostics)
@@ -149,7 +149,7 @@ def _load_facts(folder: Path, packages: Collection[str] | None, method: Method) 
 
 
 def check_engine(engine: str) -> None:
-    """Refuse an engine that is not installed, or too old: better before a long extraction than after it."""
+    """Reject an engine that is not installed, or too old: better before a long extraction than after it."""
     if engine == Engine.souffle.value:
         import shutil
 

@@ -93,7 +93,7 @@ def _package_path(given: Sequence[Path] | None, default: list[Path], variables: 
 
 
 def _default_path(file: Path, variables: dict[str, str]) -> list[Path]:
-    """The folders of ROS_PACKAGE_PATH; without it, the workspace that `file` lies in."""
+    """The folders of ROS_PACKAGE_PATH; without it, the workspace that `file` is in."""
     if variables.get("ROS_PACKAGE_PATH"):
         from rosarch.base.boundary import ros_package_path
 

@@ -1,4 +1,4 @@
-"""What a sub-command writes: folders that are refused before an analysis, or that get all of their files or none."""
+"""What a sub-command writes: folders that are rejected before an analysis, or that get all of their files or none."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rosarch.cli.errors import InputError
 
 
 def check_output(out: Path) -> None:
-    """Refuse an output folder that cannot be written to or made: better before a long analysis than after it."""
+    """Reject an output folder that cannot be written to or made: better before a long analysis than after it."""
     there = next((folder for folder in (out, *out.parents) if os.path.lexists(folder)), out)
     if not os.path.isdir(there):
         raise InputError(f"{there}: not a folder")
@@ -55,5 +55,5 @@ def _encoded(text: str) -> bytes:
 
 
 def unwritable(out: Path, error: OSError) -> InputError:
-    """The error for an output that refuses what is written to it."""
+    """The error for an output that rejects what is written to it."""
     return InputError(f"{error.filename or out}: cannot write ({(error.strerror or str(error)).lower()})")

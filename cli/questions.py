@@ -1,4 +1,4 @@
-"""What sub-commands are asked about, and how that is read: the arguments and options that several of them have, told once."""
+"""What sub-commands are asked about, and how that is read: the arguments and options that several of them have, defined once."""
 
 from __future__ import annotations
 

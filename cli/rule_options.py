@@ -44,7 +44,7 @@ Settings = Annotated[
 
 
 def parse_rules(own: Sequence[Path] | None = None, variants: Sequence[str] | None = None, options: Sequence[str] | None = None) -> RuleSet:
-    """The rules that the options name, checked. What files of the user's own override is told on stderr."""
+    """The rules that the options name, checked. What files of the user's own override is reported on stderr."""
     from rosarch.rule_programs.choice import SHIPPED
 
     if not (own or variants or options):

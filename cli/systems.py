@@ -80,7 +80,7 @@ EVERY = "*"
 def load_systems(inputs: SystemInputs, configuration: Configuration | None = None, *, required: bool = False) -> SystemAnalysis:
     """Compose and check the systems of a workspace: those that the options name, or else the configuration, or else all.
 
-    When some are `required`, a workspace without launch files is refused.
+    When some are `required`, a workspace without launch files is rejected.
     """
     where = _environment(inputs, configuration)
     with _confined(inputs, where):
@@ -184,13 +184,13 @@ def _analyze(
 
 
 def _method(inputs: SystemInputs, configuration: Configuration | None, report: Progress | None = None) -> Method:
-    """By what these systems are analysed, with what the configuration tells."""
+    """By what these systems are analysed, with what the configuration says."""
     library = tuple(map(check_folder, inputs.method.library))
     return replace(inputs.method.reporting_to(report), library=library, rates=configuration.rates if configuration else ())
 
 
 def _memo(inputs: SystemInputs, where: LaunchEnvironment) -> Memo | None:
-    """What is known of earlier runs; nothing of those of another program than rosarch's own engine, which may be another one now."""
+    """What is known about earlier runs; nothing of those of another program than rosarch's own engine, which may be another one now."""
     from rosarch.base.memo import Memo
 
     cache = inputs.method.sources.cache

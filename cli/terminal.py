@@ -1,4 +1,4 @@
-"""What is shown besides the report: progress and diagnostics, on stderr."""
+"""What is shown in addition to the report: progress and diagnostics, on stderr."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 REFRESH_SECONDS = 0.1
 _reports: list[Callable[[str, int, int], None]] = []
-"""What is told of progress at the moment: a terminal has room for one display."""
+"""The progress that is shown at the moment: a terminal has room for one display."""
 
 
 def emit_lines(text: str) -> None:
@@ -53,14 +53,14 @@ def is_terminal() -> bool:
 
 
 def show_diagnostics(diagnostics: Iterable[Diagnostic], verbose: bool, base: Path | None = None) -> None:
-    """Tell on stderr what was not understood; paths are relative to `base`, by default to the current folder."""
+    """Report on stderr what was not understood; paths are relative to `base`, by default to the current folder."""
     from rosarch.reports.diagnostics import diagnostics_text
 
     sys.stderr.write(diagnostics_text(diagnostics, base or Path.cwd(), complete=verbose))
 
 
 def show_remaining(analysis: SystemAnalysis | CheckResult, folder: Path, verbose: bool) -> None:
-    """Tell on stderr what of systems was not understood: all of it, or in short what no finding tells."""
+    """Report on stderr what of systems was not understood: all of it, or in short what no finding reports."""
     from rosarch.reports.diagnostics import diagnostics_summary
 
     if verbose:
@@ -73,7 +73,7 @@ def show_remaining(analysis: SystemAnalysis | CheckResult, folder: Path, verbose
 
 
 def show_note(text: str) -> None:
-    """Tell on stderr what a reader of the report should know."""
+    """Print on stderr what a reader of the report should know."""
     from rosarch.reports.printable import printable
 
     sys.stderr.write(f"rosarch: {printable(text)}\n")

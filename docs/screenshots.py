@@ -19,7 +19,7 @@ THEMES = ("light", "dark")
 
 
 def take(browser: Browser, folder: Path, name: str, theme: str) -> None:
-    """One picture: the whole window, or what lies below the place that is linked to."""
+    """One picture: the whole window, or what is below the place that is linked to."""
     example, where, ready, (width, height) = SCENES[name]
     page = browser.new_page(viewport={"width": width, "height": height}, color_scheme=theme, device_scale_factor=1.25)  # type: ignore[arg-type]
     page.goto(f"{(folder / f'{example}.html').as_uri()}#/{where}")

@@ -1,4 +1,4 @@
-"""What mkdocs does besides: files elsewhere in the repository that the pages link to are part of the site, and links to them lead there."""
+"""Additions to mkdocs: files elsewhere in the repository that the pages link to are part of the site, and links to them lead there."""
 
 from __future__ import annotations
 

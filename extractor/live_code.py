@@ -1,7 +1,7 @@
 """The live code of a component: functions that its start mentions, through any number of others.
 
 A function counts as mentioned where it is called or its address is taken, and with all methods of its class where an object of that class
-may be: where a type tells of it. That is rapid type analysis (Bacon and Sweeney, OOPSLA 1996), but for all methods instead of those that
+may be: where a type shows it. That is rapid type analysis (Bacon and Sweeney, OOPSLA 1996), but for all methods instead of those that
 are called: it is for the rules to say what really runs. What no function of the component mentions, as most of a large library, is no
 fact of the component.
 """

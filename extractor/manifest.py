@@ -1,4 +1,4 @@
-"""`manifest.json`: what a folder of facts was made from, so that a stale or damaged one is refused."""
+"""`manifest.json`: what a folder of facts was made from, so that a stale or damaged one is rejected."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def _is_manifest(path: Path) -> bool:
 
 
 def _entry(data: dict[str, Any]) -> FactsEntry:
-    """An entry as it was written; its names become paths, so that others are refused."""
+    """An entry as it was written; its names become paths, so that others are rejected."""
     entry = FactsEntry(**{**data, "sources": tuple(data["sources"])})
     for name in (entry.package, entry.component):
         if name != file_name(name):
@@ -169,7 +169,7 @@ def read_manifest(folder: Path) -> Manifest:
 
 
 def require_unchanged(root: Path, hashes: Mapping[str, str]) -> None:
-    """Refuse facts of sources that are still there and have other contents now; `hashes` are those they had, by path from `root`.
+    """Reject facts of sources that are still there and have other contents now; `hashes` are those they had, by path from `root`.
 
     Raises:
         ManifestError: a source has changed.

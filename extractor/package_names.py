@@ -11,7 +11,7 @@ _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 
 IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
-"""Files that hide a folder, with all that lies below it, from the tools that build."""
+"""Files that hide a folder, with all that is below it, from the tools that build."""
 HEAVY_FOLDERS = frozenset({"node_modules", "__pycache__", "venv", "site-packages"})
 TEMPLATES = frozenset({"template", "templates"})
 NO_PACKAGES = HEAVY_FOLDERS | TEMPLATES | {"test", "tests"}

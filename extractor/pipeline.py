@@ -94,7 +94,7 @@ class ComponentFacts:
 class Extraction:
     """The facts of all components; use as a context manager, its temporary files go with it.
 
-    `seconds` is the time that each source took, `built` the number of sources that a compile command tells of, `installed` the packages
+    `seconds` is the time that each source took, `built` the number of sources that a compile command names, `installed` the packages
     of the workspace that count as installed, `folders` those of the packages that were read, `programs` package and name of all executables
     that targets build and of the components that they register, `builds` what the packages that were read come to.
     """

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from rosarch.base.cache import Cache
 
 Progress = Callable[[str, int, int], None]
-"""Is told at which stage how many are done, and of how many."""
+"""Is called with the stage and how many are done, and of how many."""
 
 
 @dataclass(frozen=True)

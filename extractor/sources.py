@@ -43,7 +43,7 @@ class Sources:
         return tuple(files.path(key) for key in (file.key, *file.headers))
 
     def lacks(self, outcome: UnitFile | Failure) -> bool:
-        """Whether a unit has rows that are not at hand."""
+        """Whether a unit has rows that are not available."""
         return isinstance(outcome, UnitFile) and not self.paths(outcome)[0].is_file()
 
 

@@ -1,6 +1,6 @@
 """Comments by which an author says that a finding is not to be reported: `rosarch: ignore[check-id] reason`.
 
-A comment that stands behind code is about that line; one that stands alone is about the next line with anything but comments. In XML, where
+A comment that follows code is about that line; one that stands alone is about the next line with anything but comments. In XML, where
 no comment fits into a tag, it is about every line of the tag.
 """
 
@@ -52,7 +52,7 @@ _NAMED = {"CMakeLists.txt": _CMAKE}
 
 @dataclass(frozen=True, order=True)
 class Suppression:
-    """A comment that suppresses findings of `checks` on the lines `first` to `last` of `path`; it stands at `line` and `column`."""
+    """A comment that suppresses findings of `checks` on the lines `first` to `last` of `path`; it is at `line` and `column`."""
 
     path: str
     line: int

@@ -32,7 +32,7 @@ class UnitIndex:
 
     @classmethod
     def load(cls, cache: Cache, key: Iterable[str], rests_on: tracing.Recording) -> UnitIndex:
-        """The index of the units that are made by the parameters `key` from what `rests_on` has seen, besides their files."""
+        """The index of the units that are made by the parameters `key` from what `rests_on` has seen, in addition to their files."""
         name = hash_of(["units", extractor_version(), *folders(), "", *rests_on.trees, "", *key])
         index = cls(cache, name, _guard(rests_on), tracing.Trace(rests_on.trees, {}, {}, {}))
         guard, then, units = cache.load_value(name, tuple) or ("", index.trace, {})

@@ -43,7 +43,7 @@ class UnitStore:
         return None if data is None else marshal.loads(data)[0]
 
     def has(self, key: str) -> bool:
-        """Whether there is such a file, of this run or of an earlier one, which then lies below `scratch`."""
+        """Whether there is such a file, of this run or of an earlier one, which then is below `scratch`."""
         path = self.path(key)
         return path.is_file() or (self.cache is not None and self.cache.load_to(path, key) is not None)
 

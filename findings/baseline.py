@@ -1,6 +1,6 @@
 """A baseline: the findings a team has decided to live with for now, so that only new ones are reported.
 
-It knows findings by their fingerprints, which line shifts do not change. Equal findings of one file are told apart by number alone: when a
+It knows findings by their fingerprints, which line shifts do not change. Equal findings of one file are counted, not distinguished: when a
 file had two and has three now, one is new.
 """
 

@@ -22,7 +22,7 @@ class LaunchChoice:
 
 @dataclass(frozen=True)
 class RateGiven:
-    """How many messages a second pass through `topic`: from `low` to `high`."""
+    """How many messages per second pass through `topic`: from `low` to `high`."""
 
     topic: str
     low: float

@@ -22,7 +22,7 @@ def read_configuration(text: str, path: str, checks: Collection[str]) -> Configu
     """The configuration in a text; `path` is what messages call the file, `checks` are the ids of all checks.
 
     Raises:
-        ConfigurationError: something in it is wrong; all that is wrong is told.
+        ConfigurationError: something in it is wrong; all errors are reported.
     """
     reader = _Reader(path, checks)
     try:

@@ -22,7 +22,7 @@ SLOW = 2.0  # seconds for one source: beyond, a reader will want to know
 
 @dataclass(frozen=True)
 class UnknownName:
-    """A port whose name the source does not tell."""
+    """A port whose name the source does not give."""
 
     component: str
     kind: str
@@ -37,7 +37,7 @@ class Health:
 
     components: int = 0
     sources: int = 0
-    built: int = 0  # sources that a compile command tells of
+    built: int = 0  # sources that a compile command names
     installed: tuple[str, ...] = ()  # packages of the workspace whose declarations rosarch brings
     missing: dict[str, set[str]] = field(default_factory=lambda: defaultdict(set))  # header to the files that include it
     macros: dict[str, set[Place]] = field(
@@ -79,7 +79,7 @@ def examine(
     *,
     rules: RuleSet = SHIPPED,
 ) -> Health:
-    """Read and analyse the components of `packages` below `root` anew, by `rules`, and tell how well that went. See also `extract`."""
+    """Read and analyse the components of `packages` below `root` from scratch, by `rules`, and report how well it went. See `extract`."""
     program, health = component_program(rules), Health()
     asserted = sorted(name for name in program.relations if name.startswith("assert_"))
     keep = ["port", "port_unknown", "node_location", *asserted]

@@ -26,7 +26,7 @@ Severities = tuple[tuple[str, str], ...]
 
 @dataclass(frozen=True)
 class Policy:
-    """What a team or a user wants to be told.
+    """What a team or a user wants reported.
 
     Of the layers of `severities` a later one overrules an earlier one: the command line the configuration file. In a layer the pattern that
     says most about the id decides, of equal ones the last.

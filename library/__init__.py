@@ -1,4 +1,4 @@
-"""Interfaces of common nodes, nodelets and plug-ins whose source is not at hand."""
+"""Interfaces of common nodes, nodelets and plug-ins whose source is not available."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ def library_documents(models: Iterable[ComponentModel], origin: str, revision: s
 
 
 def component_document(model: ComponentModel) -> dict[str, Any]:
-    """One component: without source lines and callbacks, and without what is not known, of which `open` tells."""
+    """One component: without source lines and callbacks, and without what is not known, which `open` lists."""
     ports = [port for port in model.ports if UNKNOWN not in port.name or _parameter(port)]
     accesses = [*model.params, *model.reconfigurable]
     params = [parameter for parameter in accesses if UNKNOWN not in parameter.name]
@@ -63,7 +63,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
 
 
 def _kind(model: ComponentModel) -> str:
-    """What kind of component it is; whether others manage its life is not told."""
+    """What kind of component it is; whether others manage its life is not said."""
     if model.kind != MANAGED:
         return model.kind
     return "component" if model.plugin else "node"

@@ -1,7 +1,7 @@
 """Several sources of one component laid over each other.
 
-What was generated from sources is the base, the first that there is; what was written by hand is laid over it, so that a base can be
-generated anew without loss.
+What was generated from sources is the base, the first that exists; what was written by hand is laid over it, so that a base can be
+generated again without loss.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def _joined(base: Iterable[Document], overlay: Iterable[Document]) -> list[Docum
 
 
 def _identity(item: Document) -> tuple[Any, ...]:
-    """What tells a port or parameter from the others: its name, or else that which tells the name."""
+    """What distinguishes a port or parameter from the others: its name, or else what gives the name."""
     if "name" in item:
         return item.get("kind"), item["name"]
     return item.get("kind"), *(item.get(source) for source in ("from_param", "from_arg", "param_pattern", "pattern"))

@@ -1,7 +1,7 @@
 """What the library knows about a component.
 
 That is the part of a component model that matters to a composed system, and how names are made from what only a launch file or a robot's
-description tells.
+description says.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ GENERATED, BY_HAND = "generated", "by hand"
 
 
 def _given(row: LibraryPort | LibraryParameter) -> dict[str, Any]:
-    """The fields that say something; a name that only a launch file tells is `?`."""
+    """The fields that say something; a name that only a launch file gives is `?`."""
     said = {
         key: value for key, value in vars(row).items() if value is not None and (key == "default" or (value is not False and value != {}))
     }
@@ -24,7 +24,7 @@ def _given(row: LibraryPort | LibraryParameter) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class LibraryPort:
-    """A port; see `docs/library.md`. `name` is None where only an argument or a parameter tells it."""
+    """A port; see `docs/library.md`. `name` is None where only an argument or a parameter gives it."""
 
     kind: str
     name: str | None = None

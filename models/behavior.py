@@ -375,7 +375,7 @@ def _transitions(
 
 @dataclass(frozen=True)
 class _Change:
-    """An assignment, as an activity comes to it; `called` tells apart those that it comes to with different values."""
+    """An assignment, as an activity comes to it; `called` distinguishes those that it comes to with different values."""
 
     assignment: str
     variable: str

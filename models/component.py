@@ -30,8 +30,8 @@ Relations = Mapping[str, Iterable[Row]]
 class Port:
     """A place where a component meets others; the fields are those of `FORMAT.md`.
 
-    `unknown` tells why a name is not known, `in_namespace` where it has the namespace of the node: `first` (though it looks
-    absolute) or `inside`. `qos` are the policies of its quality of service that are told, each with its setting.
+    `unknown` says why a name is not known, `in_namespace` where it has the namespace of the node: `first` (though it looks
+    absolute) or `inside`. `qos` are the policies of its quality of service that are known, each with its setting.
     """
 
     id: str
@@ -63,7 +63,7 @@ class Parameter:
 
 
 CONFIGURED = "@"
-"""Stands in the title of a model before the key of a configuration."""
+"""Appears in the title of a model before the key of a configuration."""
 
 
 def component_of(title: str) -> str:
@@ -84,7 +84,7 @@ class ComponentModel:
     """One component.
 
     `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads,
-    `unseen` tells what it may have beside all that,
+    `unseen` says what it may have beside all that,
     `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
@@ -121,7 +121,7 @@ class ComponentModel:
 
     @property
     def title(self) -> str:
-        """Tells the model from others: package, component and, where it is that of certain nodes, the key of their configuration."""
+        """Unique among models: package, component and, where it is that of certain nodes, the key of their configuration."""
         return f"{self.package}/{self.component}{CONFIGURED * bool(self.configuration)}{self.configuration}"
 
     @property
@@ -264,7 +264,7 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
 
 
 def _qualities(relations: Relations) -> dict[Any, tuple[tuple[str, str], ...]]:
-    """The settings of each port's policies; of a policy that may have several none is told."""
+    """The settings of each port's policies; of a policy that may have several none is given."""
     settings: dict[tuple[Any, str], list[str]] = defaultdict(list)
     for port, policy, setting in relations["port_quality"]:
         settings[port, policy].append(setting)
@@ -276,7 +276,7 @@ def _qualities(relations: Relations) -> dict[Any, tuple[tuple[str, str], ...]]:
 
 
 def _setting(text: str) -> str:
-    """A setting as it is told: what was calculated, a time, as its number."""
+    """A setting as it is shown: what was calculated, a time, as its number."""
     number = calculated(text) if text.startswith("(") else None
     return text if number is None else format(number, "g")
 

@@ -16,7 +16,7 @@ from rosarch.datalog.language.errors import DatalogError
 from rosarch.models.behavior import variable_names
 
 DEPTH = 5
-"""Steps below the row that is asked about; what lies deeper, `rosarch explain` tells."""
+"""Steps below the row that is asked about; what lies deeper, `rosarch explain` shows."""
 Row = tuple[Any, ...]
 
 
@@ -24,7 +24,7 @@ Row = tuple[Any, ...]
 class ProofStep:
     """A row or condition, the rule that it follows from (or what else it is), and the numbers of the steps it rests on; `cut`: not all.
 
-    A fact tells where what it is about lies, `at`.
+    A fact says where what it is about lies, `at`.
     """
 
     text: str
@@ -56,7 +56,7 @@ def derivations(
 ) -> Derivations:
     """The proofs of `wanted`, as far as there are any.
 
-    `shorten` makes paths of rule files shorter, `places` tells where things lie that facts are about.
+    `shorten` makes paths of rule files shorter, `places` says where things lie that facts are about.
     """
     table = _Table(Prover(rules_of(program), store), shorten, places)
     roots: dict[str, tuple[Node, int]] = {}

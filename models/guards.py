@@ -46,7 +46,7 @@ class Way:
         return words.intersection(known)
 
     def given(self, values: Mapping[str, str], fixed: Collection[str], called: Place | None) -> Way:
-        """The same, seen from the caller: the words of conditions stay, what they mean is told; a constant is what an expression is."""
+        """Seen from the caller: the words of conditions stay, their meaning gets the values; a constant is what an expression is."""
         constants = {name: value for name, value in values.items() if _is_constant(value)}
         guard = either(_given(conjunction, values) for conjunction in alternatives(self.guard)) if values else self.guard
         return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), called)

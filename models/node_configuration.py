@@ -16,7 +16,7 @@ Argument = tuple[str, int, str]
 
 @dataclass(frozen=True)
 class NodeConfiguration:
-    """What is known of a node before it runs; parameters go by the names that its code has for them.
+    """What is known about a node before it runs; parameters go by the names that its code has for them.
 
     `values` are a parameter and a text, several for a list; `empty` are lists without elements; `unknown` are set to what is not known.
     When it is `open`, more may be set. With an `entry`, the node is an object of that class, which another node makes; `arguments` are what
@@ -39,7 +39,7 @@ class NodeConfiguration:
 
     @cached_property
     def key(self) -> str:
-        """Tells it from others."""
+        """Distinguishes it from others."""
         return hash_of(repr((one.name, getattr(self, one.name))) for one in fields(self))[:12]
 
     def rows(self) -> Rows:

@@ -1,4 +1,4 @@
-"""What was not seen of components and systems, in words: the reasons that rules give (`openness.dl` of components and systems)."""
+"""What was not seen of components and systems, as text: the reasons that rules give (`openness.dl` of components and systems)."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _REASONS = {
 
 
 def reason_text(kind: str, subject: str) -> str:
-    """A reason in words; `subject` is the name of a function, a class, a file."""
+    """A reason as text; `subject` is the name of a function, a class, a file."""
     return _REASONS[kind].format(subject)
 
 
@@ -47,7 +47,7 @@ class Unseen:
 
     @property
     def reason(self) -> str:
-        """The reason in words."""
+        """The reason as text."""
         return reason_text(self.kind, self.subject)
 
 

@@ -76,7 +76,7 @@ def sent_while_starting(relations: Relations, places: Mapping[str, Place], ports
 
 
 def switched_json(each: Switched) -> dict[str, Any]:
-    """What compositions are told of it."""
+    """What compositions need of it."""
     return {
         "at": str(each.at),
         "ports": list(each.ports),

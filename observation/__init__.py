@@ -1,1 +1,1 @@
-"""What only a run can tell: recordings, live graphs and experiments, compared with what the rules derive from sources."""
+"""What only a run can show: recordings, live graphs and experiments, compared with what the rules derive from sources."""

@@ -1,4 +1,4 @@
-"""A live graph, as its master and its nodes tell of it: one snapshot, or several over time."""
+"""A live graph, as its master and its nodes report it: one snapshot, or several over time."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Snapshot:
 
 
 class Graph:
-    """The graph of the master at `uri`, which is asked and never told anything."""
+    """The graph of the master at `uri`, which is asked and never changed."""
 
     def __init__(self, uri: str, seconds: float = 3.0) -> None:
         self._uri = uri
@@ -94,7 +94,7 @@ class Graph:
         return Snapshot(at, state, types, frozenset(self._master.call("getParamNames")), frozenset(connections), silent)
 
     def _services(self, state: State, silent: dict[str, str]) -> dict[str, str]:
-        """The types of services, which only those tell who serve them."""
+        """The types of services, which only their servers report."""
         wanted = [service for node, service in state.services if service not in self._service_types and node not in silent]
         if wanted:
             with Peer(self._uri, NAME, self._seconds) as peer:
@@ -105,7 +105,7 @@ class Graph:
 
 
 def _connections(node: str, rows: Any, names: dict[str, str]) -> set[tuple[str, str, str]]:
-    """Those of a node; the other end is told by its name or its address."""
+    """Those of a node; the other end is given by its name or its address."""
     found = set()
     for row in rows:
         with suppress(ValueError, TypeError, AttributeError):

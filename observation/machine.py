@@ -33,7 +33,7 @@ class Expected:
         return Expected(self.must | other.must, self.may | other.may)
 
     def excludes(self, other: Expected) -> bool:
-        """Whether what is seen tells the two apart."""
+        """Whether what is seen distinguishes the two."""
         return not self.must <= other.may or not other.must <= self.may
 
     def fits(self, seen: frozenset[str]) -> bool:

@@ -1,7 +1,7 @@
 """A private master: the registry and the parameters of a ROS 1 graph, in this process, on loopback.
 
 It follows http://wiki.ros.org/ROS/Master_API and http://wiki.ros.org/ROS/Parameter%20Server%20API. Since every node asks it, it knows more
-than a master tells: which parameters each node reads, and which services it looks up.
+than a master reports: which parameters each node reads, and which services it looks up.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Master:
         self._server.close()
 
     def _notify_nodes(self) -> None:
-        """Tell nodes what has changed, one after the other, in the order of the changes."""
+        """Notify nodes of what has changed, one after the other, in the order of the changes."""
         while (job := self._notices.get()) is not None:
             api, method, arguments = job
             with suppress(CallError):

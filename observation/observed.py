@@ -15,7 +15,7 @@ _GRAPH = ("node", "topic", "publisher", "subscriber", "service_server", "paramet
 """Of these, a live graph shows all that are there."""
 _UNTOLD = "?"
 _FEWEST = 10
-"""Of fewer intervals no rate is told, of fewer inputs no answers."""
+"""Of fewer intervals no rate is reported, of fewer inputs no answers."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ def recorded_rows(recorded: Recorded) -> Rows:
 
 
 def _rate_of(streams: Sequence[Stream]) -> float | None:
-    """Messages a second of all senders of a topic together; None when there are too few to tell."""
+    """Messages per second of all senders of a topic together; None when there are too few for a rate."""
     if any(stream.latched for stream in streams) or sum(stream.arrivals.count for stream in streams) <= _FEWEST:
         return None
     rates = [stream.arrivals.hz for stream in streams if stream.arrivals.count > 1]

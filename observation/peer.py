@@ -184,7 +184,7 @@ class Peer:
         """What is served.
 
         Raises:
-            CallError: nobody tells.
+            CallError: nobody answers.
         """
         try:
             connection, fields = self._call_service(service, {"probe": "1"})

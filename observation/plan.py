@@ -1,4 +1,4 @@
-"""A plan of experiments: for each reaction and transition of a component, the shortest way to it, and to what tells that it happened."""
+"""A plan of experiments: for each reaction and transition of a component, the shortest way to it, and to what shows that it happened."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Given = Input | None
 
 _MOST_BELIEFS = 400
 _FURTHER = 2
-"""So many more inputs may follow until something tells."""
+"""So many more inputs may follow until something shows it."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Stimulus:
 
 @dataclass(frozen=True)
 class Experiment:
-    """Stimuli, the last of which tells: it ends as expected if the `row` of the model is right, and `otherwise` if it is not."""
+    """Stimuli, the last of which is decisive: it ends as expected if the `row` of the model is right, and `otherwise` if it is not."""
 
     row: Row
     stimuli: tuple[Stimulus, ...]

@@ -22,7 +22,7 @@ from rosarch.observation.subject import Subject
 
 CONFIRMED, REFUTED, UNREACHED = "confirmed", "refuted", "not reached"
 _PATIENCE = 0.25
-"""Seconds that something may take besides the rounds of loops."""
+"""Seconds that something may take in addition to the rounds of loops."""
 _GRACE = 0.1
 """So long after an input, what was sent before it may still come."""
 _TRIES = 3

@@ -19,7 +19,7 @@ class RecordingError(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Channel:
-    """What one sender recorded on one topic; `sender` is None when the recording does not tell.
+    """What one sender recorded on one topic; `sender` is None when the recording does not say.
 
     `stamped` is where a message has its header, None when its type has none or is not known.
     """
@@ -44,7 +44,7 @@ class Recording(Protocol):
     """A recording that is open."""
 
     def messages(self, damage: Damage) -> Iterator[Item]:
-        """All messages that can be read; what cannot is told to `damage`."""
+        """All messages that can be read; what cannot is added to `damage`."""
 
 
 _CONSTANT = re.compile(r"\w+(?:/\w+)?\s+\w+\s*=")

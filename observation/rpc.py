@@ -17,7 +17,7 @@ SUCCESS = 1
 
 
 class CallError(Exception):
-    """A server that does not answer, or refuses; the text is one line that says which and why."""
+    """A server that does not answer, or rejects the call; the text is one line that says which and why."""
 
 
 class _TimedTransport(Transport):

@@ -28,7 +28,7 @@ def is_open(model: ComponentModel) -> bool:
 
 
 def settle(model: ComponentModel, name: str, command: Sequence[str], rules: SystemRules, engine: str) -> tuple[Filled, ...]:
-    """Start the node in a private graph, and tell what it has where its model leaves a name open: several names of one port are possible.
+    """Start the node in a private graph, and report what it has where its model leaves a name open: several names of one port are possible.
 
     Raises:
         StartError: it does not come up.

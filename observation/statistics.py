@@ -90,7 +90,7 @@ class Arrivals:
 
     @property
     def hz(self) -> float | None:
-        """Messages a second; None when there are fewer than two."""
+        """Messages per second; None when there are fewer than two."""
         return (self.count - 1) / (self.last - self.first) if self.count > 1 and self.last > self.first else None
 
     def gaps(self) -> list[tuple[float, float]]:

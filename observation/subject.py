@@ -50,7 +50,7 @@ class Subject:
 
     @cached_property
     def places(self) -> Mapping[str, Place]:
-        """Its ports by id, of those that names and types are known of."""
+        """Its ports by id: those whose names and types are known."""
         return {port["id"]: place for port in self.document.get("ports") or () if (place := self._place(port)) is not None}
 
     def _place(self, port: Mapping[str, str]) -> Place | None:

@@ -79,7 +79,7 @@ class Answers:
 class Summary:
     """What was recorded from `begin`, in seconds of the epoch, for so many `seconds`.
 
-    `stamped` are delays between messages of one stamp, `ordered` tells of pairs that were asked about what follows what; `undefined` are
+    `stamped` are delays between messages of one stamp, `ordered` says of pairs that were asked about what follows what; `undefined` are
     types without definition, of whose messages the headers are not read.
     """
 
@@ -98,7 +98,7 @@ class Summary:
 
 
 def summarise(recording: Recording, pairs: Collection[Pair] = ()) -> Summary:
-    """Read a recording once; of `pairs` it is told how what is sent on the second follows what arrives on the first."""
+    """Read a recording once; of `pairs` the summary says how what is sent on the second follows what arrives on the first."""
     reader = _Reader(pairs)
     for item in recording.messages(reader.summary.damage):
         reader.add(item)

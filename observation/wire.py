@@ -16,7 +16,7 @@ class WireError(Exception):
 
 
 def packed_fields(fields: Mapping[str, str]) -> bytes:
-    """Fields as they stand at the head of a connection, without the length of all."""
+    """Fields as they are at the head of a connection, without the length of all."""
     items = [f"{name}={value}".encode() for name, value in fields.items()]
     return b"".join(_LENGTH.pack(len(item)) + item for item in items)
 

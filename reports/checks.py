@@ -1,4 +1,4 @@
-"""The checks that there are, as a list, explained one by one, and as the reference in `docs/`."""
+"""The checks that exist, as a list, explained one by one, and as the reference in `docs/`."""
 
 from __future__ import annotations
 

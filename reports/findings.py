@@ -1,4 +1,4 @@
-"""What the reports of findings share: the formats there are, and what a writer is given besides the findings."""
+"""What the reports of findings share: the formats there are, and what a writer is given in addition to the findings."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class Setting:
     """Where a report is read.
 
     `read` gives the text of a file of the workspace, or None. `folder` is the workspace as seen from where the reader stands, empty when
-    that is the workspace itself: people, editors and services find a file by the path that begins there. `notes` tells whether people want
-    notes, `scope` in words what was checked. `rules` describes rules other than those that ship, see `described`.
+    that is the workspace itself: people, editors and services find a file by the path that begins there. `notes` says whether people want
+    notes, `scope` describes what was checked. `rules` describes rules other than those that ship, see `described`.
     """
 
     read: Callable[[str], str | None] = field(default=lambda _path: None)
@@ -75,7 +75,7 @@ class Alike:
 
     @property
     def systems(self) -> list[str]:
-        """The systems that have the fault, in words and printable; of many the first ones."""
+        """The systems that have the fault, as printable text; of many the first ones."""
         return _some([printable(name) for name in dict.fromkeys(name for each in (self.first, *self.others) for name in each.systems)])
 
     @property

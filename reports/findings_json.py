@@ -15,7 +15,7 @@ from rosarch.reports.printable import json_text
 
 
 def findings_text(reported: Reported, setting: Setting) -> str:
-    """The document. Its paths are relative to the workspace, `folder` tells where that is."""
+    """The document. Its paths are relative to the workspace, `folder` says where that is."""
     rules: dict[str, Any] = {"rules": setting.rules} if setting.rules else {}
     data: dict[str, Any] = {
         "rosarch": tool_version(),

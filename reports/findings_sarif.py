@@ -48,7 +48,7 @@ class _Results:
         self.occurrences: Counter[str] = Counter()
 
     def all(self) -> list[Json]:
-        """Those that are new come first; without a baseline nothing tells whether one is new."""
+        """Those that are new come first; without a baseline nothing says whether one is new."""
         compared = self.reported.compared
         return [
             *(self._result(finding, {"baselineState": "new"} if compared else {}) for finding in self.reported.shown),

@@ -90,7 +90,7 @@ def _finding(each: Alike, excerpts: Excerpts, setting: Setting, *, excerpted: bo
 
 
 def _excerpt(step: Evidence, excerpts: Excerpts, width: int, severity: str, *, labelled: bool) -> Iterator[Text]:
-    """The source line of a step, what is meant underlined; with `labelled`, the step's text stands behind the underline."""
+    """The source line of a step, what is meant underlined; with `labelled`, the step's text follows the underline."""
     excerpt = excerpts.at(step.place)
     label = f" {printable(step.text)}" if labelled and step.text else ""
     if excerpt is None:

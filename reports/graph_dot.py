@@ -24,11 +24,11 @@ from rosarch.reports.graph_style import (
 )
 from rosarch.reports.printable import printable
 
-COLUMN = 12  # nodes that nothing connects stand in columns of so many
+COLUMN = 12  # nodes that nothing connects are in columns of so many
 
 
 def graph_text(view: View, *, ports: bool = False, with_legend: bool = True) -> str:
-    """One directed graph; with `ports`, connectors tell their types, edges the names that the source has."""
+    """One directed graph; with `ports`, connectors show their types, edges the names that the source has."""
     out = [
         f"digraph {quoted([title(view)])} {{",
         "  rankdir=LR; nodesep=0.15; ranksep=0.7; fontname=Helvetica; fontsize=12; compound=true; newrank=true;",

@@ -26,7 +26,7 @@ _SPECIAL = re.compile(r"[^\w\s.,/~!=&()+*?:-]|-(?=-)|%")
 
 
 def graph_text(view: View, *, ports: bool = False, with_legend: bool = True) -> str:
-    """One flowchart; with `ports`, connectors tell their types, edges the names that the source has."""
+    """One flowchart; with `ports`, connectors show their types, edges the names that the source has."""
     ids = {id_: f"n{number}" for number, id_ in enumerate([*(n.id for n in view.nodes), *(c.id for c in view.connectors)])}
     out = ["---", f'title: "{_escape(title(view))}"', "---", "flowchart LR"]
     groups: dict[str, list[str]] = defaultdict(list)

@@ -1,4 +1,4 @@
-"""How drawings of the system graph tell things apart: the words, shapes and colours that all formats share."""
+"""How drawings of the system graph distinguish things: the words, shapes and colours that all formats share."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def node_lines(node: ViewNode) -> list[str]:
 
 
 def node_details(node: ViewNode) -> str:
-    """What is told of a node beside its label."""
+    """What is shown of a node beside its label."""
     if node.members:
         return printable(", ".join(node.members))
     words = [f"{node.package}/{node.type}"]
@@ -80,7 +80,7 @@ def edge_lines(edge: ViewEdge, connectors: Mapping[str, ViewConnector], *, ports
 
 
 def edge_details(edge: ViewEdge) -> str:
-    """What is told of an edge beside its label."""
+    """What is shown of an edge beside its label."""
     return printable(", ".join(edge.names or edge.ports))
 
 
@@ -128,7 +128,7 @@ def legend(view: View) -> Iterator[LegendEntry]:
 
 
 def hidden_text(view: View) -> str:
-    """What was left out, in words."""
+    """What was left out, as text."""
     words = {"implicit": "implicit", "inside": "inside one group", "one-sided": "one-sided", "tf": "of transforms"}
     parts = [f"{number} {words[reason]}" if reason in words else plural(number, reason) for reason, number in view.hidden.items()]
     return f"not shown: {', '.join(parts)}" if parts else ""

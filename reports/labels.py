@@ -21,7 +21,7 @@ KINDS = {
 
 
 def kind_label(kind: str) -> str:
-    """A port kind in words."""
+    """The words for a port kind."""
     return KINDS.get(kind, kind.replace("_", " "))
 
 

@@ -113,7 +113,7 @@ def _details(node: NodeStart, params: Iterable[ParamSetting]) -> Iterable[tuple[
 
 
 def _owner(name: str, nodes: Iterable[str]) -> str:
-    """The node that a parameter is private to, as its name tells."""
+    """The node that a parameter is private to, as its name says."""
     known = nodes if isinstance(nodes, dict) else set(nodes)
     while name.count("/") > 1:
         name = name.rpartition("/")[0]

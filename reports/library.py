@@ -27,12 +27,12 @@ def list_text(components: Sequence[LibraryComponent]) -> str:
 
 
 def list_json(components: Iterable[LibraryComponent]) -> str:
-    """All that is known of the components, in an array."""
+    """All that is known about the components, in an array."""
     return json_text([component.document() for component in components])
 
 
 def component_json(component: LibraryComponent) -> str:
-    """All that is known of a component."""
+    """All that is known about a component."""
     return json_text(component.document())
 
 

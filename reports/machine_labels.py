@@ -110,7 +110,7 @@ def states_text(region: Region, states: Sequence[int]) -> str:
     seen = [frozenset(values[i] for values in region.states) for i in range(len(region.cells))]
     sides = [frozenset(values[i] for values in chosen) for i in range(len(region.cells))]
     box = [values for values in region.states if all(value in side for value, side in zip(values, sides, strict=True))]
-    if len(box) == len(chosen):  # a box, as far as states exist: only its narrow sides need be told
+    if len(box) == len(chosen):  # a box, as far as states exist: only its narrow sides need be shown
         narrow = [i for i, side in enumerate(sides) if side != seen[i]]
         return ", ".join(_side(region.cells[i].subject, sides[i]) for i in narrow)
     cases = [{cell.subject: frozenset({v}) for cell, v in zip(region.cells, values, strict=True)} for values in chosen]

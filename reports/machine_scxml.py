@@ -2,7 +2,7 @@
 
 Regions are children of a `<parallel>`. A trigger is an event `in.<name>`, a port that is sent to gets an event `out.<name>`. What a
 condition asks of an input is a field of the event's data; conditions on the node's own variables are `In(...)`. A variable whose first
-value the source does not tell waits in `<variable>.undetermined` for an event `init.<variable>.<value>`.
+value the source does not give waits in `<variable>.undetermined` for an event `init.<variable>.<value>`.
 """
 
 from __future__ import annotations
@@ -188,5 +188,5 @@ def _literal(value: str) -> str:
 
 
 def _comment(text: str) -> str:
-    """A text that may stand in an XML comment."""
+    """A text that may appear in an XML comment."""
     return re.sub(r"-(?=-|$)", "- ", "".join(c for c in text if c.isprintable()))

@@ -29,7 +29,7 @@ _WIDE = 130
 
 @dataclass(frozen=True)
 class Line:
-    """What is told about transitions of one kind."""
+    """What is written about transitions of one kind."""
 
     on: str
     target: str
@@ -104,7 +104,7 @@ def _cells(machine: StateMachine, region: Region, arc: Arc, lines: Lines) -> Lin
 
 
 def _folded(rows: Sequence[Line]) -> list[Line]:
-    """Lines that differ in the target alone, as the source does not tell it, as one."""
+    """Lines that differ in the target alone, as the source does not say it, as one."""
     found: dict[Line, list[str]] = {}
     for line in rows:
         found.setdefault(replace(line, target=""), []).append(line.target or "stays")

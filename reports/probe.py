@@ -127,7 +127,7 @@ def results_json(subject: Subject, results: Results) -> str:
 
 
 def scenario_text(subject: Subject, results: Results) -> str:
-    """What was measured, as the part of a scenario for `rosarch simulate` that tells how long reactions take."""
+    """What was measured, as the part of a scenario for `rosarch simulate` that says how long reactions take."""
     reactions = {(row["input"], row["output"]) for row in subject.document.get("reactive") or ()}
     spans: dict[str, list[float]] = defaultdict(list)
     for port, seconds in results.measured.responses.items():

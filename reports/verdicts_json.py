@@ -10,7 +10,7 @@ from rosarch.reports.printable import json_text
 
 
 def verdicts_text(system: str, verdicts: Sequence[Verdict], checker: str) -> str:
-    """One document; a counterexample has its steps, those of `loop` for ever."""
+    """One document; a counterexample has its steps, those of `loop` forever."""
     rows = [
         {
             "property": found.property.name,

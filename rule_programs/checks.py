@@ -27,7 +27,7 @@ class Check:
     """A check, as the block of fields at the head of its file `rules/checks/<id>.dl` describes it.
 
     `message` has the columns of the relation `relation` in braces. `evidence` are columns that have a place, each with a text of the same
-    form ("" for the usual one): first that of the fault, then those that tell how it comes about. `columns` are names and types.
+    form ("" for the usual one): first that of the fault, then those that say how it comes about. `columns` are names and types.
     """
 
     id: str
@@ -107,7 +107,7 @@ def read_checks(paths: Iterable[Path]) -> tuple[Check, ...]:
 
 
 def require_unique(paths: Iterable[Path]) -> None:
-    """Refuse two checks with one id.
+    """Reject two checks with one id.
 
     Raises:
         CheckError: the second of two files claims an id.
@@ -148,7 +148,7 @@ def _fields(text: str, path: Path) -> Iterator[tuple[str, str]]:
 
 
 def _place(text: str, path: Path, field: str, word: str) -> str:
-    """Where `word` stands in a field."""
+    """Where `word` is in a field."""
     lines = text.splitlines()
     first = next(number for number, line in enumerate(lines) if (match := _FIELD.fullmatch(line)) and match[1] == field)
     pattern = re.compile(rf"(?<![\w-]){re.escape(word)}(?![\w-])")
@@ -174,12 +174,12 @@ def _columns(text: str, relation: str, path: Path) -> tuple[tuple[str, str], ...
 
 
 def evidence_of(type_: str) -> str:
-    """The relation that tells where things of a column's type lie: `evidence_of_node_port` of `NodePort`."""
+    """The relation that says where things of a column's type lie: `evidence_of_node_port` of `NodePort`."""
     return f"evidence_of_{_snake(type_)}"
 
 
 def shown_as(type_: str) -> str:
-    """The relation that tells how messages call things of a column's type."""
+    """The relation that says how messages call things of a column's type."""
     return f"shown_as_{_snake(type_)}"
 
 
@@ -188,10 +188,10 @@ def _snake(type_: str) -> str:
 
 
 def require_places(checks: Iterable[Check], relations: Collection[str]) -> None:
-    """Refuse a check whose findings would have no place.
+    """Reject a check whose findings would have no place.
 
     Raises:
-        CheckError: `relations` do not tell where a column that a check shows lies.
+        CheckError: `relations` do not say where a column that a check shows lies.
     """
     for check in checks:
         for column, _ in check.evidence:

@@ -11,7 +11,7 @@ class RuleSet:
     """What differs from the shipped rules: `own` files and folders, `variants` (decision and variant), `options` (name and value).
 
     Made by `rule_set`, which checks it. Equal ones derive the same as long as no file changes.
-    With `flows`, models tell of the flow of data.
+    With `flows`, models describe the flow of data.
     """
 
     own: tuple[Path, ...] = ()

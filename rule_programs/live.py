@@ -24,7 +24,7 @@ Rows = dict[str, list[Row]]
 class Update:
     """What the rules derive now: the tables of the relations that were asked for, by component and relation.
 
-    `affected` are the relations that were derived again, None for all. `failures` tell of components without rows.
+    `affected` are the relations that were derived again, None for all. `failures` name components without rows.
     """
 
     tables: Mapping[str, Mapping[str, Table]]

@@ -1,4 +1,4 @@
-"""Files of rules of the user's own: found below folders, and told apart by the program whose relations they use."""
+"""Files of rules of the user's own: found below folders, and distinguished by the program whose relations they use."""
 
 from __future__ import annotations
 

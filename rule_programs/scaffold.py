@@ -1,4 +1,4 @@
-"""New files for rules of one's own: a check, a relation or the API of a library, with docs and a test that passes."""
+"""New files for your own rules: a check, a relation or the API of a library, with docs and a test that passes."""
 
 from __future__ import annotations
 

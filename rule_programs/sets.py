@@ -227,7 +227,7 @@ def rules_digest(rules: RuleSet) -> str:
 
 
 def described(rules: RuleSet) -> dict[str, Any]:
-    """What results tell of rules other than those that ship: variants, options, own files with hashes, what they override."""
+    """What results say about rules other than those that ship: variants, options, own files with hashes, what they override."""
     if rules == SHIPPED:
         return {}
     values = {option.name: option.default for option in find_options(rules)} | dict(rules.options)

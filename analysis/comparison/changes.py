@@ -80,7 +80,7 @@ def _matched(old: Sequence[Item], new: Sequence[Item], same: Callable[[Item], Ha
 
 
 def _alike(old: list[Item], new: list[Item]) -> tuple[list[Pair], list[Item], list[Item]]:
-    """Renamed items; of several that are alike, those with the most similar names. Of very many, none can be told from the others."""
+    """Renamed items; of several that are alike, those with the most similar names. Very many cannot be distinguished."""
     likely: dict[Hashable, tuple[list[int], list[int]]] = defaultdict(lambda: ([], []))
     for side, items in enumerate((old, new)):
         for index, item in enumerate(items):

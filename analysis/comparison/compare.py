@@ -50,7 +50,7 @@ def _compared(
     item: Callable[[Whole], Item],
     inside: Callable[[Whole, Whole], Iterable[Change]],
 ) -> Iterator[Change]:
-    """Of what is in one state only, no more is told than that."""
+    """What is in one state only is one change, without those inside."""
     for name in sorted({*old, *new}):
         if name in old and name in new:
             yield from sorted(inside(old[name], new[name]), key=lambda change: (SUBJECTS.index(change.subject), HOW.index(change.how)))

@@ -85,7 +85,7 @@ def each_system(
 ) -> Iterator[tuple[int, Made | Failure]]:
     """What `make` makes of each launch, by its index: as it was when all facts are the same, else worked out in worker processes.
 
-    `stage` tells in the cache what is made; `before` is called with the rules before there are workers, which then have what it reads.
+    `stage` names in the cache what is made; `before` is called with the rules before there are workers, which then have what it reads.
     """
     kept = SystemCache(method.sources.cache, stage, rules_hash(method.rules), method.engine) if method.sources.cache else None
     facts = list(map(shared.facts, launches))

@@ -1,4 +1,4 @@
-"""What reports tell of systems beside their models: how often topics are sent on, and what influences what."""
+"""What reports show of systems beside their models: how often topics are sent on, and what influences what."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ _DEPTH = 6
 
 @dataclass
 class ModelIndex:
-    """Models that there are: of components by themselves, by package and by the names that they are started by, and with configurations.
+    """The available models: of components by themselves, by package and by the names that they are started by, and with configurations.
 
     `trees` reads the behavior trees of the workspace.
     """
@@ -303,7 +303,7 @@ def _texts(value: Any) -> list[str] | None:
 
 
 def _matters(model: ComponentModel, configuration: NodeConfiguration) -> bool:
-    """Whether the configuration may tell anything of the component that its model by itself does not have."""
+    """Whether the configuration may say anything about the component that its model by itself does not have."""
     if model.loads or model.loads_any or model.inner or model.tree_files:
         return True
     if model.asks_name and configuration.name and configuration.name != model.node_name:

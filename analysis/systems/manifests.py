@@ -47,7 +47,7 @@ class Need:
 class Declared:
     """What the manifest of a package in `folder` declares; `line` is that of its last dependency.
 
-    `aside` are those that stand in a comment only, `after` the lines of the dependencies that it is built or used with, not only tested.
+    `aside` are those that are in a comment only, `after` the lines of the dependencies that it is built or used with, not only tested.
     `needs` have no dependency of their name.
     """
 

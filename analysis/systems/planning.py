@@ -49,7 +49,7 @@ class Planner:
         self.generic: dict[str, ComponentModel] = {}
 
     def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
-        """With which configurations the component is needed that `models` are of, as far as these tell: whether there are models or not."""
+        """With which configurations the component is needed that `models` are of, as far as these say: whether there are models or not."""
         self.index.add(models)
         self.generic |= {model.title: model for model in models if not model.configuration}
         components = {(model.package, model.component) for model in models}

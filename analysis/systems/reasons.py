@@ -21,7 +21,7 @@ from rosarch.rule_programs.sets import SystemRules
 RATE_DEPTH = 16
 """Steps below a rate: what comes from a sender, and is added up, is several of them for every node that passes it on."""
 WRITTEN = "launch file"
-"""What steps follow from that launch files tell."""
+"""The origin of steps that follow from launch files."""
 
 
 def system_reasons(
@@ -47,7 +47,7 @@ def _rates(result: Result) -> Iterator[Wanted]:
     for topic, high in result.rows("topic_high"):
         yield Wanted(f"topic_high {topic}", "topic_high", (topic, high), RATE_DEPTH)
     for topic, low in result.rows("topic_low"):
-        if low:  # that no message comes is told of what is not known
+        if low:  # 0 is the bound of what is not known
             yield Wanted(f"topic_low {topic}", "topic_low", (topic, low), RATE_DEPTH)
     for topic, reason in result.rows("topic_unbounded"):
         yield Wanted(f"topic_unbounded {topic} {reason}", "topic_unbounded", (topic, reason))

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Launch:
-    """What is started together: `name` tells it from the other launches of a workspace, `words` are its launch files and arguments."""
+    """What is started together: `name` is unique among the launches of a workspace, `words` are its launch files and arguments."""
 
     name: str
     words: tuple[str, ...]
@@ -67,7 +67,7 @@ class Interface:
 
     @classmethod
     def of(cls, rows: Rows) -> Interface:
-        """The interface that rows tell of."""
+        """The interface that rows describe."""
         return cls(rows, rows_digest(rows))
 
     def all(self, relation: str, column: int) -> set[Any]:
@@ -331,7 +331,7 @@ class _Needed:
         self.packages |= _packages_of_files(launches)
 
     def key(self) -> list[str]:
-        """All that tells these components from others."""
+        """All that distinguishes these components from others."""
         return [repr(sorted(found)) for found in (self.executables, self.versions, self.plugins, self.words, self.packages)]
 
     def is_needed(self, component: Component) -> bool:

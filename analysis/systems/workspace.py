@@ -132,7 +132,7 @@ def container_rows(compositions: Sequence[Composition]) -> Rows:
 
 
 def _namespaces(name: str) -> Iterator[str]:
-    """The namespaces that an absolute name lies in, but for the outermost."""
+    """The namespaces that an absolute name is in, but for the outermost."""
     while (name := name.rpartition("/")[0]) != "":
         yield name
 
@@ -168,7 +168,7 @@ def source_rows(composition: Composition, components: Iterable[str], said: Mappi
 
 
 def _package_folder(root: Path, source: str) -> str:
-    """The folder with a manifest that `source` lies in, relative to the root."""
+    """The folder with a manifest that `source` is in, relative to the root."""
     folders = Path(source).parents
     return str(next((folder for folder in folders if os.path.isfile(root / folder / "package.xml")), folders[0]))
 

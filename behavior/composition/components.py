@@ -89,7 +89,7 @@ class Component:
         return replace(self, rates={trigger: rates[own], **found}, serving=trigger)
 
     def is_content(self, trigger: str, text: str) -> bool:
-        """Whether an operand is a field of the message that a trigger is; where the model does not tell, of something that is no member."""
+        """Whether an operand is a field of the message that a trigger is; where the model does not say, of something that is no member."""
         match = _FIELD.fullmatch(text.strip())
         if match is None or match["message"] in self.members:
             return False
@@ -102,7 +102,7 @@ class Component:
 
     @cached_property
     def together(self) -> Mapping[str, frozenset[str]]:
-        """For each port whose messages are handed over together with those of others, these."""
+        """For each port whose messages are passed together with those of others, these."""
         found: dict[str, frozenset[str]] = {}
         for one, other in self._traits("synchronised"):
             found[one] = found.get(one, frozenset()) | {other}
@@ -144,7 +144,7 @@ class Component:
 
     @cached_property
     def answering(self) -> frozenset[str]:
-        """The servers whose callbacks come to an end and have answered then, whatever happens."""
+        """The servers whose callbacks end and have answered then, whatever happens."""
         return frozenset(port for (port,) in self._traits("answers_surely") if port not in self.unheard)
 
     @cached_property
@@ -268,7 +268,7 @@ def _keeping(document: Document) -> list[tuple[str, str]]:
 
 
 def _settings(document: Document, tested: Iterable[Subject], known: Settings) -> dict[str, StateVariable]:
-    """What conditions test of the configuration: a value that never changes, which the source or the parameter of the node tells."""
+    """What conditions test of the configuration: a value that never changes, which the source or the parameter of the node gives."""
     rows: dict[str, Mapping[str, Any]] = {name: {"from_param": parameter} for name, parameter in _keeping(document)}
     rows |= {row["name"].rsplit("::", 1)[-1]: row for row in document.get("configuration") or ()}
     found = {}

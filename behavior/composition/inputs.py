@@ -1,4 +1,4 @@
-"""What comes from outside, as far as it is given: which messages, with which content, and first values that the source does not tell."""
+"""What comes from outside, as far as it is given: which messages, with which content, and first values that the source does not give."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Inputs:
-    """What a scenario tells; without one (`anything`) any message may come at any time.
+    """What a scenario says; without one (`anything`) any message may come at any time.
 
     `values` are first values, by node and the text of a variable. In a scenario, `anything` lets topics that it does not name be free.
     """
@@ -33,7 +33,7 @@ class Inputs:
     anything: bool = True
 
     def mentions(self, topic: str) -> bool:
-        """Whether it tells of messages on a topic."""
+        """Whether it describes messages on a topic."""
         return any(entry.topic == topic for entry in self.entries)
 
     def may_come(self, topic: str) -> bool:
@@ -49,7 +49,7 @@ class Inputs:
         return sorted((entry for entry in self.entries if entry.every is None), key=lambda entry: entry.start)
 
     def first_values(self, node: str, variable: StateVariable) -> tuple[str, ...]:
-        """The values that a variable may begin with: the one that it is said to, else those that the source tells."""
+        """The values that a variable may begin with: the one that it is said to, else those that the source gives."""
         value = value_in(self.values.get((node, variable.text)), variable.values)
         return variable.initial if value is None else (value,)
 

@@ -1,4 +1,4 @@
-"""A composed system as guarded commands over variables with finitely many values: what checkers read, and traces are told in."""
+"""A composed system as guarded commands over variables with finitely many values: what checkers read, and traces are written in."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Command:
 
     Then variables are `given` values, messages are put into queues, and `events` happen: those in `full_events` only when the queue
     that they are about is full. The queues in `full` have to be full; one that `takes` a message and `keeps` it leaves the queue so.
-    `obligation` is the index of what has to happen again and again that this fulfils. `inputs` and `assumes` tell what this takes for
+    `obligation` is the index of what has to happen again and again that this fulfils. `inputs` and `assumes` say what this takes for
     granted of messages from outside, and of anything else. `clock` is the timer or timed loop of known rate that sets it off. `cause` and
     `places` are for people.
     """
@@ -88,5 +88,5 @@ class Model:
 
     @property
     def choices(self) -> tuple[int, ...]:
-        """The variables whose first value is not told."""
+        """The variables whose first value is not given."""
         return tuple(index for index, variable in enumerate(self.variables) if len(variable.initial) > 1)

@@ -13,7 +13,7 @@ from rosarch.models.machine.logic import OTHER
 
 
 class UnknownNameError(Exception):
-    """There is no such thing; `argument` is the place of the name among several, `of_value` tells that it is a value."""
+    """There is no such thing; `argument` is the place of the name among several, `of_value` says that it is a value."""
 
     def __init__(self, message: str, *, argument: int = 0, of_value: bool = False) -> None:
         super().__init__(message)

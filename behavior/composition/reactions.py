@@ -30,7 +30,7 @@ MOST_CASES = 5000
 MOST_WAYS = 16
 
 Pick = Callable[[Subject], Iterable[str]]
-"""The values that a subject may have where nothing is known of it yet."""
+"""The values that a subject may have where nothing is known about it yet."""
 
 
 class TooManyCases(Exception):
@@ -165,7 +165,7 @@ def _tested(step: Step) -> Iterator[Subject]:
 
 
 def whether_sent(step: Step, port: str) -> Subject:
-    """Whether a step sends, where the model does not tell."""
+    """Whether a step sends, where the model does not say."""
     return Subject(f"sends {port} {step.row.kind} {step.row.index}", f"sending at {step.row.at}")
 
 

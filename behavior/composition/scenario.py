@@ -1,4 +1,4 @@
-"""Scenario files: what comes from outside, what is known of nodes beyond their source, and for simulation how long things take."""
+"""Scenario files: what comes from outside, what is known about nodes beyond their source, and for simulation how long things take."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ class Span:
 
 @dataclass(frozen=True)
 class Scenario:
-    """What a scenario file tells.
+    """What a scenario file says.
 
     `execution` is how long reactions of a node take, by node and topic, or "" for those that are not named; `chances` how likely a
-    condition of a node holds, by node and text; `rates` how often timed loops of a node run of which the source does not tell it.
+    condition of a node holds, by node and text; `rates` how often timed loops of a node run of which the source does not say it.
     """
 
     inputs: Inputs = field(default_factory=Inputs)

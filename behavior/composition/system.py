@@ -19,7 +19,7 @@ End = tuple[str, str]
 class Topic:
     """What messages pass through: a topic, or a service or action, whose requests count as messages.
 
-    `outside` tells who may send at any time: nodes without a known behaviour, ports of which no sending is known, whoever was not seen
+    `outside` says who may send at any time: nodes without a known behaviour, ports of which no sending is known, those that were not seen
     where the system is open; when nobody in the system sends, it is the environment.
     """
 
@@ -34,7 +34,7 @@ class Topic:
 class System:
     """A composed system; `nodes` are those of which the behaviour is known, `unknown` the others.
 
-    `conditions` tell when nodes are started that launch files do not start in any case.
+    `conditions` say when nodes are started that launch files do not start in any case.
     """
 
     name: str

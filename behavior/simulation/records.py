@@ -43,7 +43,7 @@ class Distribution:
 
 @dataclass
 class Record:
-    """Everything about a run; `notes` tell what was not known, `guessed` how often a condition was decided by lot for want of better."""
+    """Everything about a run; `notes` say what was not known, `guessed` how often a condition was decided by lot for want of better."""
 
     system: str
     seed: int

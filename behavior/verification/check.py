@@ -38,7 +38,7 @@ class Limits:
 class Verdict:
     """What is found about a property: `holds`, `violated`, `undecided`, or `possibly violated`, which needs something that is not known.
 
-    `notes` tell what the model leaves open, and why nothing was found out.
+    `notes` say what the model leaves open, and why nothing was found out.
     """
 
     property: Property

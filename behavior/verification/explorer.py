@@ -29,7 +29,7 @@ class TooManyStates(Exception):
 
 @dataclass(frozen=True)
 class Lasso:
-    """A run as the transitions taken: those of `stem` once, then those of `loop` for ever, or anything when there are none."""
+    """A run as the transitions taken: those of `stem` once, then those of `loop` forever, or anything when there are none."""
 
     stem: tuple[int, ...]
     loop: tuple[int, ...]

@@ -59,7 +59,7 @@ class Until(Part):
 
 @dataclass(frozen=True)
 class Release(Part):
-    """The right holds up to and including where the left does, or for ever."""
+    """The right holds up to and including where the left does, or forever."""
 
     left: Formula
     right: Formula
@@ -71,7 +71,7 @@ def implication(left: Formula, right: Formula) -> Formula:
 
 
 def weak_until(left: Formula, right: Formula) -> Formula:
-    """The left holds until the right does, or for ever."""
+    """The left holds until the right does, or forever."""
     return Release(right, Any((left, right)))
 
 
@@ -100,7 +100,7 @@ def _normal_part(part: Part, holds: bool) -> Formula:
 
 
 def is_safety(formula: Formula) -> bool:
-    """Whether every violation shows after finitely many steps, as far as the form tells: nothing is promised for later."""
+    """Whether every violation shows after finitely many steps, as far as the form shows: nothing is promised for later."""
     return not any(isinstance(part, Until) for part in parts(normal(formula)))
 
 

@@ -36,7 +36,7 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
     """Let SPIN check a property, within `timeout` seconds and `memory` MiB.
 
     Raises:
-        CheckerError: it cannot, or does not come to an end.
+        CheckerError: it cannot, or does not end.
     """
     with scratch_folder() as folder:
         _compile(system, [formula], folder, timeout, memory)

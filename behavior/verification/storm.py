@@ -31,7 +31,7 @@ def check(system: TransitionSystem, formula: Formula, *, timeout: float, memory:
     satisfies it.
 
     Raises:
-        CheckerError: it does not come to an end.
+        CheckerError: it does not end.
     """
     ours, theirs = multiprocessing.Pipe(duplex=False)
     arguments = (theirs, prism(system, formula), query(system, formula), memory)

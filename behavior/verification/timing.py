@@ -11,7 +11,7 @@ _NONE: Clocks = frozenset()
 
 
 def clocks_compared(model: Model, commands: Iterable[int]) -> Clocks:
-    """The clocks whose rates tell whether these commands may follow one another: what one of them sets off finds what another one left.
+    """The clocks whose rates show whether these commands may follow one another: what one of them sets off finds what another one left.
 
     What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it.
     """

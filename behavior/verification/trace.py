@@ -27,7 +27,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Trace:
-    """A run: the values that variables begin with, steps, and the steps that are then repeated for ever."""
+    """A run: the values that variables begin with, steps, and the steps that are then repeated forever."""
 
     first: tuple[tuple[str, str], ...]
     assumed_first: tuple[str, ...]

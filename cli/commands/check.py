@@ -111,7 +111,7 @@ def _checks(rules: RuleSet) -> tuple[Check, ...]:
 
 
 def _description(rules: RuleSet) -> Mapping[str, Any]:
-    """What reports tell of the rules, unless they are those that ship."""
+    """What reports say about the rules, unless they are those that ship."""
     from rosarch.rule_programs.choice import SHIPPED
 
     if rules == SHIPPED:

@@ -15,7 +15,7 @@ from rosarch.cli.terminal import emit
 
 
 class CheckFormat(str, Enum):
-    """The forms of what is told of checks."""
+    """The formats for descriptions of checks."""
 
     text = "text"
     markdown = "markdown"

@@ -69,7 +69,7 @@ def corpus(
     from rosarch.reports.corpus import WRITERS
 
     check_output(out)
-    parse_rules(own, variants, settings)  # what is wrong with them is told once, and before anything is done
+    parse_rules(own, variants, settings)  # what is wrong with them is reported once, and before anything is done
     of_rules = {"--rules": [os.path.abspath(path) for path in own or ()], "--variant": variants or (), "--option": settings or ()}
     options = ("--jobs", str(jobs), *(word for option, values in of_rules.items() for value in values for word in (option, value)))
     folders = _named(_folders(words))

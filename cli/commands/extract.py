@@ -68,7 +68,7 @@ def extract(
 
 
 def _check_text(out: Path) -> None:
-    """Refuse a path where no text can be written: better before a long extraction than after it."""
+    """Reject a path where no text can be written: better before a long extraction than after it."""
     if os.path.isdir(out):
         raise InputError(f"{out}: a folder; name a file for --text")
     check_output(out.parent)

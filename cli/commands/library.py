@@ -1,4 +1,4 @@
-"""`rosarch library`: the interfaces of components whose source is not at hand."""
+"""`rosarch library`: the interfaces of components whose source is not available."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`rosarch new`: files to begin rules of one's own with."""
+"""`rosarch new`: files to begin your own rules with."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def probe(
     command = [str(_program(executable))]
     results = experiment(subject, found, command, seconds, trials)
     if is_open(model):
-        with suppress(StartError, CallError):  # then verdicts tell of it
+        with suppress(StartError, CallError):  # then verdicts report it
             names = settle(model, subject.name, command, system_rules(question.rules()), question.engine.value)
             results = replace(results, names=names)
     if scenario is not None:

@@ -1,4 +1,4 @@
-"""`rosarch report`: all that is known of a workspace, as one page for a browser."""
+"""`rosarch report`: all that is known about a workspace, as one page for a browser."""
 
 from __future__ import annotations
 

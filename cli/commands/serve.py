@@ -68,6 +68,6 @@ def _make(question: SystemQuestion, link: str | None, chains: bool, proofs: bool
     try:
         subject = load_subject(question, link, chains=chains, proofs=proofs)
         put_document(current, report_document(subject))
-    except InputError as error:  # the next save may mend it
+    except InputError as error:  # the next save may fix it
         put_error(current, str(error))
         raise SystemExit(f"rosarch: error: {error}") from None

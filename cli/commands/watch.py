@@ -57,7 +57,7 @@ def watch(
                     before = _report(live, wanted, before, saved)
                 else:
                     return
-        except InputError as error:  # what is wrong at the start is refused; later the next save may mend it
+        except InputError as error:  # what is wrong at the start is rejected; later the next save may fix it
             if before is None:
                 raise
             _print_error(f"rosarch: error: {error}")
@@ -107,7 +107,7 @@ def _until_interrupted(batches: Iterator[list[Path]]) -> Iterator[list[Path]]:
 
 
 def _report(live: LiveRules, wanted: _Wanted, before: Tables | None, saved: Sequence[Path]) -> Tables | None:
-    """Derive again, and print all at first, then what has changed; the tables from which the next change is told."""
+    """Derive again, and print all at first, then what has changed; the tables that the next change is compared with."""
     try:
         with datalog_errors():
             update = live.derive(wanted)

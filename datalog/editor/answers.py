@@ -1,4 +1,4 @@
-"""What a name means, where it is used, what could stand at a place, and what renaming it would change."""
+"""What a name means, where it is used, what could appear at a place, and what renaming it would change."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """What could stand at a place; `fill` is the text with places to fill in, as `${1:name}`."""
+    """What could appear at a place; `fill` is the text with places to fill in, as `${1:name}`."""
 
     label: str
     kind: str
@@ -237,7 +237,7 @@ class Answers:
     # -- what could stand here ----------------------------------------------------------------
 
     def completion(self, path: Path, line: int, column: int) -> list[Proposal]:
-        """What could stand at a place, the likeliest first."""
+        """What could appear at a place, the likeliest first."""
         lines = self.programs.text(path).splitlines()
         before = lines[line - 1][: column - 1] if line <= len(lines) else ""
         if re.search(r"^\s*\.\w*$", before):

@@ -39,7 +39,7 @@ class Position(Protocol):
 
 
 class RuleServer(LanguageServer):
-    """A language server for rule files; `entries` gives the programs that a file may extend besides those of the open folders."""
+    """A language server for rule files; `entries` gives the programs that a file may extend in addition to those of the open folders."""
 
     def __init__(self, version: str, entries: Callable[[Path], Sequence[Entry]]) -> None:
         super().__init__("rosarch", version)
@@ -92,7 +92,7 @@ class RuleServer(LanguageServer):
         self._timer = asyncio.get_running_loop().call_later(PAUSE, self.publish)
 
     def publish(self) -> None:
-        """Tell what is wrong with the files being edited."""
+        """Say what is wrong with the files being edited."""
         self._timer = None
         now = {Path(p) for p in self.programs.edited}
         for path in now:

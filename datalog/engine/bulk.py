@@ -1,6 +1,6 @@
 """Recursion over large relations of pairs, with compressed bitmaps of small numbers in place of rows.
 
-A stratum is handed over here when its rows have become many (`worthwhile`). Values are numbered, pairs are kept as one
+A stratum is passed to this module when its rows have become many (`worthwhile`). Values are numbered, pairs are kept as one
 bitmap per value of the first column: a few bytes a row, and the functions of `bulk_rules.py` join a set at a time.
 """
 

@@ -122,7 +122,7 @@ def write_bulk(clause: PairClause, delta: int, name: str, slots: Mapping[str, in
 
 
 def _leading(function: BulkFunction, rest: Sequence[tuple[str, Pair]], bound: set[str], names: Mapping[str, str]) -> None:
-    """Go on with the next key of the delta when an atom has nothing for it."""
+    """Continue with the next key of the delta when an atom has nothing for it."""
     for relation, pair in rest:
         for position, variable in enumerate(pair):
             if variable in bound:

@@ -55,7 +55,7 @@ class _Program:
         self.readers = turned_around({name: self.mentioned.get(name, ()) for name in relations})
 
     def candidates(self, goals: Collection[str]) -> set[str]:
-        """The relations that can be derived on demand, as far as their own clauses tell."""
+        """The relations that can be derived on demand, as far as their own clauses show."""
         return {
             name
             for name, own in self.clauses.items()

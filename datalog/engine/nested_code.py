@@ -21,11 +21,11 @@ class NestedCode:
         self.lines.append("    " * self.depth + text)
 
     def fail_unless(self, condition: str) -> None:
-        """Go on with the next combination unless the condition holds."""
+        """Continue with the next combination unless the condition holds."""
         self.line(f"if not ({condition}): {'continue' if self.loops else 'return'}")
 
     def fail_if(self, condition: str) -> None:
-        """Go on with the next combination if the condition holds."""
+        """Continue with the next combination if the condition holds."""
         self.line(f"if {condition}: {'continue' if self.loops else 'return'}")
 
     def open_loop(self, text: str) -> None:

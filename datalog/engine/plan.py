@@ -41,7 +41,7 @@ class Grouping:
 
 @dataclass(frozen=True, slots=True)
 class BulkRule:
-    """A generated function for one version of a clause; it gets the delta and what it looks up grouped as told."""
+    """A generated function for one version of a clause; it gets the delta and what it looks up grouped as the plan says."""
 
     function: str
     target: str

@@ -68,7 +68,7 @@ class RuleHistory:
         self._base: Unit | None = None
 
     def whole(self) -> Program:
-        """The whole program as it is now, from which edits are told apart from here on."""
+        """The whole program as it is now, from which edits are distinguished from here on."""
         unit, sources, report = self._read()
         program = compile_unit(copy(unit), sources, report, self.bits)
         self._base = unit

@@ -1,7 +1,7 @@
 """Regular expressions of `match`: ECMAScript's, as souffle has them, matched in bounded time.
 
 Python's matcher backtracks. It is used for expressions with which that cannot take long, and RE2, whose time is linear in the text, for
-all others. RE2 has no backward references and no looking ahead or behind: expressions with these that may take long are refused.
+all others. RE2 has no backward references and no looking ahead or behind: expressions with these that may take long are rejected.
 """
 
 from __future__ import annotations

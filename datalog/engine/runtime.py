@@ -1,4 +1,4 @@
-"""What generated code calls besides arithmetic (see `domain`): string functors, ordering, counters."""
+"""What generated code calls in addition to arithmetic (see `domain`): string functors, ordering, counters."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ class Ordinals:
 
 
 class State:
-    """What one evaluation carries besides rows: counters that functors advance."""
+    """What one evaluation carries in addition to rows: counters that functors advance."""
 
     __slots__ = ("counter", "iteration", "ordinals", "records")
 

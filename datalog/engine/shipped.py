@@ -1,4 +1,4 @@
-"""Programs that were compiled when they were installed, for whoever runs them first.
+"""Programs that were compiled when they were installed, for the user who runs them first.
 
 They are kept beside their rules, wherever these lie by then: a file holds no path of the folder it was made in, and says which engine and
 which texts it was made from. One that does not fit is as good as none.

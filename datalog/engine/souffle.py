@@ -48,7 +48,7 @@ def find_souffle() -> str:
 
 @lru_cache(maxsize=4)
 def _version(binary: str) -> str:
-    """What the binary tells of itself; DatalogError when that is another version than is needed."""
+    """What the binary says about itself; DatalogError when that is another version than is needed."""
     try:
         told = subprocess.run(
             [binary, "--version"], capture_output=True, check=False, text=True, errors="replace", timeout=_PATIENCE

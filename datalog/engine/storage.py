@@ -28,7 +28,7 @@ class Storage:
     indexes: dict[IndexKey, int] = field(default_factory=dict)  # numbered in the order of their first use
     readers: defaultdict[int, int] = field(default_factory=lambda: defaultdict(int))  # of an index, how many rules
     probed: set[str] = field(default_factory=set)  # relations that are asked for whole rows
-    listed: set[IndexKey] = field(default_factory=set)  # those that are iterated; others only tell whether a key exists
+    listed: set[IndexKey] = field(default_factory=set)  # those that are iterated; others only say whether a key exists
     demanded: set[str] = field(default_factory=set)  # relations of which only the keys that are asked for are derived
     tables: dict[TableKey, int] = field(default_factory=dict)  # what is asked of them
     ranks: Mapping[str, float] = field(default_factory=dict)  # of relations to begin with, the higher the sooner

@@ -27,7 +27,7 @@ def failure(program: Program, directive: Directive, message: str, hint: str = ""
 
 
 def layout_of(params: Mapping[str, str], program: Program, directive: Directive) -> Layout:
-    """How the rows of a directive stand in a text."""
+    """How the rows of a directive are written in a text."""
     rfc4180 = params.get("rfc4180") == "true"
     delimiter = params.get("delimiter", "," if rfc4180 else "\t")
     if not delimiter or "\n" in delimiter or (rfc4180 and '"' in delimiter):

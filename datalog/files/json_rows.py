@@ -1,6 +1,6 @@
 """Rows as JSON, as souffle reads and writes them: a list of lists, or a list of objects with the names of the attributes.
 
-Records are lists or objects too, nil is `null`. Branches of algebraic data types, which souffle has no JSON for, are refused.
+Records are lists or objects too, nil is `null`. Branches of algebraic data types, which souffle has no JSON for, are rejected.
 """
 
 from __future__ import annotations

@@ -32,7 +32,7 @@ class Columned(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """How rows stand in a text; `columns` are the positions of the attributes in a line, all in order when empty."""
+    """How rows are written in a text; `columns` are the positions of the attributes in a line, all in order when empty."""
 
     delimiter: str = "\t"
     headers: bool = False

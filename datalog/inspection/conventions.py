@@ -1,4 +1,4 @@
-"""What rules keep to besides being legal: comments that say when a row holds and how certainly, names, and no dead weight.
+"""What rules keep to in addition to being legal: comments that say when a row holds and how certainly, names, and no dead weight.
 
 The certainty of a relation is the last statement of its `///` comment:
 
@@ -38,7 +38,7 @@ class Certainty:
 
 
 def certainty(declaration: RelationDecl) -> Certainty:
-    """The certainty of the rows of a relation, as its comment tells."""
+    """The certainty of the rows of a relation, as its comment says."""
     found = _CERTAINTY.search(" ".join(declaration.doc.split()))
     return Certainty(found[1], frozenset(re.findall(r"`(\w+)`", found[2] or ""))) if found else Certainty("")
 

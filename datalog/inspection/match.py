@@ -243,7 +243,7 @@ class Body:
         yield from self.run(self.plan(bound, wanted), 0, Match(dict(bound)), None)
 
     def run(self, plan: Sequence[Planned], start: int, state: Match, failed: Callable[[int, Match], None] | None) -> Iterator[Match]:
-        """Run the steps from `start`; `failed` is told where, and with which bindings, a step has no result."""
+        """Run the steps from `start`; `failed` is called with where, and with which bindings, a step has no result."""
         if start == len(plan):
             yield state
             return

@@ -6,7 +6,7 @@ is one literal, changed in all of them. A mutant is killed by a case in which a 
 What no case kills is a clause that the tests do not pin.
 
 Relations whose comment ends in `Demand.` say what is asked for and claim nothing: they keep others from working out what nobody reads. More
-demand is more work for the same rows. So no literal is dropped that is an atom of such a relation, or stands in one of its clauses.
+demand is more work for the same rows. So no literal is dropped that is an atom of such a relation, or is in one of its clauses.
 
 Mutants are cheap because they are evaluated in parts: first the relation of the changed clause alone, from the rows that the others are
 known to have; only where its rows differ, what reads it, up to the observed relations.
@@ -43,7 +43,7 @@ _Changed = Mapping[str, frozenset[Row]]
 class Case:
     """A test: the rows of all relations, and those relations whose rows the test looks at.
 
-    `fails` tells whether the test does with the rows that some observed relations have instead; without it, it does with any.
+    `fails` says whether the test does with the rows that some observed relations have instead; without it, it does with any.
     """
 
     name: str

@@ -48,7 +48,7 @@ class Collector:
     def __init__(self, program: Program) -> None:
         self.program = program
         self.rules = rules_of(program)
-        # of a subsumptive clause the rows tell nothing: what it removed is gone
+        # of a subsumptive clause the rows show nothing: what it removed is gone
         self.all = [r for r in self.rules.all if r.clause.body and not r.generated and r.clause.dominating is None]
         self.left = {r.number: r for r in self.all}
 

@@ -2,7 +2,7 @@
 
 A test may bring a `program.dl` of its own; without one the given program is tested. Only relations with an expected
 file are compared: its lines are the rows, tab-separated, records written `[a, b]`; their order is of no account. A
-file `known_failure.txt` tells why a test fails today.
+file `known_failure.txt` says why a test fails today.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Records whose type nothing tells, because they only meet each other: equations between them, and names for them.
+"""Records whose type nothing determines, because they only meet each other: equations between them, and names for them.
 
 `r = [x, y], s = r, s = [v, w]` is `x = v, y = w` (souffle's ResolveAnonymousRecordAliases.cpp and FoldAnonymousRecords.cpp).
 """

@@ -78,12 +78,12 @@ def parse_location(text: str) -> Location:
 
 
 def closest(name: str, known: Iterable[str]) -> str:
-    """The name that a misspelt one may have been meant to be, or an empty string when nothing known is close."""
+    """The name that a misspelled one may have been meant to be, or an empty string when nothing known is close."""
     return next(iter(difflib.get_close_matches(name, list(known), n=1, cutoff=0.7)), "")
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """The hint for a misspelt `name`, or an empty string when nothing known is close."""
+    """The hint for a misspelled `name`, or an empty string when nothing known is close."""
     close = closest(name, known)
     return f"did you mean `{close}`?" if close else ""
 
@@ -115,7 +115,7 @@ class Report:
         target.append(Diagnostic(message, location, hint, self._source_line(location), severity))
 
     def error(self, message: str, location: Location | None, hint: str = "") -> None:
-        """Record an error; one message is kept once per place, but counts whenever it is told: a clause may have copies."""
+        """Record an error; one message is kept once per place, but counts whenever it is reported: a clause may have copies."""
         self.refused += 1
         self._add(message, location, hint, "error")
 

@@ -64,7 +64,7 @@ class ClauseTypes:
 
     @classmethod
     def of_ordered(cls, known: Ordered, clause: Clause) -> ClauseTypes:
-        """What `in_order` told, of the same clause."""
+        """What `in_order` returned, of the same clause."""
         variables, terms = known
         found = cls(dict(variables))
         for term, (types, overloads) in zip(_terms(clause), terms, strict=True):
@@ -219,7 +219,7 @@ class Inference:
         for arg in term.args:
             self._term(arg)
 
-    # -- constraints: closures that narrow sets and tell whether they changed one ------------------
+    # -- constraints: closures that narrow sets and say whether they changed one ------------------
 
     def subtype(self, term: Argument, type_name: str) -> None:
         """The term is of the given type or a subtype."""

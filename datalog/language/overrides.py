@@ -1,4 +1,4 @@
-"""`.pragma "override" "relation, ..."`: the clauses of these relations are those of the file it stands in, and no others.
+"""`.pragma "override" "relation, ..."`: the clauses of these relations are those of the file it is in, and no others.
 
 Soufflé knows `.override` in components only. It reads this pragma and does nothing about it; given to its binary from here, the program is
 without the clauses that are dropped.

@@ -26,7 +26,7 @@ class Loading:
     """How files are found and read.
 
     `preprocess`: texts with C preprocessor directives are expanded first, with `macros` (`NAME` or `NAME=VALUE`) defined.
-    `folders`: where `.include` and `#include` look besides the folder of the including file.
+    `folders`: where `.include` and `#include` look in addition to the folder of the including file.
     `instead`: files, and others that an `.include` of them takes.
     """
 

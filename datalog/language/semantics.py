@@ -191,7 +191,7 @@ def _check_singletons(clause: Clause, report: Report) -> None:
 
 
 def _check_counters(clauses: list[Clause], strata: list[list[str]], report: Report) -> None:
-    """A counter in a recursive rule would make new rows for ever."""
+    """A counter in a recursive rule would make new rows forever."""
     stratum_of = {name: i for i, names in enumerate(strata) for name in names}
     for clause in clauses:
         counters = [n for literal in clause_literals(clause) for n in walk(literal) if isinstance(n, Counter)]
@@ -330,7 +330,7 @@ class ClauseChecker:
             self.report.error(f"constant `{node.text}` is not a valid {what}", node.location)
 
     def _context(self, node: Argument) -> str:
-        """The declared type of the place a constant stands in."""
+        """The declared type of the place a constant is in."""
         for literal in clause_literals(self.clause):
             for parent in walk(literal):
                 if isinstance(parent, Atom) and any(a is node for a in parent.args):

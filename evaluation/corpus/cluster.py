@@ -16,7 +16,7 @@ CONNECTING = 15.0
 
 
 class NoCluster(Exception):
-    """There are no workers to be had; the text says why."""
+    """No workers are available; the text says why."""
 
 
 @dataclass(frozen=True)

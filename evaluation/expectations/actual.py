@@ -65,7 +65,7 @@ class ObservedComponent:
 
 
 class Systems(Protocol):
-    """What is known of the systems of a case."""
+    """What is known about the systems of a case."""
 
     def findings(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
         """What checks find; `models` are those of the components of the case."""

@@ -34,7 +34,7 @@ class Alone:
         return system_rules(self.rules).program
 
     def rows(self) -> Sequence[dict[str, list[tuple[Any, ...]]]]:
-        return ()  # questions about systems stand in launch files
+        return ()  # questions about systems are in launch files
 
     def findings_with(self, models: Sequence[ComponentModel]) -> Sequence[Finding]:
         return self.findings(models)

@@ -38,7 +38,7 @@ def find_cases(paths: Sequence[Path]) -> Cases:
     """The tests at and below paths: files, or folders.
 
     Raises:
-        ExpectationError: an expectation is not understood; all of these are told.
+        ExpectationError: an expectation is not understood; all of these are reported.
     """
     problems: list[str] = []
     cases = [case for path in paths for case in (_below(path, problems) if os.path.isdir(path) else [_single(path, problems)])]
@@ -55,7 +55,7 @@ def _single(path: Path, problems: list[str]) -> Case:
 
 
 def _below(folder: Path, problems: list[str]) -> Iterator[Case]:
-    """The workspaces below a folder; what lies in none of them are single sources."""
+    """The workspaces below a folder; what is in none of them are single sources."""
     loose: list[str] = []
     for path, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if not name.startswith("."))

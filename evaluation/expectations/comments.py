@@ -17,7 +17,7 @@ _MARK = re.compile(
 class Marked:
     """An expectation as it is written, at `path:line:column`; `sense` is "", "not" or "only".
 
-    It is about the lines `first` to `last`; `beside` tells whether it stands behind code, on its line.
+    It is about the lines `first` to `last`; `beside` says whether it follows code, on its line.
     """
 
     path: str
@@ -32,7 +32,7 @@ class Marked:
 
 
 def marked(path: str, text: str) -> Iterator[Marked]:
-    """The expectations in a text; which comments there are is told by the kind of file that `path` names."""
+    """The expectations in a text; the kind of file that `path` names decides which comments there are."""
     for comment in comments(path, text) if "expect" in text else ():
         for match in _MARK.finditer(comment.text):
             yield _marked(path, comment, match)

@@ -36,7 +36,7 @@ class ExpectationError(Exception):
 class Expectation:
     """An element of `kind` with attributes as in `wanted`, or, without a kind, a row for a `query`.
 
-    With `here`, the element lies in one of the lines that the comment is about.
+    With `here`, the element is in one of the lines that the comment is about.
     """
 
     marked: Marked
@@ -139,7 +139,7 @@ class _Parser:
         return (field is not None and field[1] in kind.attributes) or word.text in self._bare(kind)
 
     def _bare(self, kind: Kind) -> list[str]:
-        """The words that are attributes by themselves, or begin one."""
+        """The words that are attributes by themselves, or the beginning of one."""
         found = [name for name in kind.attributes if name in _TRUTH_VALUES]
         found += ["may"] if "must" in kind.attributes else []
         found += ["on"] if "trigger" in kind.attributes else []

@@ -51,7 +51,7 @@ def run_cases(cases: Sequence[Case], how: Running) -> Iterator[CaseOutcome]:
     """Run cases one by one; nothing is run when an expectation asks for what there is not.
 
     Raises:
-        ExpectationError: a relation or check that there is not; all of these are reported.
+        ExpectationError: a relation or check does not exist; all of these are reported.
         DatalogError: the rules are wrong.
     """
     program = component_program(how.method.rules)

@@ -74,7 +74,7 @@ def _fails(system: System, others: Sequence[Finding], about: Sequence[Expectatio
     try:
         found = _Findings((*others, *system.with_rows(rows).findings))
     except (LookupError, ValueError):
-        return True  # nothing can be told with such rows
+        return True  # nothing can be determined with such rows
     return any(unmet(expectation, found, about) is not None for expectation in about)
 
 

@@ -32,7 +32,7 @@ def conduct(experiment: Experiment, settings: Settings, runner: Runner, check: C
     `check` makes the findings in the systems of a subject.
 
     Raises:
-        TruthError: truth is of a component that there is not.
+        TruthError: truth is of a component that does not exist.
         ManifestError: a folder of facts is stale or damaged.
     """
     configurations = experiment.variants

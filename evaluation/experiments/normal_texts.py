@@ -77,7 +77,7 @@ def jaccard(one: set[str], other: set[str]) -> float:
 
 
 def _parts(source: str) -> list[str]:
-    """The text between the `&&` that stand in no brackets."""
+    """The text between the `&&` that are in no brackets."""
     parts, depth, start = [], 0, 0
     for index, char in enumerate(source):
         depth += {"(": 1, ")": -1}.get(char, 0)

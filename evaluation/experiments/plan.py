@@ -61,7 +61,7 @@ def read_experiment(path: Path) -> Experiment:
     """The experiment of a file; paths in it are relative to its folder.
 
     Raises:
-        PlanError: something in it, or in the truth that it names, is wrong; all that is wrong is told.
+        PlanError: something in it, or in the truth that it names, is wrong; all errors are reported.
         DatalogError: the rules of a variant are wrong.
     """
     try:
@@ -290,7 +290,7 @@ class _Reader(YamlReader):
                 self.problem(item, f"unknown relation `{item.value}`{hint(item.value, known)}")
 
     def _combined(self, root: yaml.Node, variants: Iterable[tuple[str, RuleSet]], options: Mapping[str, tuple[str, ...]]) -> _Named:
-        """Each variant with each combination of the values of options; names tell of the latter."""
+        """Each variant with each combination of the values of options; names show the latter."""
         found = []
         for name, rules in variants:
             for values in itertools.islice(itertools.product(*options.values()), MAX_CONFIGURATIONS + 1):
@@ -320,7 +320,7 @@ class _Reader(YamlReader):
 
 
 def kept_relations(program: Program, more: Iterable[str] | None) -> tuple[str, ...]:
-    """The relations whose rows are wanted: those that are put out, and of `more` those that there are."""
+    """The relations whose rows are wanted: those that are put out, and of `more` those that exist."""
     return tuple(dict.fromkeys((*program.outputs, *(name for name in more or () if name in program.relations))))
 
 

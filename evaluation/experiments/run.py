@@ -65,7 +65,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Runner:
-    """How cells are evaluated. `progress` is told how many are done, of how many."""
+    """How cells are evaluated. `progress` is called with how many are done, of how many."""
 
     engine: str = "embedded"
     jobs: int | None = None

@@ -62,10 +62,10 @@ def run_single(
     truths: Sequence[Truth], subjects: Sequence[Subject], program: Program, settings: Settings, runner: Runner, *, absent: bool = False,
     done: Callable[[str, int], None] | None = None,
 ) -> SingleRun:  # fmt: skip
-    """Analyse the components that truth names; `done` is told each system and its number of models.
+    """Analyse the components that truth names; `done` is called with each system and its number of models.
 
     Raises:
-        TruthError: truth is of a component that there is not, and such must not be `absent`.
+        TruthError: truth is of a component that does not exist, and such must not be `absent`.
     """
     from rosarch.extractor.workspace import Diagnostic
 

@@ -43,7 +43,7 @@ class Subject:
 
 @dataclass(frozen=True)
 class OpenSubject:
-    """A subject whose facts are at hand; `absent` is the truth of components that it does not have."""
+    """A subject whose facts are available; `absent` is the truth of components that it does not have."""
 
     subject: Subject
     components: tuple[Facts, ...]
@@ -56,7 +56,7 @@ def opened(subject: Subject, settings: Settings, *, absent: bool = False) -> Ite
     """Read the facts of a subject, or extract them.
 
     Raises:
-        TruthError: truth is of a component that there is not, and such must not be `absent`.
+        TruthError: truth is of a component that does not exist, and such must not be `absent`.
         ManifestError: a folder of facts is stale or damaged.
     """
     if has_facts(subject.folder):

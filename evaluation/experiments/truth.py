@@ -50,7 +50,7 @@ def read_truth(folder: Path) -> tuple[Truth, ...]:
     """All truth below a folder, by system, package and component. Documents that name no component are none.
 
     Raises:
-        TruthError: something in it is wrong; all that is wrong is told.
+        TruthError: something in it is wrong; all errors are reported.
     """
     problems: list[str] = []
     found: dict[tuple[str, str, str], Truth] = {}

@@ -1,7 +1,7 @@
 """The fields of a document of truth.
 
 What is scored has to be as it is described here. What is not known is the author's own, unless it is nearly a name that is known: that is a
-slip, and what it should have told would be missed in silence.
+slip, and what it should have said would be missed in silence.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ _KINDS = {"msg": "message", "srv": "service", "action": "action"}
 
 
 def assumed_text(header: str) -> str:
-    """What stands in for an absent header; empty when its name is not that of an interface."""
+    """What replaces an absent header; empty when its name is not that of an interface."""
     if match := _ROS1.fullmatch(header):
         return _ros1_text(*match.groups())
     if interface := interface_of(header):
@@ -57,7 +57,7 @@ def assumed_struct(path: Sequence[str]) -> tuple[str, str] | None:
 
 
 def _names(snake: str) -> list[str]:
-    """The names that an interface with such a header may have, the likeliest first: code tells by the one that it uses which is right."""
+    """The names that an interface with such a header may have, the likeliest first: the one that the code uses is right."""
     abbreviations = [part for part in snake.split("_") if 1 < len(part) <= _ABBREVIATION]
     return list(dict.fromkeys(_camel_case(snake, upper) for upper in ("", *abbreviations)))
 

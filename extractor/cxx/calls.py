@@ -89,7 +89,7 @@ def _lower_construction(body: Body, tree: Tree, constructor: Cursor) -> str:
 
 
 def lower_dependent_construction(body: Body, tree: Tree, type_: Type, values: Tree | None) -> str | None:
-    """Record that `tree`, in a template, makes an object of `type_` from the bracketed `values`; None where clang tells the constructor."""
+    """Record that `tree`, in a template, makes an object of `type_` from the bracketed `values`; None where clang gives the constructor."""
     unit = body.unit
     name = declare_type(unit, type_)
     class_ = libclang.type_declaration(libclang.canonical_type(type_)) if values and _is_list(body, values) else None

@@ -132,7 +132,7 @@ def healed(
 ) -> Iterator[Healed | None]:
     """Parse `source` again with declarations for what `first` lacks; yield None when that leaves no fewer errors.
 
-    `interfaces_by_scope` tells that `package::msg::Name` is a message, and so on for services and actions, as in ROS 2. `unseen` are the
+    `interfaces_by_scope` says that `package::msg::Name` is a message, and so on for services and actions, as in ROS 2. `unseen` are the
     macros that nothing defines.
     """
     errors = _errors(first)
@@ -216,7 +216,7 @@ def _collect(wanted: Wanted, errors: Sequence[_Error], variables: bool) -> None:
             _collect_correction(wanted, error.message, quoted, place)
     for name, kind, parameters in plain:
         if kind == "template" and wanted.nested(name):
-            wanted.correct(name, kind)  # brought in by `using`, which does not tell
+            wanted.correct(name, kind)  # brought in by `using`, which does not say
         elif kind != "value" and not wanted.nested(name):
             wanted.name([name], kind, parameters)
     if variables or not wanted.changed:

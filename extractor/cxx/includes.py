@@ -56,7 +56,7 @@ class Missing:
 
 
 class _Target(NamedTuple):
-    """What an include leads to: a file to go on with, the folder to search for it beyond the usual ones, or what nothing provides."""
+    """What an include leads to: a file to continue with, the folder to search for it beyond the usual ones, or what nothing provides."""
 
     file: str | None = None
     folder: Path | None = None
@@ -85,7 +85,7 @@ def prelude_of(middleware: str) -> Path:
 class Includes:
     """What one source includes, directly and through others, as paths; `made` are the folders of generated and absent headers.
 
-    `overlay` is the file that tells clang what it may see.
+    `overlay` is the file that shows clang what it may see.
     A source is not `predictable` when macros decide what it includes: what it depends on is then not known in full.
     """
 

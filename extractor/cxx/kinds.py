@@ -1,4 +1,4 @@
-"""Cursor and type kinds of libclang that the extractor tells apart (CXCursorKind, CXTypeKind)."""
+"""Cursor and type kinds of libclang that the extractor distinguishes (CXCursorKind, CXTypeKind)."""
 
 from __future__ import annotations
 

@@ -136,7 +136,7 @@ _OPERATORS: dict[tuple[str, int], str] = {}
 
 
 def operator_spelling(cursor: Cursor, unary: bool) -> str:
-    """The operator of a unary, binary or compound-assignment cursor; empty when libclang cannot tell."""
+    """The operator of a unary, binary or compound-assignment cursor; empty when libclang does not know."""
     key = ("u", unary_operator(cursor)) if unary else ("b", binary_operator(cursor))
     if key not in _OPERATORS:
         _OPERATORS[key] = _text((_unary_spelling if unary else _binary_spelling)(key[1]))
@@ -356,7 +356,7 @@ class Unit:
         code = _parse(self._index, os.fsencode(path), array, len(arguments), None, 0, options, byref(self._handle))
         if code or not self._handle:
             _dispose_index(self._index)
-            path.open("rb").close()  # clang does not tell that a file is gone
+            path.open("rb").close()  # clang does not say that a file is gone
             raise ParseError(f"libclang error {code}")
 
     def __enter__(self) -> Unit:

@@ -1,6 +1,6 @@
 """The shared library libclang: the structures that its functions are given and return, and how one of them is bound.
 
-It comes with the `libclang` wheel; https://clang.llvm.org/doxygen/group__CINDEX.html tells what the structures mean.
+It comes with the `libclang` wheel; https://clang.llvm.org/doxygen/group__CINDEX.html says what the structures mean.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import clang.native
 
 
 class Cursor(Structure):
-    """CXCursor. `data[1]` tells expressions and statements apart, `data[0]` declarations."""
+    """CXCursor. `data[1]` distinguishes expressions and statements, `data[0]` declarations."""
 
     _fields_ = [("kind", c_int), ("xdata", c_int), ("d0", c_void_p), ("d1", c_void_p), ("d2", c_void_p)]
     kind: int

@@ -53,7 +53,7 @@ def decode_string(spelling: str) -> str:
 def string(body: Body, tree: Tree) -> str:
     """A string literal; adjacent ones count as one.
 
-    Definitions of CMake files may put paths into it: one below the workspace is told from there, the same wherever the workspace lies.
+    Definitions of CMake files may put paths into it: one below the workspace is given relative to it, the same wherever the workspace lies.
     """
     expr, _ = body.node(tree, "str")
     body.unit.add("literal", expr, "string", decode_string(libclang.spelling(tree.cursor)).replace(f"{body.unit.root}/", ""))

@@ -193,7 +193,7 @@ def _functions_named(names: Sequence[Names], text: str) -> list[str]:
 
 @dataclass(frozen=True)
 class _Reader:
-    """Reads expressions of one function from text. `assigned` tells where the assignments begin that need not be read."""
+    """Reads expressions of one function from text. `assigned` says where the assignments begin that need not be read."""
 
     unit: UnitFacts
     names: Sequence[Names]
@@ -378,7 +378,7 @@ def _recover_target(reader: _Reader, call: str, begin: int) -> None:
     start = max(0, begin - 200) + match.start(1)
     line, column = reader.holder.file.line_column(start)
     if f"{reader.holder.file.label}:{line}:{column}" in reader.assigned:
-        return  # of what clang could not tell: `call_remnant` says that this is the call
+        return  # of what clang could not determine: `call_remnant` says that this is the call
     assignment = reader.node(start, begin, "op")
     reader.unit.add("operator", assignment, "=")
     reader.unit.add("operand", assignment, 0, reader.expression(start, start + len(match.group(1))))

@@ -41,7 +41,7 @@ class HeaderStore(Protocol):
 
 @dataclass
 class SharedHeaders:
-    """The headers that one unit leaves to the store; `keys` tells which, once its first parse was seen."""
+    """The headers that one unit leaves to the store; `keys` says which, once its first parse was seen."""
 
     source: Path
     folders: Folders

@@ -255,7 +255,7 @@ def _lower_for(body: Body, tree: Tree) -> None:
 
 
 def _for_parts(body: Body, tree: Tree) -> tuple[list[Tree], list[Tree], list[Tree]]:
-    """Tell the parts of a for loop apart by its semicolons: clang leaves absent parts out without trace."""
+    """Separate the parts of a for loop by its semicolons: clang leaves absent parts out without trace."""
     span = body.unit.span_of(tree)
     data, depth, semicolons = span.file.data, 0, []
     for offset in range(span.begin, span.end):

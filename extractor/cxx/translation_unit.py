@@ -76,7 +76,7 @@ def _system(folders: Iterable[Path]) -> list[str]:
 
 
 def _precompiled(prelude: Path) -> list[str]:
-    # its name tells of which headers it is made, and when these were changed: clang need not look at each of them again
+    # its name says which headers it is made of, and when these were changed: clang need not look at each of them again
     return ["-include-pch", str(prelude), "-Xclang", "-fno-validate-pch"]
 
 

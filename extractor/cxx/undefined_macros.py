@@ -1,4 +1,4 @@
-"""Macros of absent headers, told by where they stand: no C++ has a word, or a call, in these places.
+"""Macros of absent headers, recognised by where they are: no C++ has a word, or a call, in these places.
 
 `DECLARE(int, x)` in a class, `LOAD(x)` without a semicolon, `FOR_EACH(x, list) {`, `void API f()`. Clang takes them for declarations, and
 loses what follows. The places are found in the text; what a macro does is not known, so that it leaves of its arguments what is code.
@@ -56,7 +56,7 @@ _CONTROL = _STATEMENTS | {"catch", "else", "constexpr", "and", "or", "not", "siz
 _DEEPEST = 8
 
 Scope = str
-"""namespace, class or function: what the declarations and statements stand in; block is the head of a loop or block in a function."""
+"""namespace, class or function: what the declarations and statements are in; block is the head of a loop or block in a function."""
 
 
 class _Token(NamedTuple):
@@ -77,7 +77,7 @@ class Macros:
     """How the undefined macros of a text are used, by name.
 
     `calls` are those that are like a call but for the semicolon, `code` those of which an argument is code, with its index; `values` are
-    words that stand in expressions. `uses` tell where they stand for something; `bodies_of_functions` where these open and close.
+    words that are in expressions. `uses` say where they stand for something; `bodies_of_functions` where these open and close.
     """
 
     uses: list[Use] = field(default_factory=list)
@@ -114,7 +114,7 @@ def undefined_macros(text: bytes, hidden: bytes, defined: Set[str]) -> Macros:
 
 
 class _Scanner:
-    """Reads the declarations and statements of a text; that of a macro's definition stands at the `place` of its use, else this is -1."""
+    """Reads the declarations and statements of a text; that of a macro's definition is at the `place` of its use, else this is -1."""
 
     def __init__(
         self, text: bytes, own: Mapping[str, Sequence[bytes]], defined: Set[str], macros: Macros, *, at: int = -1, depth: int = 0
@@ -130,7 +130,7 @@ class _Scanner:
         return self.tokens[index].text if 0 <= index < end else ""
 
     def statements(self, scope: Scope, owner: str, begin: int = 0, end: int | None = None, behind: str = "") -> None:
-        """Read what stands at [begin, end) in a `scope`; `owner` is the class, `behind` what follows."""
+        """Read what is at [begin, end) in a `scope`; `owner` is the class, `behind` what follows."""
         index, end = begin, len(self.tokens) if end is None else end
         while index < end:
             word = self.at(index, end)
@@ -282,7 +282,7 @@ class _Scanner:
         return end
 
     def _inside(self, begin: int, end: int) -> None:
-        """Read what stands in brackets: lambda expressions."""
+        """Read what is in brackets: lambda expressions."""
         index = begin
         while index < end:
             word = self.tokens[index].text

@@ -1,4 +1,4 @@
-"""What is known of the translation unit in work: its files, its rows and the identifiers given out so far."""
+"""What is known about the translation unit in work: its files, its rows and the identifiers given out so far."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def file_key(relative: str) -> str:
 
 
 class SourceFile:
-    """One file that clang read; `relative` and `key` are None when it lies outside the workspace, `label` is then its name."""
+    """One file that clang read; `relative` and `key` are None when it is outside the workspace, `label` is then its name."""
 
     __slots__ = ("_starts", "data", "key", "label", "path", "relative")
 
@@ -117,10 +117,10 @@ class UnitFacts:
     """Rows and identifiers of one translation unit.
 
     `call_sites` holds, per file, the offsets at which the names of the calls met so far end; `remnants`
-    are names of methods whose calls clang dropped, with the offset at which the name ends; `marks`, per function, tell which
+    are names of methods whose calls clang dropped, with the offset at which the name ends; `marks`, per function, say which
     block and index in it what stands after an offset belongs to; `skipped`, per path, the
     ranges that conditional compilation leaves out; `bindings`, by clang's address of its declaration, what a structured binding
-    names. `sees` tells which definitions of declared classes count. `depth` statements and expressions are being read, each within
+    names. `sees` says which definitions of declared classes count. `depth` statements and expressions are being read, each within
     the one before; `deep` are those left out because these would be more than `DEEPEST`.
     """
 

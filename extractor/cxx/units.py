@@ -55,7 +55,7 @@ class UnitReader:
 
     def prepare(self, units: Sequence[CompileUnit], timeout: float) -> None:
         """Make the precompiled declarations that units share, in a worker: without room on the disk, clang ends its process."""
-        used = sorted({ROS1, *(unit.middleware for unit in units)})  # those of ROS 1 also tell that the cache holds something
+        used = sorted({ROS1, *(unit.middleware for unit in units)})  # those of ROS 1 also show that the cache holds something
 
         def make(middleware: str) -> Path:
             return self.precompiled(middleware=middleware)

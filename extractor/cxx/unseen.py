@@ -18,7 +18,7 @@ _ERROR = 3
 
 @dataclass(frozen=True)
 class Unseen:
-    """What the texts of files say about macros that nothing defines; `defined` are those that there are."""
+    """What the texts of files say about macros that nothing defines; `defined` are those that are defined."""
 
     files: tuple[tuple[SourceFile, Macros], ...]
     defined: Set[str]

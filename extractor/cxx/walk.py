@@ -28,7 +28,7 @@ _TRANSPARENT = frozenset({kinds.NAMESPACE, kinds.LINKAGE_SPEC, kinds.UNEXPOSED_D
 
 
 def walk_declaration(unit: UnitFacts, cursor: Cursor) -> None:
-    """Record a declaration, with all in it, when it stands in a file of the workspace."""
+    """Record a declaration, with all in it, when it is in a file of the workspace."""
     file, offset = unit.locate(libclang.location(cursor))
     if file.key is None:
         return

@@ -46,7 +46,7 @@ _ARGUMENTS = re.compile(rb"\s*(<[\w\s:,*&.]*(?:<[\w\s:,*&.]*>[\w\s:,*&.]*)*>)?\s
 class Node:
     """A name with the names inside it; `kind` is a key of the ranks above: a later, higher one replaces a lower one.
 
-    `certain` tells that clang knows it as a namespace; by `::` behind a name alone it may be a class.
+    `certain` says that clang knows it as a namespace; by `::` behind a name alone it may be a class.
     """
 
     kind: str
@@ -107,10 +107,10 @@ def _number(name: str) -> int:
 
 @dataclass
 class Wanted:
-    """All that is to be declared; `changed` tells of additions.
+    """All that is to be declared; `changed` says whether something was added.
 
     `messages` holds, by header and struct, the members of messages of which only the name is known, each with its kind (`type` for one of
-    a field's type); `interfaces` the headers of those that the source does not include, where `interfaces_by_scope` tells that such names
+    a field's type); `interfaces` the headers of those that the source does not include, where `interfaces_by_scope` says that such names
     are those of interfaces; `bases` the absent base classes of a class of the workspace; `read` the files whose members are wanted;
     `defined` are macros that are never wanted: they are there.
     """
@@ -147,7 +147,7 @@ class Wanted:
             return False
         header = struct[0]
         text = assumed_text(header)
-        if not re.search(rf"\b{path[2]}\b", text):  # the name of the header does not tell that of the message
+        if not re.search(rf"\b{path[2]}\b", text):  # the name of the header does not give that of the message
             return False
         _write(self._message(header), text)
         self.changed |= header not in self.interfaces
@@ -177,7 +177,7 @@ class Wanted:
         return node
 
     def members_in(self, data: bytes) -> None:
-        """Want of values of unknown type what any object in a text is asked for: which objects these are, clang tells one by one."""
+        """Want of values of unknown type what any object in a text is asked for: which objects these are, clang reports one by one."""
         for match in _MEMBER.finditer(data):
             name, kind = match.group(1).decode(), kind_of_member(data, match.end())
             if name not in _RESERVED and _member_rank(kind) > _member_rank(self.members.get(name, "")):

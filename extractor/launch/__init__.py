@@ -1,7 +1,7 @@
 """Launch files: what roslaunch would start and set, without running anything.
 
 `compose` reads a launch file as roslaunch's loader does and gives the nodes it would start, the parameters it would set and
-everything that it would refuse or that cannot be known, with the launch lines of each. What cannot be known (an environment variable that
+everything that it would reject or that cannot be known, with the launch lines of each. What cannot be known (an environment variable that
 is not set, a package that is not there) stays in the texts as the `$(...)` that was not resolved.
 
 Those of ROS 2 are read by `rosarch.extractor.launch_ros2`, and come to the same.

@@ -33,7 +33,7 @@ def words_of(command: str) -> list[str]:
 
 
 def output(words: list[str], files: Files, environment: Mapping[str, str]) -> str | None:
-    """What the command prints, or None when only running it could tell.
+    """What the command prints, or None when only running it could show.
 
     Raises:
         LaunchError: the command certainly fails, because a file or package that it needs is not there.

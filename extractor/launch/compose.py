@@ -1,7 +1,7 @@
-"""From launch files to a `Composition`: groups, includes, and what goes on when something is refused.
+"""From launch files to a `Composition`: groups, includes, and what goes on when something is rejected.
 
 The steps and their order are those of roslaunch.xmlloader, so that the first problem is the one roslaunch stops at. Here composition goes
-on: an element that is refused costs that element, a value that is absent stays unknown.
+on: an element that is rejected costs that element, a value that is absent stays unknown.
 """
 
 from __future__ import annotations

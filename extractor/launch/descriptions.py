@@ -19,7 +19,7 @@ _WORLDS = (".world", ".sdf")
 
 
 def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tuple[str | None, tuple[SimulatorPlugin, ...]]:
-    """What xacro prints, None when it refuses the file; its problems become those of the launch file.
+    """What xacro prints, None when it rejects the file; its problems become those of the launch file.
 
     `installed`: packages are looked for where they are installed, as in ROS 2; a file there may come from elsewhere in their sources.
     """

@@ -25,7 +25,7 @@ def arg(state: State, element: Element, scope: Scope, passed: dict[str, str] | N
     """`<arg>`: declare an argument, or pass one to the file that is included (`passed`).
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:
@@ -54,7 +54,7 @@ def param(state: State, element: Element, scope: Scope, *, private: bool = False
     """`<param>`: set a parameter. With `private` (within a node), and for `~names`, it is set below the nodes of the scope.
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:
@@ -143,7 +143,7 @@ def rosparam(state: State, element: Element, scope: Scope) -> None:
     """`<rosparam>`: load parameters from YAML; `dump` and `delete` are only noted.
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:
@@ -227,7 +227,7 @@ def remap(state: State, element: Element, scope: Scope, into: Scope) -> None:
     """`<remap>`: rename for the nodes that follow in `into`.
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:
@@ -243,7 +243,7 @@ def env(state: State, element: Element, scope: Scope) -> None:
     """`<env>`: an environment variable for the nodes that follow.
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:
@@ -262,7 +262,7 @@ def machine(state: State, element: Element, scope: Scope) -> None:
     """`<machine>`: a computer that nodes can be started on.
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:

@@ -24,7 +24,7 @@ Function = Callable[..., Any]
 
 
 class EvalFailed(Exception):
-    """Python would refuse this expression as well."""
+    """Python would reject this expression as well."""
 
 
 class Unsupported(Exception):
@@ -75,8 +75,8 @@ def evaluate(expression: str, lookup: Callable[[str], Any], functions: Mapping[s
 
     Args:
         expression: Python text.
-        lookup: the value of a name that is no function or constant; raises `KeyError` for one that there is not.
-        functions: what may be called besides Python's own, which it hides.
+        lookup: the value of a name that is no function or constant; raises `KeyError` for one that does not exist.
+        functions: what may be called in addition to Python's own, which it hides.
 
     Raises:
         EvalFailed: it is no expression, or it fails.
@@ -100,7 +100,7 @@ def _parsed(expression: str) -> ast.Expression:
 
 
 class Evaluator:
-    """Walks expressions; `steps` tells how much work that was."""
+    """Walks expressions; `steps` says how much work that was."""
 
     def __init__(self, lookup: Callable[[str], Any], functions: Mapping[str, Function]) -> None:
         self.lookup, self.functions = lookup, functions
@@ -303,7 +303,7 @@ def is_known_value(value: Any) -> bool:
 
 
 def check_size(operation: ast.operator, left: Any, right: Any) -> None:
-    """Refuse, before it is computed, what would be too large.
+    """Reject, before it is computed, what would be too large.
 
     Raises:
         TooLarge: the result could have more than some thousand digits or characters.

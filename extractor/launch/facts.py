@@ -88,7 +88,7 @@ class _Writer:
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
             subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable", "params-file") else problem.subject
-            message = problem.message.replace(self.root + os.sep, "")  # places are shown relative to the workspace: so are paths in words
+            message = problem.message.replace(self.root + os.sep, "")  # places are shown relative to the workspace: so are paths in texts
             self.add("launch_problem", self.place(problem.place), problem.kind, subject, message, effect)
             if problem.kind == "package":
                 self.reference(PackageNamed(problem.subject, None, problem.place))
@@ -222,7 +222,7 @@ class _Writer:
 
 
 def starts(composition: Composition) -> Iterator[tuple[str, NodeStart]]:
-    """The nodes, each with what rows call it, its name or what tells it from others of that name."""
+    """The nodes, each with what rows call it, its name or what distinguishes it from others of that name."""
     names: Counter[str] = Counter()
     for node in composition.nodes:
         name = _names(node, node_arguments(node))[1]

@@ -53,7 +53,7 @@ class Files:
                 self._beside.add(self.real(full))
 
     def allow_beside(self, launch_file: str) -> None:
-        """Allow the package that `launch_file` lies in, or its folder when it lies in none."""
+        """Allow the package that `launch_file` is in, or its folder when it is in none."""
         folder = os.path.dirname(self.real(launch_file))
         if folder not in self._packages_of:
             self._packages_of[folder] = _package_of(folder)
@@ -72,7 +72,7 @@ class Files:
         return os.path.isfile(full)
 
     def located(self, path: str) -> str:
-        """Where a file lies in the sources that is installed at `path`: packages may install it from elsewhere in their folder."""
+        """Where a file is in the sources that is installed at `path`: packages may install it from elsewhere in their folder."""
         folder = None if self.is_file(path) else self.packages.of_file(path)
         if folder is None:
             return path
@@ -174,7 +174,7 @@ class Files:
 
 
 def _package_of(folder: str) -> str:
-    """The folder of the package that a folder lies in; itself when it lies in none."""
+    """The folder of the package that a folder is in; itself when it is in none."""
     manifests = [above / "package.xml" for above in (Path(folder), *Path(folder).parents)]
     for manifest in manifests:
         tracing.probe(manifest)

@@ -60,14 +60,14 @@ def choice(condition: Formula, first: Formula, second: Formula) -> Formula:
 
 
 def equals(subject: Any, value: Any) -> Formula:
-    """A text with unknown parts has a value; one that cannot be, where what is known of the text differs."""
+    """A text with unknown parts has a value; one that cannot be, where what is known about the text differs."""
     if isinstance(value, str) and isinstance(subject, str) and not _may_be(subject, value):
         return FALSE
     return Test(subject, value)
 
 
 def bounded(formula: Formula, text: str) -> Formula:
-    """The formula, or `text` as all that is known of it when it is too large."""
+    """The formula, or `text` as all that is known about it when it is too large."""
     return Test(text, opaque=True) if len(list(itertools.islice(tests_of(formula), MAX_TESTS + 1))) > MAX_TESTS else formula
 
 
@@ -130,7 +130,7 @@ _OTHER = object()
 
 
 def _domain(tests: list[Test]) -> list[Any]:
-    """The values of one subject that tests tell apart. Of what has to be a Boolean, other values end the launch."""
+    """The values of one subject that tests distinguish. Of what has to be a Boolean, other values end the launch."""
     values = list(dict.fromkeys(test.value for test in tests if test.value is not None))
     if all(test.value is not None for test in tests):
         return [*values, _OTHER]
@@ -154,7 +154,7 @@ def _holds(formula: Formula, case: dict[str, Any]) -> bool:
 
 
 def _dependent(tests: Iterable[Test]) -> bool:
-    """Whether two subjects may have to do with each other: they share an unknown part, or more is not known of them."""
+    """Whether two subjects may have to do with each other: they share an unknown part, or more is not known about them."""
     subjects = {test.subject: test.opaque for test in tests}
     return any(
         (opaque and other_opaque) or not marks_in(subject).isdisjoint(marks_in(other))

@@ -225,7 +225,7 @@ class Include:
 
 @dataclass(frozen=True)
 class Problem:
-    """Something that roslaunch refuses (`fatal`) or that is not as it should be.
+    """Something that roslaunch rejects (`fatal`) or that is not as it should be.
 
     `kind` and `subject` say what it is about (`package`, the name of a package), `message` says it to a reader.
     """
@@ -396,7 +396,7 @@ class Composition:
 
 
 class LaunchError(Exception):
-    """An element that is refused; becomes a `Problem` at the element's place."""
+    """An element that is rejected; becomes a `Problem` at the element's place."""
 
     def __init__(self, kind: str, subject: str, message: str) -> None:
         super().__init__(message)

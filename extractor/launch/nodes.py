@@ -25,7 +25,7 @@ def node(state: State, element: Element, scope: Scope) -> None:
     """`<node>`: a node is started.
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:
@@ -42,7 +42,7 @@ def test(state: State, element: Element, scope: Scope) -> None:
     """`<test>`: a node that rostest starts.
 
     Raises:
-        LaunchError: it is refused.
+        LaunchError: it is rejected.
     """
     conditions = state.conditions(element, scope)
     if conditions is None:
@@ -175,7 +175,7 @@ def _joined(outer: tuple[Condition, ...], inner: tuple[Condition, ...]) -> tuple
 
 
 def _check(state: State, started: NodeStart) -> None:
-    """Report what roslaunch refuses in a node as a whole."""
+    """Report what roslaunch rejects in a node as a whole."""
     if started.respawn and started.required:
         state.report(LaunchError("node", "respawn required", "a node cannot be both `respawn` and `required`"))
     if "/" in (started.name or ""):

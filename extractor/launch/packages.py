@@ -56,7 +56,7 @@ class PackagePath:
         return self.packages.get(name)
 
     def of_file(self, path: str) -> str | None:
-        """The folder of the package that a file lies in, the innermost."""
+        """The folder of the package that a file is in, the innermost."""
         return max((folder for folder in self.packages.values() if path.startswith(folder + os.sep)), key=len, default=None)
 
     def names_in(self, folder: str) -> frozenset[str]:

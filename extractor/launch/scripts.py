@@ -1,4 +1,4 @@
-"""Scripts that launch files start: which of the names in the launch files stand in their texts.
+"""Scripts that launch files start: which of the names in the launch files are in their texts.
 
 A script is not analysed here. But a name of which a part does not occur in its text, nor in that of the modules of its package, is hardly a
 name that it uses.

@@ -206,7 +206,7 @@ class State:
         settle(self.params, setting)
 
     def add_node(self, node: NodeStart, fatal: bool = True, *, anew: bool = False) -> None:
-        """Start a node; two of one name are refused, or (not `fatal`) only reported, unless they are alternatives, or may be.
+        """Start a node; two of one name are rejected, or (not `fatal`) only reported, unless they are alternatives, or may be.
 
         `anew`: when another process has ended; the node of the same line is started again then.
         """

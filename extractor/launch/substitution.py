@@ -24,7 +24,7 @@ MAX_TEXT = 8 * 1024 * 1024  # characters of one resolved text: arguments that do
 
 
 class Composing(Protocol):
-    """Who is told what was absent, and how much text was made."""
+    """Receives what was absent, and how much text was made."""
 
     def report(self, error: LaunchError, fatal: bool = True) -> None:
         """Note a problem."""

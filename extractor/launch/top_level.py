@@ -164,13 +164,13 @@ def _said(path: str, called: Mapping[str, list[str]]) -> Iterator[str]:
 
 
 def _package_folder(path: str) -> list[str]:
-    """The name of the folder of the package that a file lies in."""
+    """The name of the folder of the package that a file is in."""
     folder = next((folder for folder in Path(path).parents if os.path.isfile(folder / "package.xml")), None)
     return [] if folder is None else [folder.name]
 
 
 def _written(path: str, files: Files) -> Iterator[str]:
-    """The files that the text of a launch file includes under any condition, as far as they can be told without arguments."""
+    """The files that the text of a launch file includes under any condition, as far as they can be determined without arguments."""
     try:
         launch = files.parsed(path, read_launch)
     except (LaunchError, XmlError):

@@ -47,7 +47,7 @@ def marks_in(text: str) -> frozenset[str]:
 
 
 class Unknowns:
-    """The unknowns of one composition. `truths` tells when those that are Booleans are true."""
+    """The unknowns of one composition. `truths` says when those that are Booleans are true."""
 
     def __init__(self) -> None:
         self.truths: dict[str, Formula] = {}
@@ -64,7 +64,7 @@ class Unknowns:
         return self._marks[key]
 
     def fresh(self, name: str) -> str:
-        """The character for a new anonymous name; the second one of the same `name` is told apart by its number."""
+        """The character for a new anonymous name; the second one of the same `name` is distinguished by its number."""
         self._numbers[name] = number = self._numbers.get(name, 0) + 1
         mark = self._new(f"$(anon {name})" if number == 1 else f"$(anon {name} {number})")
         self._names.add(mark)

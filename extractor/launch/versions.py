@@ -86,7 +86,7 @@ def _left_behind(launch_files: Iterable[Path | str]) -> Composition:
 
 
 def _manifest_of(path: Path) -> bytes:
-    """The manifest of the package that a file lies in, without comments."""
+    """The manifest of the package that a file is in, without comments."""
     for folder in path.absolute().parents:
         manifest = folder / "package.xml"
         tracing.probe(manifest)

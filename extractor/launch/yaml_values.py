@@ -91,7 +91,7 @@ def opened(text: str, loader_class: type[Loader]) -> Iterator[tuple[Loader, yaml
     """A loader, and the root of a document as it is written, None of an empty one.
 
     Raises:
-        YamlError: the text is not YAML, or what is made of it meanwhile is refused.
+        YamlError: the text is not YAML, or what is made of it meanwhile is rejected.
     """
     try:
         loader = loader_class(_ESCAPED_MARK.sub(r"\\uFFFD", text))
@@ -168,7 +168,7 @@ for _tag, _name in (("!degrees", "deg"), ("!radians", "rad")):
 
 
 def _check_size(value: Any) -> None:
-    """Refuse what aliases unfold to more than `MAX_VALUES`, or to something without end."""
+    """Reject what aliases unfold to more than `MAX_VALUES`, or to something without end."""
     sizes: dict[int, int] = {}
     opened: set[int] = set()
 

@@ -1,4 +1,4 @@
-"""Actions, carried out as launch does, in their order. One that is refused costs itself only."""
+"""Actions, carried out as launch does, in their order. One that is rejected costs itself only."""
 
 from __future__ import annotations
 
@@ -175,7 +175,7 @@ def _visit_outcome(world: World, outcome: Any, context: Context, *, anew: bool) 
 
 @carries_out("EmitEvent", "LifecycleTransition")
 def _emit(world: World, _made: Made, _context: Context) -> None:
-    """Who is told to do what is not followed."""
+    """Which nodes get the event, and what they do then, is not followed."""
     world.state.commands.setdefault(world.state.here)
 
 

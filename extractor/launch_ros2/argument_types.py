@@ -1,4 +1,4 @@
-"""Arguments whose type the classes of launch_ros refuse, in all versions.
+"""Arguments whose type the classes of launch_ros reject, in all versions.
 
 Sources: launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py.
 """
@@ -16,7 +16,7 @@ _RENAMING = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
 
 
 def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """The arguments of an object of the class `kind` that have a type that it refuses, and what it asks for."""
+    """The arguments of an object of the class `kind` that have a type that it rejects, and what it asks for."""
     parameters = given.get("parameters")
     if kind in _NODES and (isinstance(parameters, (dict, tuple, Made)) or _is_text(parameters)):
         yield "parameters", "parameters must be a list"

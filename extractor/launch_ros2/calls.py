@@ -84,7 +84,7 @@ class Calls(Expressions):
         return environment_has(self, name)
 
     def optional(self, kinds: set[str], what: str) -> bool:
-        """Whether the launch file goes on when an exception of these kinds tells that `what` is not there; on goes the case that it is."""
+        """Whether the launch file goes on when an exception of these kinds says that `what` is not there; on goes the case that it is."""
         attempt = next((one for one in reversed(self.attempts) if one.handled & (kinds | GENERAL)), None)
         if attempt is None:
             return False
@@ -330,7 +330,7 @@ class Calls(Expressions):
         return function
 
     def own(self, made: Class) -> None:
-        """Tell the methods of a class which class they are of."""
+        """Record in the methods of a class which class they are of."""
         for name, member in made.members.items():
             if isinstance(member, Function) and member.owner is None:
                 owned = Function(member.node, member.frame, member.defaults, member.named_defaults, made)

@@ -25,7 +25,7 @@ class Decisions:
         return Place(frame.module.file, getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1)
 
     def unknown(self, node: ast.expr, frame: Frame, reason: str = "") -> Unknown:
-        """The value of an expression that cannot be told."""
+        """The value of an expression that cannot be determined."""
         return Unknown(source_of(node), self.place(node, frame), reason)
 
     def truth(self, value: Any) -> bool | None:
@@ -90,7 +90,7 @@ class Decisions:
         return Condition(source_of(test), True, self.place(test, frame), self.formula(value))
 
     def undecided(self, node: ast.expr, frame: Frame, means: Formula) -> Unknown:
-        """The value of a Boolean expression that cannot be told."""
+        """The value of a Boolean expression that cannot be determined."""
         text = source_of(node)
         return Unknown(text, self.place(node, frame), truth=bounded(means, text))
 

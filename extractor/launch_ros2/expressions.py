@@ -1,6 +1,6 @@
 """Expressions of Python launch files, interpreted over their syntax trees.
 
-What is not known gives an `Unknown`, never an exception; what Python would refuse raises `Raised`. Steps and sizes are bounded.
+What is not known gives an `Unknown`, never an exception; what Python would reject raises `Raised`. Steps and sizes are bounded.
 """
 
 from __future__ import annotations
@@ -156,7 +156,7 @@ class Expressions(Decisions):
         return found
 
     def iterated(self, value: Any, node: ast.expr, frame: Frame) -> list[Any]:
-        """The items of a value; a single unknown one where these cannot be told."""
+        """The items of a value; a single unknown one where these cannot be determined."""
         if isinstance(value, (list, tuple, set, dict, range, str)) and (not isinstance(value, str) or is_known(value)):
             return list(value)
         if isinstance(value, TextFile) and value.text is not None and is_known(value.text):

@@ -346,7 +346,7 @@ class Interpreter(Calls):
             raise returned
 
     def _instead(self, attempt: Attempt, node: ast.Try, before: dict[str, Any], returned: _Return | None, frame: Frame) -> None:
-        """The handler of what may have been raised, besides what comes without."""
+        """The handler of what may have been raised, in addition to what comes without."""
         holds = attempt.missed[0]
         handler = next(one for one in node.handlers if _names_of(one) & attempt.kinds)
         after = dict(frame.variables)

@@ -67,7 +67,7 @@ for _name, _function in _OF_TEXT.items():
 
 
 def _below_home(run: Calls, text: str) -> str:
-    """A path with the home folder in place of `~`: an unknown one, whoever reads the sources here is not who launches them."""
+    """A path with the home folder in place of `~`: an unknown one, as the reader of the sources need not be the user who launches them."""
     user, slash, rest = text.partition("/")
     return f"{run.world.state.unknowns.mark(f'$(home {user})', user)}{slash}{rest}" if user.startswith("~") else text
 

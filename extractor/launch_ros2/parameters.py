@@ -45,7 +45,7 @@ class Unread:
 
 @dataclass(frozen=True)
 class Read:
-    """A file of parameters that was read, whomever it is for; `path` is where it lies in the sources."""
+    """A file of parameters that was read, whomever it is for; `path` is where it is in the sources."""
 
     path: str
     file: ParamsFile

@@ -1,7 +1,7 @@
-"""Files of parameters of ROS 2: which nodes they are for, what they set, and what nodes refuse of them.
+"""Files of parameters of ROS 2: which nodes they are for, what they set, and what nodes reject of them.
 
 Source: rcl_yaml_param_parser (parse.c): keys are names of nodes, which may be nested as namespaces and have `*` for one part of a name
-and `**` for any number; below `ros__parameters` maps are nested with dots. A node that is given a file that it refuses ends at its start.
+and `**` for any number; below `ros__parameters` maps are nested with dots. A node that is given a file that it rejects ends at its start.
 What is given to classes that are loaded into containers is read by launch_ros (to_parameters_list.py): a file without any section is for
 all of them.
 """
@@ -32,7 +32,7 @@ ALL = "/**"
 """The pattern of all nodes."""
 _TEXT = "tag:yaml.org,2002:str"
 _PARSER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-_SCALARS = (  # as rcl tells the types of plain scalars
+_SCALARS = (  # as rcl determines the types of plain scalars
     ("Booleans", re.compile(r"y|Y|yes|Yes|YES|n|N|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF")),
     ("integers", re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)")),
     ("doubles", re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")),
@@ -51,7 +51,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Refusal:
-    """What of a file a node refuses, at `line`."""
+    """What of a file a node rejects, at `line`."""
 
     message: str
     line: int
@@ -59,7 +59,7 @@ class Refusal:
 
 @dataclass(frozen=True)
 class ParamsFile:
-    """A file of parameters: its sections, the lines of its keys, what a node refuses; `unknown` is a text that is open as a whole.
+    """A file of parameters: its sections, the lines of its keys, what a node rejects; `unknown` is a text that is open as a whole.
 
     `plain` is what a file without sections says for whatever launch_ros reads it for.
     """
@@ -156,7 +156,7 @@ def likely_name(sections: Sequence[Section], namespace: str, known: tuple[str, .
     return names[0] if len(names) == 1 else next((name for name in known if name in names), None)
 
 
-# -- what nodes refuse --------------------------------------------------------------------------------------------------------
+# -- what nodes reject --------------------------------------------------------------------------------------------------------
 
 
 class _Refused(Exception):

@@ -87,7 +87,7 @@ class _Parser:
         return found, index
 
     def substitution(self, index: int) -> tuple[Made, int]:
-        """What stands behind `$(`, up to its `)`."""
+        """What follows `$(`, up to its `)`."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
             raise LaunchError("substitution", "$(", "substitutions nested too deeply")

@@ -1,4 +1,4 @@
-"""The values of launch files besides Python's own: actions and substitutions, unknowns, alternatives, functions and classes."""
+"""The values of launch files in addition to Python's own: actions and substitutions, unknowns, alternatives, functions and classes."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Written(tuple[Any, ...]):
 
 @dataclass(frozen=True, eq=False)
 class Unknown:
-    """A value that cannot be told; `text` is how the source writes it, `reason` why. `truth` is when a Boolean is true."""
+    """A value that cannot be determined; `text` is how the source writes it, `reason` why. `truth` is when a Boolean is true."""
 
     text: str
     place: Place
@@ -51,7 +51,7 @@ NOTHING = Nothing()
 
 @dataclass(frozen=True, eq=False)
 class Either:
-    """`first` when the condition holds, else `second`: which cannot be told."""
+    """`first` when the condition holds, else `second`: which cannot be determined."""
 
     condition: Condition
     first: Any

@@ -117,7 +117,7 @@ class World:
         return self.state.files.read_text(self.located(path))
 
     def content_of(self, path: str) -> str:
-        """What stands in a file, when that is not known."""
+        """What is in a file, when that is not known."""
         return self.state.unknowns.mark(f"$(file-content {self.state.unknowns.render(path)})", path)
 
     def hand(self, *values: Any) -> None:
@@ -141,7 +141,7 @@ class World:
         return written or any(path in text for text in self.handed)
 
     def located(self, path: str) -> str:
-        """Where a file lies in the sources that is installed at `path`, as far as that is known."""
+        """Where a file is in the sources that is installed at `path`, as far as that is known."""
         return path if self.state.unknowns.is_open(path) else self.state.files.located(path)
 
     def module_source(self, name: str, beside: str) -> tuple[str, str] | None:

@@ -11,7 +11,7 @@ from rosarch.extractor.messages.model import MessageStore
 class MessageClass:
     """A C++ class and the interface it stands for.
 
-    `kind` is `message`, `service`, `action` (the wrapper class that `SimpleActionServer` takes) or `config`. `role` and `owner` tell, for a
+    `kind` is `message`, `service`, `action` (the wrapper class that `SimpleActionServer` takes) or `config`. `role` and `owner` say, for a
     part of a service or action, which part of which.
     """
 

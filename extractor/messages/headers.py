@@ -111,7 +111,7 @@ def _constant(constant: Constant) -> str:
 
 
 def integer_value(constant: Constant) -> str:
-    """The value of a constant as an integer literal; what genmsg would refuse is 0, so that the header still compiles."""
+    """The value of a constant as an integer literal; what genmsg would reject is 0, so that the header still compiles."""
     text = {"true": "1", "false": "0"}.get(constant.value.lower(), constant.value)
     try:
         number = int(text, 0)

@@ -53,7 +53,7 @@ def _package(name: str) -> str:
 
 
 def _of_ros1(path: Path | None, name: str) -> bool:
-    """Whether a message is one of those that stand in for messages of ROS 2, and may differ."""
+    """Whether a message is one of those that replace messages of ROS 2, and may differ."""
     return path is not None and path.parent == COMMON and _package(name) not in _SAME_IN_BOTH
 
 

@@ -2,7 +2,7 @@
 
 Source: https://github.com/PickNikRobotics/generate_parameter_library. A header declares `Params`, a structure of the parameters, and
 `ParamListener`, which declares them at a node. It is made so that each parameter is declared in the line, and at the column, at which the
-YAML file has it: what is told of that place is told of the YAML file, whose name stands in the header's first comment.
+YAML file has it: what is reported about that place is reported about the YAML file, whose name is in the header's first comment.
 """
 
 from __future__ import annotations
@@ -118,7 +118,7 @@ class _Header:
     statements: dict[int, list[tuple[int, str, str]]] = field(default_factory=lambda: defaultdict(list))
 
     def members(self, tree: yaml.Node, above: tuple[str, ...], depth: int) -> str:
-        """The members of a structure for the parameters of `tree`, which lies below the names `above`."""
+        """The members of a structure for the parameters of `tree`, which is below the names `above`."""
         found = []
         for key, value in _entries(tree):
             names = (*above, key.value)
@@ -193,7 +193,7 @@ class _Header:
             if number > 0:
                 lines.append("")
             for index, (column, target, call) in enumerate(self.statements.get(number, ())):
-                before = -1 if index or not number else -2  # what the value goes to stands before the place that is told
+                before = -1 if index or not number else -2  # what the value goes to stands before the place that is reported
                 lines[before] += f" {target}"
                 lines[-1] = f"{lines[-1].ljust(column)}{call}" if before == -2 else f"{lines[-1]} {call}"
         return "\n".join([*lines, "} }; }", ""])
@@ -204,7 +204,7 @@ _SIZED = {"fixed_size": "!=", "size_gt": "<=", "size_lt": ">="}
 
 
 def _refused(validation: yaml.Node | None, item: str, *, is_list: bool) -> Iterator[str]:
-    """The conditions on a value, `?`, under which the validators refuse it; those of own validators and of elements are not told."""
+    """The conditions on a value, `?`, under which the validators reject it; those of own validators and of elements are not given."""
     for key, value in _entries(validation):
         name, listed = key.value.removesuffix("<>"), value.value if isinstance(value, yaml.SequenceNode) else [value]
         if name in _SIZED and is_list and len(listed) == 1 and (number := _number(listed[0])):

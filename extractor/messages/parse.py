@@ -2,7 +2,7 @@
 
 Sources: https://wiki.ros.org/msg, https://wiki.ros.org/srv, https://wiki.ros.org/actionlib; bounds, defaults and `wstring` from
 https://docs.ros.org/en/humble/Concepts/Basic/About-Interfaces.html. The `rosbags` parser is not used here: it gives no positions,
-refuses a whole file for one line and knows no lower-case constants, which ROS 1 allows. Tests compare both.
+rejects a whole file for one line and knows no lower-case constants, which ROS 1 allows. Tests compare both.
 """
 
 from __future__ import annotations

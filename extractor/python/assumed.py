@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def assume_classes(inference: Inference, modules: Iterable[Module]) -> bool:
-    """Tell by such methods what the class of objects, or a base of it that is not there, is; whether any is new."""
+    """Infer from such methods the class of objects, or a base of it that is not there; returns whether any is new."""
     new = False
     for module in modules:
         for call, scope in module.calls:

@@ -128,7 +128,7 @@ class Facts:
         return name
 
     def unknown_member(self, name: str) -> str:
-        """A data member of an object that nothing is known of."""
+        """A data member of an object that nothing is known about."""
         identifier = f"?::{name}"
         self.add("variable", identifier, "field")
         self.add("variable_name", identifier, name)

@@ -16,7 +16,7 @@ from rosarch.extractor.python_syntax import import_call
 
 
 def lower_call(body: Body, node: ast.Call) -> str:
-    """Record a call or a construction; arguments of known functions stand at the index of their parameter."""
+    """Record a call or a construction; arguments of known functions are at the index of their parameter."""
     formatted = strings.format_call(body, node)
     if formatted is not None:
         return formatted

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 Path = tuple[int | None, ...]
 """Which part of a value: the index of an element, or None for any element; of this, the next one. () is the value itself."""
 DEEPEST = 4
-"""No part is asked for that is in more containers: `x = x[0]` in a loop asks for ever deeper ones."""
+"""No part is asked for that is in more containers: `x = x[0]` in a loop asks for deeper and deeper ones."""
 
 _SAME_ELEMENTS = frozenset({"list", "tuple", "sorted", "reversed", "set", "iter", "deque", "dict", "OrderedDict"})
 _GIVE_ELEMENT = frozenset({"get", "pop", "popleft", "setdefault"})

@@ -84,7 +84,7 @@ def _decorators(body: Body, nodes: Sequence[ast.expr], function: Function) -> No
 
 
 def lower_class(body: Body, node: ast.ClassDef) -> None:
-    """What stands in a class is evaluated when the class is defined; the methods are functions of their own."""
+    """What is in a class is evaluated when the class is defined; the methods are functions of their own."""
     cls = body.module.classes.get(node)
     if cls is None or cls.scope is None:
         return

@@ -216,7 +216,7 @@ def _subscript(body: Body, node: ast.expr) -> str:
 
 
 def _slice(body: Body, node: ast.Slice) -> str:
-    """`first:end`, where `first` is 0 when it is left out; one with a step is not told."""
+    """`first:end`, where `first` is 0 when it is left out; one with a step is not described."""
     if node.step is not None:
         return unknown(body, node)
     first = lower(body, node.lower) if node.lower is not None else literal(body, node, 0)

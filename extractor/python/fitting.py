@@ -10,7 +10,7 @@ from rosarch.extractor.python.shapes import arguments_of, defaults_of
 
 
 def misfits(call: ast.Call, function: Function, skipped: int) -> Iterator[tuple[str, str]]:
-    """What Python refuses `call` for, as (how, name): a parameter that is missing, a keyword that is unknown, too many arguments."""
+    """What Python rejects `call` for, as (how, name): a parameter that is missing, a keyword that is unknown, too many arguments."""
     node = function.node
     if node is None or any(isinstance(argument, ast.Starred) for argument in call.args) or any(word.arg is None for word in call.keywords):
         return

@@ -1,4 +1,4 @@
-"""What declared functions hand on to the functions that they are given, by the type variables of their annotations."""
+"""What declared functions pass on to the functions that they are given, by the type variables of their annotations."""
 
 from __future__ import annotations
 

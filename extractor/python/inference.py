@@ -52,7 +52,7 @@ class Inference:
         self.program = program
         self._modules = list(modules)
         self._values: dict[Variable | Function, dict[Path, Values]] = defaultdict(lambda: {(): NOTHING})
-        """What is known of variables and of what functions return: of these themselves, and of their parts that were asked for."""
+        """What is known about variables and about what functions return: of these themselves, and of their parts that were asked for."""
         self._expressions: dict[tuple[ast.expr, Scope], Values] = {}
         self._taken_for: dict[tuple[ast.expr, Scope], Values] = {}
         self._rounds()
@@ -310,7 +310,7 @@ class Inference:
         return found if isinstance(found, Class) else None
 
     def _binary(self, left: Values, right: Values) -> Values:
-        """Numbers with numbers are numbers; of other objects, the first tells."""
+        """Numbers with numbers are numbers; of other objects, the first decides."""
         names = {value.cls.name for value in left | right if isinstance(value, InstanceValue)}
         if names and names <= {"int", "float", "bool"}:
             return instance(self._builtin("float" if "float" in names else "int"))

@@ -16,7 +16,7 @@ FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 class Module:
     """A module: of the workspace (then `key` and `path` name its file), or a declaration (`stub`) of one that is elsewhere.
 
-    `main` tells that it is run as a program, and not imported. What stands from the line `left_out` on was not read (0: all was).
+    `main` says that it is run as a program, and not imported. What stands from the line `left_out` on was not read (0: all was).
     `outer_targets` are assigned to, and neither names nor members of `self`.
     """
 
@@ -112,7 +112,7 @@ class Class:
 class Function:
     """A function with a body in the workspace, a declared one (of a stub), or one that is only known by name (no `node`).
 
-    `of_class` tells that its first parameter is the class; `is_factory`, that it is a `__new__` that makes no object of its class;
+    `of_class` says that its first parameter is the class; `is_factory`, that it is a `__new__` that makes no object of its class;
     `is_context`, that what it yields is what `with` gives.
     """
 

@@ -1,4 +1,4 @@
-"""What is told of calls, functions and classes without knowing values."""
+"""What is recorded of calls, functions and classes without knowing values."""
 
 from __future__ import annotations
 

@@ -129,7 +129,7 @@ def _if(body: Body, node: ast.If) -> None:
 
 
 def _loop(body: Body, kind: str, test: Callable[[], str], inner: Callable[[], None], orelse: Sequence[ast.stmt] = ()) -> None:
-    """A loop; what stands in its `else` follows when it is not left by `break`."""
+    """A loop; what is in its `else` follows when it is not left by `break`."""
     flow = body.flow
     loop = flow.loop()
     with flow.within(loop.test):
@@ -253,7 +253,7 @@ def _entered(body: Body, node: ast.expr, value: str) -> str:
 
 
 def _try(body: Body, node: ast.Try) -> None:
-    """What stands in `finally` follows in any case; where it goes on after an exception is not told apart."""
+    """What is in `finally` follows in any case; where it goes on after an exception is not distinguished."""
     flow = body.flow
     handlers = [flow.block() for _ in node.handlers]
     after = flow.block()

@@ -1,7 +1,7 @@
 """What a call of the xacro program prints.
 
 A launch file does not say which release of xacro it is for. The one that its command line fits best is tried first; the next when that one
-refuses the file, or leaves tags in it that are an older xacro's.
+rejects the file, or leaves tags in it that are an older xacro's.
 """
 
 from __future__ import annotations

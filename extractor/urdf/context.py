@@ -18,7 +18,7 @@ MAX_DEPTH = 120  # elements, macros and files within each other
 
 
 class Context:
-    """What all parts of an evaluation share. `incomplete` tells that a file is missing, so that what it defines is unknown, not absent."""
+    """What all parts of an evaluation share. `incomplete` says that a file is missing, so that what it defines is unknown, not absent."""
 
     def __init__(
         self, files: Files, environment: Mapping[str, str], unknowns: Unknowns, arguments: Mapping[str, str], installed: bool = False

@@ -70,7 +70,7 @@ def find(name: str, macros: Table, symbols: Symbols, dialect: Dialect) -> tuple[
 
 
 def define_macro(node: Element, macros: Table, dialect: Dialect) -> None:
-    """Define the macro that `node` tells.
+    """Define the macro that `node` describes.
 
     Raises:
         XacroError: it has no name, or one that is reserved.
@@ -82,7 +82,7 @@ def define_macro(node: Element, macros: Table, dialect: Dialect) -> None:
 
 
 def define_property(node: Element, symbols: Symbols, texts: Texts) -> None:
-    """Define the property that `node` tells.
+    """Define the property that `node` describes.
 
     Raises:
         XacroError: it cannot be defined so.

@@ -20,7 +20,7 @@ class Text:
 
 @dataclass(eq=False)
 class Verbatim:
-    """What is handed on as it is written: a CDATA section or a processing instruction."""
+    """What is passed on as it is written: a CDATA section or a processing instruction."""
 
     markup: str
     is_block: bool

@@ -1,7 +1,7 @@
 """The evaluation of a document: every element of xacro is replaced by what it stands for.
 
-The source is never changed; what is evaluated is built anew, of elements that keep the places of those they come from. The steps and
-their order are those of xacro.
+The source is never changed; what is evaluated is built from scratch, of elements that keep the places of those they come from. The steps
+and their order are those of xacro.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ class Expander:
         return node.tag if is_bare and not self.dialect.prefixed else None
 
     def unknown_macro(self, name: str) -> None:
-        """Refuse a call, unless a file that may define the macro is missing."""
+        """Reject a call, unless a file that may define the macro is missing."""
         if not self.context.incomplete:
             raise XacroError(f"macro `{name}` is not defined", name)
 

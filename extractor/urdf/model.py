@@ -32,7 +32,7 @@ NOETIC = Dialect(in_order=True, prefixed=True)
 
 
 class XacroError(Exception):
-    """What xacro refuses; becomes a `Problem` at the element that is evaluated."""
+    """What xacro rejects; becomes a `Problem` at the element that is evaluated."""
 
     def __init__(self, message: str, subject: str = "xacro") -> None:
         super().__init__(message)
@@ -43,8 +43,8 @@ class XacroError(Exception):
 class Expansion:
     """What xacro makes of a file.
 
-    `document` is None when the file is refused, which the last of `problems` then tells. `bare_tags` tells that tags without `xacro:` were
-    left as they are although an older xacro takes them for its own. `work` is what it cost, `files` are those that were read.
+    `document` is None when the file is rejected, which the last of `problems` then reports. `bare_tags` says that tags without `xacro:`
+    were left as they are although an older xacro takes them for its own. `work` is what it cost, `files` are those that were read.
     """
 
     document: Document | None

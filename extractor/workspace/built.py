@@ -20,7 +20,7 @@ INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
 class Built:
     """A package in `folder`: what its build installs, why that may be more, the entry points that it declares, those without code.
 
-    `promised` are the components that its CMake files name, `described` the plug-ins that descriptions in it tell of; there are others when
+    `promised` are the components that its CMake files name, `described` the plug-ins that descriptions in it name; there are others when
     it `exports_more`.
     """
 
@@ -58,7 +58,7 @@ class Built:
 
 
 def builds(workspace: Workspace) -> tuple[Built, ...]:
-    """The builds of all packages, of those that tell what they install."""
+    """The builds of all packages, of those that say what they install."""
     return tuple(
         Built(
             package.name,
@@ -85,6 +85,6 @@ _Package = TypeVar("_Package", bound=_InFolder)
 
 
 def package_of(path: str, packages: Iterable[_Package]) -> _Package | None:
-    """The package that a file lies in, the innermost."""
+    """The package that a file is in, the innermost."""
     above = [one for one in packages if path.startswith(f"{one.folder}/")]
     return max(above, key=lambda one: len(str(one.folder)), default=None)

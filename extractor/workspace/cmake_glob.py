@@ -19,7 +19,7 @@ Report = Callable[[str, OSError], None]
 def glob(pattern: str, recurse: bool, directories: bool, unreadable: Report) -> list[str]:
     """Existing paths that match an absolute pattern. Recursion does not follow symlinks (policy CMP0009).
 
-    `unreadable` is told of each folder that is there but cannot be read.
+    `unreadable` is called with each folder that is there but cannot be read.
     """
     folder, _, name = pattern.rpartition("/")
     starts = _folders(folder or "/", unreadable)

@@ -29,7 +29,7 @@ def find_all(expression: str, text: str) -> list[str]:
 
 
 def replace(expression: str, replacement: str, text: str, charge: Callable[[int], None]) -> str:
-    r"""The text with every match replaced; `\1` is a group. `charge` is told how many bytes are made."""
+    r"""The text with every match replaced; `\1` is a group. `charge` is called with how many bytes are made."""
     template, data, pieces, end = _template(encoded(replacement)), encoded(text), [], 0
     for (begin, after), groups in compile_regex(expression).matches(data):
         made = b"".join(_group(groups, piece) if isinstance(piece, int) else piece for piece in template)

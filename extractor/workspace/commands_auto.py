@@ -129,7 +129,7 @@ def _cs_add_target(run: Evaluator, call: Call) -> None:
 
 @command("cs_export")
 def _cs_export(run: Evaluator, call: Call) -> None:
-    """Hand on the include folder, the libraries and all packages of the manifest, and what the arguments add."""
+    """Pass on the include folder, the libraries and all packages of the manifest, and what the arguments add."""
     run.draft.include_dirs.extend(_include_folder(run))
     run.draft.libraries.extend(run.elements(f"{run.project}_LIBRARIES"))
     run.draft.depends.extend(run.manifest_depends)

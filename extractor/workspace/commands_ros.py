@@ -21,7 +21,7 @@ from rosarch.extractor.workspace.model import EXECUTABLE, INTERFACE, TEST
 
 @command("catkin_package")
 def export_package(run: Evaluator, call: Call) -> None:
-    """What a catkin package hands on to those that find it."""
+    """What a catkin package passes on to those that find it."""
     lists = ["INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"]
     words, _rest = parse_keywords(call.args, ["SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION"], [], lists)
     draft = run.draft

@@ -296,7 +296,7 @@ def _set_source_files_properties(run: Evaluator, call: Call) -> None:
 
 @command("get_target_property", "get_property", "get_directory_property", "get_source_file_property", "get_cmake_property")
 def _get_property(run: Evaluator, call: Call) -> None:
-    """What is known of targets, directories and global properties; anything else is `<variable>-NOTFOUND`."""
+    """What is known about targets, directories and global properties; anything else is `<variable>-NOTFOUND`."""
     args = call.args
     if len(args) < 2:
         return

@@ -55,7 +55,7 @@ def registered(workspace: Workspace) -> frozenset[tuple[str, str]]:
 def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -> tuple[Component, ...]:
     """The components of the selected packages, by package, kind and name. Tests are none.
 
-    No two components of a package have one name: of equal ones, all but the first get a number. `problems` tells of these.
+    No two components of a package have one name: of equal ones, all but the first get a number. `problems` lists these.
     """
     result: list[Component] = []
     for package in workspace.packages:

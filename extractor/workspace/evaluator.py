@@ -141,7 +141,7 @@ class Evaluator:
         return value or ""
 
     def location(self, name: str) -> str | None:
-        """The variables that tell where evaluation is."""
+        """The variables that say where evaluation is."""
         if name == "CMAKE_CURRENT_SOURCE_DIR":
             return self.directory.source
         if name == "CMAKE_CURRENT_BINARY_DIR":

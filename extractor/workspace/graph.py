@@ -125,7 +125,7 @@ def closure(workspace: Workspace, target: Target) -> tuple[Target, ...]:
 def include_path(workspace: Workspace, target: Target) -> tuple[Path, ...]:
     """Include folders in the order of the compiler's command line.
 
-    First the target's own (with `catkin_INCLUDE_DIRS` and the like expanded), then those its libraries hand on, last the exported
+    First the target's own (with `catkin_INCLUDE_DIRS` and the like expanded), then those its libraries pass on, last the exported
     folders of all packages the manifest depends on: a package that forgets them in CMake compiles in a merged devel space. Those of
     packages whose declarations rosarch brings are left out.
     """
@@ -142,7 +142,7 @@ def include_path(workspace: Workspace, target: Target) -> tuple[Path, ...]:
 
 
 def definitions(workspace: Workspace, target: Target) -> tuple[str, ...]:
-    """Preprocessor definitions of a target and those its libraries hand on."""
+    """Preprocessor definitions of a target and those its libraries pass on."""
     result = dict.fromkeys(target.definitions)
     for library in closure(workspace, target):
         result.update(dict.fromkeys(library.interface_definitions))

@@ -16,7 +16,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Install:
-    """`source` becomes `path` below the prefix; of a `folder`, all that lies in it.
+    """`source` becomes `path` below the prefix; of a `folder`, all that is in it.
 
     With patterns in `only`, just the files in it that one of them matches; what matches one of `but` is left out, with all below it.
     `plain`: at this line of this file the files are copied without permission to execute them.
@@ -106,7 +106,7 @@ class Installing:
 
     @property
     def is_clear(self) -> bool:
-        """Whether all that is copied, and where to, is told."""
+        """Whether all that is copied, and where to, is known."""
         return not ({"SCRIPT", "CODE", "IMPORTED_RUNTIME_ARTIFACTS"} & set(self.lists)) and not any(
             "$<" in word or "$ENV{" in word for words in self.lists.values() for word in words
         )

@@ -1,7 +1,7 @@
 """Find and read `package.xml` files.
 
 Sources: REP 127, REP 140, REP 149 (formats 1 to 3); the crawl follows catkin_pkg.packages and colcon: a folder with an ignore marker is
-skipped with everything below it. They do not look below a package, unless they are told to (colcon by base paths, others by their own
+skipped with everything below it. They do not look below a package, unless users ask for it (colcon by base paths, others by their own
 calls of CMake): packages below packages come last here, and a package of the same name elsewhere hides them.
 """
 
@@ -93,7 +93,7 @@ class Manifest:
 
 
 def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | None, list[Diagnostic]]:
-    """Parse a manifest. One that catkin_pkg refuses but that is XML is kept, with the refusal as a diagnostic."""
+    """Parse a manifest. One that catkin_pkg rejects but that is XML is kept, with the refusal as a diagnostic."""
     try:
         data = read_file(path, LARGEST_PARSED)
         tree = read_tree(data)
@@ -148,7 +148,7 @@ def _names(depends: Iterable[Dependency]) -> tuple[str, ...]:
 
 
 def _reason(error: Exception) -> str:
-    """catkin_pkg's messages name the file and span lines; that of a format that it does not know tells how to update it."""
+    """catkin_pkg's messages name the file and span lines; that of a format that it does not know says how to update it."""
     if isinstance(error, AssertionError):
         return "its format is not known"
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]

@@ -194,7 +194,7 @@ class Component:
 
     `kind` is `node`, `nodelet`, `component` (rclcpp_components), `gazebo_plugin`, `plugin` or `python_node`. `sources` are the component's
     own sources, `library_sources` those of the workspace libraries it is linked with, or of the modules of other packages that it imports.
-    `executables` are the names that a Python node is started by, where `python` tells how it begins.
+    `executables` are the names that a Python node is started by, where `python` says how it begins.
     """
 
     name: str

@@ -59,7 +59,7 @@ class DataFiles:
 
 
 def _files(node: ast.expr, values: SetupValues) -> Iterator[str | None]:
-    """The files of one entry; None for those that cannot be told."""
+    """The files of one entry; None for those that cannot be determined."""
     written = values.written(node)
     if isinstance(written, (ast.List, ast.Tuple)):
         for item in written.elts:
@@ -96,7 +96,7 @@ def _packages_below(folder: Path) -> Iterator[str]:
 
 
 def changed_later(tree: ast.Module) -> Iterator[ast.AST]:
-    """What `data_files` may get besides what is assigned to it once: names that are used where no value is read."""
+    """What `data_files` may get in addition to what is assigned to it once: names that are used where no value is read."""
     given = {keyword.value.id for keyword in _keywords(tree, "data_files") if isinstance(keyword.value, ast.Name)}
     uses = [node for node in ast.walk(tree) if isinstance(node, ast.Name) and node.id in given]
     if len(uses) > 2 * len(given):

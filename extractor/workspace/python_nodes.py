@@ -23,7 +23,7 @@ _NO_SCRIPTS = frozenset({"test", "tests", "launch", "cfg", "build", "devel", "in
 
 
 def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[Component]:
-    """The Python nodes of the selected packages. `problems` tells of entry points without a module."""
+    """The Python nodes of the selected packages. `problems` lists entry points without a module."""
     modules = Modules()
     named = [plugin for package in workspace.packages for plugin in (*declared_classes(package), *described_classes(package))]
     shared = [root for package in workspace.packages for root in _roots(package)]
@@ -37,7 +37,7 @@ def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[C
 
 
 def _roots(package: Package) -> tuple[Path, ...]:
-    """The folders that modules of a package are imported from: a description of plug-ins tells where theirs are."""
+    """The folders that modules of a package are imported from: a description of plug-ins says where theirs are."""
     below = (package.path / plugin.library for plugin in package.plugins if plugin.in_python)
     told = tuple(dict.fromkeys((*package.python_roots, *(path for path in below if os.path.isdir(path)))))
     return told if told or not package.build_type.startswith("ament") else (package.path,)

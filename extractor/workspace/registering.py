@@ -64,7 +64,7 @@ def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
 
 
 def _registering(package: Package, name: str, registered: Callable[[Target], tuple[frozenset[Registration], bool]]) -> Target | None:
-    """The one library of the package that registers a class; `registered` tells what each does."""
+    """The one library of the package that registers a class; `registered` says what each does."""
     libraries = [target for target in package.targets if target.kind in LIBRARY_KINDS]
     found = [target for target in libraries if name in {one.cxx_class for one in registered(target)[0]}]
     return found[0] if len(found) == 1 else None
@@ -125,7 +125,7 @@ class Described:
 
 
 def described(package: Package) -> Iterator[Described]:
-    """The plug-ins that the descriptions in a package tell of: those that it exports, and others that lie in it."""
+    """The plug-ins that the descriptions in a package name: those that it exports, and others that lie in it."""
     exported = {path for _, path in package.plugin_exports}
     found = [one for one in package.plugins if one.declared_at in exported]
     others = [one for path in _others(package.path) if path not in exported for one in _classes(path)]

@@ -30,7 +30,7 @@ class SetupValues:
         return self.names.get(node.id, node) if isinstance(node, ast.Name) else node
 
     def value(self, node: ast.expr) -> Any:
-        """The value of an expression, None when it cannot be told."""
+        """The value of an expression, None when it cannot be determined."""
         try:
             return _Evaluator(self._lookup, self.folder).evaluate(ast.unparse(node))
         except (EvalFailed, Unsupported, UnknownInvolved, RecursionError):
@@ -45,7 +45,7 @@ class SetupValues:
         return found
 
     def texts(self, node: ast.expr) -> Iterator[tuple[str, ast.expr]]:
-        """The texts of a list, and of the lists and tuples in it, each with its place; one that cannot be told costs itself only."""
+        """The texts of a list, and of the lists and tuples in it, each with its place; one that cannot be determined costs itself only."""
         node = self.written(node)
         if isinstance(node, (ast.List, ast.Tuple)):
             for item in node.elts:

@@ -76,7 +76,7 @@ class StateMachine:
     """The behaviour of a component.
 
     `always` are the reactions that no state matters to, as transitions of a region with a single state. `left_out` are state variables
-    whose values are too many to tell apart. `dead` are rows of the model that no reachable state lets happen. `messages` tell where
+    whose values are too many to distinguish. `dead` are rows of the model that no reachable state lets happen. `messages` say where
     the machines say less than the rows.
     """
 
@@ -140,7 +140,7 @@ def build_machine(document: Document, *, max_states: int = MAX_STATES, joint: bo
 
 
 def _loops_message(document: Document, steps: Mapping[str, Sequence[Step]]) -> list[str]:
-    """Where the model does not tell which of several timed loops makes an assignment."""
+    """Where the model does not say which of several timed loops makes an assignment."""
     if distinguished_loops(document):
         return []
     loops = {row.get("at") for row in document.get("periodic") or () if sent_in_loop(row)}

@@ -1,4 +1,4 @@
-"""The finite part of a node's state: which variables, or fields of them, have values that can be told apart, and which values those are."""
+"""The finite part of a node's state: which variables, or fields of them, have distinguishable values, and which those are."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _QUALIFIERS = re.compile(r"\b(const|volatile|static|mutable|std::)\s*|std::atomi
 _INTEGER = re.compile(r"(unsigned|signed|short|long|int|char|u?int\d+_t|size_t|std::size_t|float|double)( (int|char|long|double|short))*")
 _SIZES = (".size()", ".length()")
 _LENGTH = re.compile(r"^len\((.*)\)$")
-_LISTS = r"^$|\b(vector|deque|list|queue|stack)\b"  # of Python no types are told
+_LISTS = r"^$|\b(vector|deque|list|queue|stack)\b"  # Python sources give no types
 EMPTIES = re.compile(r"(?:\.|->)clear\(\)|^\w*\(\)$|^\{\}$|^\[\]$|^\"\"$")
 
 
@@ -43,7 +43,7 @@ EMPTIES = re.compile(r"(?:\.|->)clear\(\)|^\w*\(\)$|^\{\}$|^\[\]$|^\"\"$")
 class Cell:
     """A state variable, or a field of one, with its finitely many values; `subject` stands for it in conditions.
 
-    `initial` are the values it may begin with, several when the source does not tell. `at` is the line of its first value. `counting` is
+    `initial` are the values it may begin with, several when the source does not say. `at` is the line of its first value. `counting` is
     how it is counted, if it is.
     """
 
@@ -70,7 +70,7 @@ class Cell:
 
 
 def value_in(text: object, values: Sequence[str]) -> str | None:
-    """A constant as one of `values`; None when it is none, or not told apart."""
+    """A constant as one of `values`; None when it is none, or not distinguished."""
     found = None if text is None else constant(str(text))
     if found is None:
         return None
@@ -163,9 +163,9 @@ def _letters(text: str) -> str:
 
 
 class Domains:
-    """The cells of a component, and the values of its inputs that conditions tell apart.
+    """The cells of a component, and the values of its inputs that conditions distinguish.
 
-    When it `counts`, variables that count have each number as a value, as far as conditions tell them apart, and other numbers lie in
+    When it `counts`, variables that count have each number as a value, as far as conditions distinguish them, and other numbers lie in
     ranges between the limits that conditions compare them with.
     """
 
@@ -207,7 +207,7 @@ class Domains:
         return Subject(compact(text), strip(text), _values(draft.constants, True) if draft.constants else BOOLEAN)
 
     def assigned(self, row: Mapping[str, Any]) -> str | None:
-        """What a row gives its variable; of what may be done several times in a row that is known of constants only."""
+        """What a row gives its variable; of what may be done several times in a row that is known for constants only."""
         text: str | None = row.get("value_normal") or row.get("value")
         return None if text is not None and constant(text) is None and not self._repeated.isdisjoint(str(row.get("at")).split()) else text
 
@@ -249,7 +249,7 @@ class Domains:
             draft.constants[value] = None
             return
         here, there = self.locator.locate(left, owner), self.locator.locate(right, owner)
-        if here and there:  # the values of one are worth telling apart in the other
+        if here and there:  # the values of one are worth distinguishing in the other
             self._drafts.setdefault(here, _Draft()).copies.add(there)
             self._drafts.setdefault(there, _Draft()).copies.add(here)
         elif here or there:
@@ -294,7 +294,7 @@ class Domains:
                 self._read_condition(parse_condition(value), owner)
 
     def _share_limits(self) -> None:
-        """What is copied is told apart as finely where it comes from as where it goes to."""
+        """What is copied is distinguished as finely where it comes from as where it goes to."""
         changed = True
         while changed:
             changed = False
@@ -309,7 +309,7 @@ class Domains:
 
     @staticmethod
     def _limits(draft: _Draft) -> set[float]:
-        """The limits between which a number is told apart; none when that is too many, or it is compared with what is no number."""
+        """The limits between which the values of a number are distinguished; none for too many, or where it is compared with no number."""
         sizes = [number(constant) for constant in (*draft.constants, *(("0",) if draft.tested else ()))]
         found = {size for size in sizes if size is not None} | draft.limits
         return found if draft.limits and None not in sizes and len(found) <= MOST_LIMITS else set()
@@ -342,7 +342,7 @@ class Domains:
             if draft.assigned and len(values) > 1 and (values == BOOLEAN or limits or place in distinct):
                 yield self._cell(place, values)
                 if values != BOOLEAN and not limits:
-                    for key in draft.inputs:  # an input is told apart as finely as the variable that takes its value
+                    for key in draft.inputs:  # an input is distinguished as finely as the variable that takes its value
                         self._inputs.setdefault(key, _Draft()).constants.update(dict.fromkeys(v for v in values if v != OTHER))
 
     def _cell(self, place: Place, values: tuple[str, ...]) -> Cell:

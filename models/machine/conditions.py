@@ -181,7 +181,7 @@ def constant(text: str) -> str | None:
 
 
 def is_name(known: str) -> bool:
-    """Whether a constant is a name: which number or text that is, it does not tell."""
+    """Whether a constant is a name: which number or text that is, it does not say."""
     return known.isidentifier() and known not in ("true", "false", NULL)
 
 

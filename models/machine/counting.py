@@ -57,7 +57,7 @@ class Arithmetic:
 
 
 def arithmetic(text: str) -> Arithmetic | None:
-    """The calculation that a text tells, if it is one; it names one variable at most."""
+    """The calculation that a text describes, if it is one; it names one variable at most."""
     names: set[str] = set()
 
     def called(match: re.Match[str]) -> str:
@@ -124,10 +124,10 @@ def _value(part: ast.expr, n: int) -> int:
 
 @dataclass(frozen=True)
 class Counting:
-    """The whole numbers that a counted variable is told apart as: from `least` to `most`.
+    """The whole numbers that are distinguished for a counted variable: from `least` to `most`.
 
-    `above` and `below` tell that it may be more, or less, than that. With a `modulus` it stands for the rest that it leaves, as nothing
-    else is asked of it. One that `wraps` begins anew at its other end when it has gone too far beyond, where is not told.
+    `above` and `below` say that it may be more, or less, than that. With a `modulus` it stands for the rest that it leaves, as nothing
+    else is asked of it. One that `wraps` continues at its other end when it has gone too far beyond; where that is stays open.
     """
 
     least: int
@@ -178,7 +178,7 @@ class Counting:
 
     @property
     def beyond(self) -> tuple[str, ...]:
-        """What stands for the numbers that are not told apart."""
+        """What stands for the numbers that are not distinguished."""
         return (OTHER,) if self.above or self.below else ()
 
 
@@ -188,7 +188,7 @@ def _bare(text: str) -> str:
 
 @dataclass(frozen=True)
 class Width:
-    """How many bits an integer has: numbers below zero, or of more bits, begin anew at the other end."""
+    """How many bits an integer has: numbers below zero, or of more bits, continue at the other end."""
 
     bits: int
     signed: bool
@@ -207,7 +207,7 @@ _BITS = (
 
 
 def width(type_: str) -> Width:
-    """The width of a type of C++; Python's numbers, of which no type is told, have all the bits that they need."""
+    """The width of a type of C++; Python's numbers, which have no declared type, have all the bits that they need."""
     signed = not re.search(r"\bunsigned\b|\buint|\bsize_t\b|\bbyte\b", type_)
     found = ((match, bits) for pattern, bits in _BITS if (match := re.search(pattern, type_)))
     return next((Width(bits or int(match[1]), signed) for match, bits in found), WIDE)

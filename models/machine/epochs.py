@@ -18,7 +18,7 @@ Leaf = tuple[str, str, bool]
 
 @dataclass(frozen=True)
 class _Guard:
-    """The conditions that guard a step, by place; `alone` tells that all of them have to be so."""
+    """The conditions that guard a step, by place; `alone` says that all of them have to be so."""
 
     at: Mapping[str, frozenset[Leaf]]
     alone: bool

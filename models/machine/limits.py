@@ -1,4 +1,4 @@
-"""Numbers that are only compared with limits: which of the ranges between these limits one lies in, or which limit it is."""
+"""Numbers that are only compared with limits: which of the ranges between these limits one is in, or which limit it is."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ def are_ranges(values: Sequence[str]) -> bool:
 
 
 def range_of(size: float, values: Sequence[str]) -> str:
-    """The one of these ranges that a number lies in."""
+    """The one of these ranges that a number is in."""
     return next(value for value in values if _has(value, size))
 
 
 def compares(op: str, value: str, limit: float) -> bool | None:
-    """Whether what lies in a range compares so with a limit; None where some does and some does not."""
+    """Whether what is in a range compares so with a limit; None where some does and some does not."""
     least, most = _ends(value)
     if least == most:
         return COMPARE[op](least, limit)

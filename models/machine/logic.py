@@ -15,10 +15,10 @@ BOOLEAN = ("true", "false")
 
 @dataclass(frozen=True)
 class Subject:
-    """What a condition is about: a variable of the node, or an input, and the values told apart.
+    """What a condition is about: a variable of the node, or an input, and the values distinguished.
 
-    `key` is the identity and `text` the spelling for people. `OTHER` stands for every value that is not named. `cell` tells that it is
-    one of the node's variables. A `hidden` subject stands for something that the source does not tell; there is nothing to show.
+    `key` is the identity and `text` the spelling for people. `OTHER` stands for every value that is not named. `cell` says that it is
+    one of the node's variables. A `hidden` subject stands for something that the source does not say; there is nothing to show.
     """
 
     key: str
@@ -114,7 +114,7 @@ def from_cases(cases: Iterable[Case], against: Sequence[Case] = ()) -> Formula:
 
 
 def _widened(cases: Sequence[Case], against: Sequence[Case]) -> list[dict[Subject, frozenset[str]]]:
-    """The cases without conditions that only tell them from one another."""
+    """The cases without conditions that only distinguish them from one another."""
     found: list[dict[Subject, frozenset[str]]] = []
     for case in cases:
         wide = dict(case)

@@ -277,7 +277,7 @@ class Meaning:
         return ((TRUE, "false"),) if _FILLING.search(value) else self._unknown(cell)
 
     def _copied(self, cell: Cell, source: Subject) -> Table:
-        """The value of another variable or of an input; what this cell does not tell apart may be anything."""
+        """The value of another variable or of an input; what this cell does not distinguish may be anything."""
         rows: list[tuple[Formula, str]] = []
         for value in source.values:
             here = Is(source, frozenset({value}))
@@ -313,7 +313,7 @@ class Meaning:
 
     @staticmethod
     def _choice(cell: Cell, here: Formula, values: list[str]) -> list[tuple[Formula, str]]:
-        """Any of the values, when `here` holds: the source does not tell which."""
+        """Any of the values, when `here` holds: the source does not say which."""
         if len(values) == 1:
             return [(here, values[0])]
         hidden = Subject(f"next {cell.subject.key} of {'|'.join(values)}", f"next {cell.subject.text}", tuple(values), hidden=True)

@@ -91,7 +91,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
 
 
 def _sent_in_round(document: Document, row: Mapping[str, Any], *, certain: bool) -> Iterator[tuple[bool, tuple[str, ...]]]:
-    """What a row of a timed loop or timer sends, that of each round apart from that of some rounds of which no condition tells which."""
+    """What a row of a timed loop or timer sends, that of each round apart from that of some rounds of which no condition says which."""
     traits = document.get("traits")
     always = {port for place, port in (traits or {}).get("round_always", ()) if place == _place(row)}
     sent = sent_in_loop(row)

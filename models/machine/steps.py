@@ -31,7 +31,7 @@ class Output:
 class Step:
     """An assignment or a sending, under a guard.
 
-    `epochs` tell how many assignments of its reaction to a variable come before its guard tests this, where some do; it is `unclear` when
+    `epochs` say how many assignments of its reaction to a variable come before its guard tests this, where some do; it is `unclear` when
     the guard tests one before and after.
     """
 

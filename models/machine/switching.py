@@ -1,4 +1,4 @@
-"""What goes on at times only, as steps: a variable tells whether it is on, what switches it assigns that, what it does hangs on it."""
+"""What goes on at times only, as steps: a variable says whether it is on, what switches it assigns that, what it does hangs on it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ START = "start"
 
 @dataclass(frozen=True)
 class Gate:
-    """Something that is on at times only: the cell that tells, the place of a timer or loop, or ports that send while it is on."""
+    """Something that is on at times only: the cell that says so, the place of a timer or loop, or ports that send while it is on."""
 
     cell: Cell
     at: str
@@ -82,7 +82,7 @@ def _once(document: Document) -> set[str]:
 
 
 def switch_steps(gate: Gate, meaning: Meaning) -> Iterator[tuple[Mapping[str, Any], Step]]:
-    """The steps that turn something on or off, each with the row that tells what triggers it."""
+    """The steps that turn something on or off, each with the row that says what triggers it."""
     for index, way in enumerate(gate.ways):
         to = str(way["to"])
         guard = meaning.conjuncts(way.get("guard"), "")

@@ -82,7 +82,7 @@ def parse_question(text: str) -> Causes | Rate:
     """What is asked.
 
     Raises:
-        QuestionError: it is no question; the message tells where.
+        QuestionError: it is no question; the message says where.
     """
     words = _Words(text)
     asked: Causes | Rate
@@ -110,7 +110,7 @@ def find_ports(name: PortName, result: Result) -> list[Port]:
     """The ports of a system that a name means.
 
     Raises:
-        QuestionError: there is no such node or port; the message tells the nearest.
+        QuestionError: there is no such node or port; the message names the nearest.
     """
     nodes: Mapping[Port, str] = dict(result.rows("port_node"))
     names = {port: {resolved, written} for port, resolved, written in _named(result)}
@@ -147,7 +147,7 @@ def find_topic(topic: str, topics: Sequence[str]) -> str:
     """The topic of a system that is meant.
 
     Raises:
-        QuestionError: there is none; the message tells the nearest.
+        QuestionError: there is none; the message names the nearest.
     """
     for known in topics:
         if _same(topic, known):

@@ -89,7 +89,7 @@ def _inclusion(row: tuple[Any, ...], places: Mapping[str, Place]) -> Inclusion:
 def _ports(
     rows: Rows, result: Result, places: Mapping[str, Place], instances: Mapping[str, Sequence[str]]
 ) -> tuple[dict[str, list[SystemPort]], dict[Any, tuple[str, str]]]:
-    """The ports by node, and node and port id of each port's record; the ids of a plug-in's ports tell the plug-in, too."""
+    """The ports by node, and node and port id of each port's record; the ids of a plug-in's ports name the plug-in, too."""
     models = {row[1]: row for row in rows.get("interface_port", ())}
     types = {row[0]: row[1] for row in sorted(rows.get("interface_port_type", ()), reverse=True)}
     at = {row[0]: row[1] for row in rows.get("interface_port_at", ())}

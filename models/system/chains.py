@@ -37,7 +37,7 @@ class Step:
     """Two ports next to each other in a chain.
 
     `kind` is connection, answer (of a service), reactive, deferred (to a timed loop or timer) or kept (until something else makes the node
-    send); `how` is data or control. Inside a node, `at` are the calls that send, `condition` tells when, `variables` keep what arrives,
+    send); `how` is data or control. Inside a node, `at` are the calls that send, `condition` says when, `variables` keep what arrives,
     `filters` are state variables that decide, and `waits` are how many seconds it waits at most for callbacks to run, or for sending.
     """
 
@@ -145,7 +145,7 @@ def _shortest(steps: Mapping[tuple[Port, Port], Kinds], sources: Sequence[Port],
 
 
 class _Shower:
-    """Tells of ports and steps what models and facts know about them."""
+    """Shows what models and facts know about ports and steps."""
 
     def __init__(self, rows: Rows, result: Result, models: Sequence[ComponentModel]) -> None:
         self._places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}

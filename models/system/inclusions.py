@@ -18,7 +18,7 @@ MOST_FILES = 20_000  # a file that includes another one twice, which does so aga
 class LaunchFile:
     """A launch file where it is included, `at` being None for one that is given, with what it starts and includes there.
 
-    `text` is the file's name as written; `path` is None when it is not there. What is in a file that is `cut` is not told: it includes
+    `text` is the file's name as written; `path` is None when it is not there. What is in a file that is `cut` is not given: it includes
     itself, or there is too much.
     """
 

@@ -32,7 +32,7 @@ class SystemPort:
 class SystemNode:
     """A node that is started.
 
-    `id` tells apart nodes of the same name. `component` is `package/name` of its model; `origin` tells where that is from: `source`,
+    `id` distinguishes nodes of the same name. `component` is `package/name` of its model; `origin` says where that is from: `source`,
     `library`, or `unknown` when there is none; a host of nodelets, which has no ports to speak of, is known without one. `lines` lead from
     the launch file given to the `<node>`, `conditions` are those that launch files leave open. `open` nodes may have more ports than are
     known. `rates` are those of timed loops and timers by place, as often a second as launch files make them; the loops at `serving` handle
@@ -82,7 +82,7 @@ class Inclusion:
 class SystemModel:
     """One composed system.
 
-    `name` tells it from others of the workspace, `launch` are the launch files (relative) with their arguments, `unseen` is what of
+    `name` distinguishes it from others of the workspace, `launch` are the launch files (relative) with their arguments, `unseen` is what of
     it may be there and is not known.
     """
 

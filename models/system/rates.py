@@ -18,7 +18,7 @@ RATE_RELATIONS = ("joins_connector", "port_node", "topic_high", "topic_low", "to
 
 @dataclass(frozen=True)
 class TopicRate:
-    """Between `low` and `high` messages a second pass through `topic`; without an upper bound `high` is None, `reasons` tell why."""
+    """Between `low` and `high` messages per second pass through `topic`; without an upper bound `high` is None, `reasons` say why."""
 
     topic: str
     low: float

@@ -84,7 +84,7 @@ class ViewConnector:
 class ViewEdge:
     """An arrow: `count` ports of the nodes at one end meet the connectors at the other, or node meets node through the connectors `names`.
 
-    `ports` are the names as the source writes them, `conditional` tells that all of it depends on conditions.
+    `ports` are the names as the source writes them, `conditional` says that all of it depends on conditions.
     """
 
     source: str

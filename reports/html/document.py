@@ -1,4 +1,4 @@
-"""The document that the page shows: everything the report tells, as JSON data."""
+"""The document that the page shows: everything the report shows, as JSON data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The server of a live report: three addresses, read from a folder in which whoever analyses puts what is new."""
+"""The server of a live report: three addresses, read from a folder in which the analysing process puts what is new."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def serve_live(listener: socket.socket, title: str, current: Path) -> None:
     parent = os.getppid()
 
     class Server(HTTPServer):
-        """Ends when whoever analyses has."""
+        """Ends when the analysing process has."""
 
         def service_actions(self) -> None:
             if os.getppid() != parent:

@@ -61,7 +61,7 @@ _PAGE = """\
 
 
 def _policy(*, live: bool) -> str:
-    """Only what the page brings with it may run: told by hashes. Nothing may be loaded."""
+    """Only what the page brings with it may run: recognised by hashes. Nothing may be loaded."""
     program, layout, styles = map(static_text, _PARTS)
     scripts = " ".join(_hash(text) for text in (program, layout))
     rules = {

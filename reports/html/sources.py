@@ -68,7 +68,7 @@ def cut(line: str) -> str:
 
 
 class Marks:
-    """Tells where in a line, as `cut` shows it, the token of a place is; `read` gives the text of a file, or None."""
+    """Says where in a line, as `cut` shows it, the token of a place is; `read` gives the text of a file, or None."""
 
     def __init__(self, read: Callable[[str], str | None]) -> None:
         self._read = lru_cache(maxsize=64)(lambda path: (read(path) or "").split("\n"))

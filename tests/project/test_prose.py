@@ -1,12 +1,16 @@
 """The words that users read follow the list of `docs/style.md`, which is read here: a word of its second column must not occur.
 
-Scope: README, CONTRIBUTING, the documentation, the README files of examples, rules and benchmarks, and all that is written for users at the head of a check or in the
-help of a command. Docstrings and comments of relations are not in it yet. Code, quoted output and what stands in quotation marks are no prose.
+Scope: README, CONTRIBUTING, the documentation, the README files of examples, rules and benchmarks, all that is written for users at the head
+of a check or in the help of a command, and the docstrings and comments of the sources but for tests. Code, quoted output and what is in
+quotation marks are no prose.
 """
 
 from __future__ import annotations
 
+import io
 import re
+import tokenize
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -27,6 +31,11 @@ PAGES = [
     *(path for path in sorted((ROOT / "docs").glob("*.md")) if path.name != "check-reference.md"),  # made of the heads of checks
 ]
 CHECKS = sorted((ROOT / "rules/checks").glob("*.dl"))
+EXEMPT = {"tests", "build", "stubs", "known"}  # folders; stubs and known functions follow the texts of the libraries that they describe
+MODULES = [path for path in ROOT.glob("[!.]*/**/*.py") if EXEMPT.isdisjoint(path.relative_to(ROOT).parts)]
+RULES = sorted((ROOT / "rules").glob("**/*.dl"))
+HEAD = re.compile(r"\A(?://.*\n)+")
+COMMENT = re.compile(r"^(?:[^\"/\n]|\"(?:[^\"\\\n]|\\.)*\"|/(?!/))*//+(.*)")
 CODE = re.compile(r"^ *```.*?^ *```$|`[^`\n]*`|\"[^\"\n]*\"|<[^>\n]*>|\]\([^)]*\)", re.MULTILINE | re.DOTALL)
 FIELD = re.compile(r"^// (title|help|description|recommendation|message):((?:.*)(?:\n// \|.*)*)", re.MULTILINE)
 LINK = re.compile(r"https?://\S+")
@@ -54,6 +63,25 @@ def lapses(text: str) -> list[str]:
         for better, worse in WORDS
         for found in worse.finditer(prose)
     ]
+
+
+def written_in_module(text: str) -> str:
+    """The comments and docstrings of a module, each line where it is in the module."""
+    lines: dict[int, str] = defaultdict(str)
+    begins = True
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT:
+            lines[token.start[0]] = token.string[1:]
+        elif token.type == tokenize.STRING and begins:
+            lines.update(enumerate(token.string.replace('"""', "").split("\n"), token.start[0]))
+        if token.type not in (tokenize.COMMENT, tokenize.NL):
+            begins = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)
+    return "\n".join(lines[number] for number in range(1, max(lines, default=0) + 1))
+
+
+def written_in_rules(text: str) -> str:
+    """The comments of a file of rules, each line where it is in the file."""
+    return "\n".join(found[1] if (found := COMMENT.match(line)) else "" for line in text.split("\n"))
 
 
 def helps(command: Any, name: str) -> Iterator[tuple[str, str]]:
@@ -99,4 +127,30 @@ def test_titles_are_short_phrases(path: Path) -> None:
 
 def test_help_of_commands() -> None:
     found = {name: lapses(text) for name, text in helps(typer.main.get_command(app), "rosarch")}
+    assert {name: each for name, each in found.items() if each} == {}
+
+
+def test_what_is_written_in_a_module() -> None:
+    text = '"""It tells\nall."""\n\nNAME = "told"  # told\n\n\ndef f(each=("a",\n    "told")) -> None:\n    # one\n    """Tells."""\n'
+    assert written_in_module(text) == "It tells\nall.\n\n told\n\n\n\n\n one\nTells."
+
+
+def test_what_is_written_in_rules() -> None:
+    assert written_in_rules('/// Told.\na("//told"). // tells\nb(4 / 2).') == " Told.\n tells\n"
+
+
+def test_comments_of_modules() -> None:
+    assert len(MODULES) > 400
+    found = {path.relative_to(ROOT).as_posix(): lapses(written_in_module(path.read_text(encoding="utf-8"))) for path in MODULES}
+    assert {name: each for name, each in found.items() if each} == {}
+
+
+def test_comments_of_rules() -> None:
+    assert len(RULES) > 300
+    found = {}
+    for path in RULES:
+        text = path.read_text(encoding="utf-8")
+        if path in CHECKS:  # their heads have fields, see above
+            text = HEAD.sub(lambda head: "\n" * head[0].count("\n"), text)
+        found[path.relative_to(ROOT).as_posix()] = lapses(written_in_rules(text))
     assert {name: each for name, each in found.items() if each} == {}

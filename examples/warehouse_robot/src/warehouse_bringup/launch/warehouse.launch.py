@@ -43,7 +43,7 @@ def robot(name):
 
 
 def generate_launch_description():
-    """Tell what is started."""
+    """Log what is started."""
     return LaunchDescription([
         DeclareLaunchArgument('count', default_value='2'),
         DeclareLaunchArgument('max_speed', default_value='1.2'),

@@ -4,7 +4,7 @@ from std_msgs.msg import Bool, Float64
 
 
 class BaseDriver(Node):
-    """Drives the wheels and tells how fast it goes."""
+    """Drives the wheels and reports how fast it goes."""
 
     def __init__(self):
         super().__init__('base_driver')
