@@ -20,7 +20,8 @@ from rosarch.reports.html.sources import Marks, cut, excerpts, places_in
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
-VIEWER, STATIC = ROOT / "viewer", ROOT / "reports" / "html" / "static"
+STATIC = ROOT / "reports" / "html" / "static"
+VIEWER = STATIC.parent / "viewer"
 
 
 def block(page: str, name: str) -> str:
@@ -163,7 +164,7 @@ def test_the_program_is_built_from_its_sources() -> None:
     found = hashlib.sha256()
     for name in sorted([*names, "build.mjs", "package-lock.json"]):
         found.update(f"{name}\0".encode() + (VIEWER / name).read_bytes() + b"\0")
-    assert (STATIC / "sources.sha256").read_text().strip() == found.hexdigest(), "run `npm run build` in viewer/"
+    assert (STATIC / "sources.sha256").read_text().strip() == found.hexdigest(), "run `npm run build` in reports/html/viewer/"
 
 
 def test_licences_of_what_is_bundled_are_shipped() -> None:

@@ -1,4 +1,4 @@
-// Builds ../reports/html/static from src: the program of the page, the layout of graphs, the styles, and the licences of what is bundled.
+// Builds ../static from src: the program of the page, the layout of graphs, the styles, and the licences of what is bundled.
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = join(here, "..", "reports", "html", "static");
+const out = join(here, "..", "static");
 const { dependencies } = JSON.parse(readFileSync(join(here, "package.json"), "utf8"));
 
 const common = { bundle: true, minify: true, target: "es2022", legalComments: "none", charset: "ascii" };

@@ -61,7 +61,7 @@ class Dock {
     }
     if (mode_ == RUNNING && phase_ == AWAY) phase_ = READY;
     if (phase_ == APPROACHING) phase_ = DOCKED;  // expect: finding state-not-reached "/dock tests whether Dock::phase_ is Phase::APPROACHING, which no sequence of inputs reaches"
-    if (phase_ == DOCKED) {                      // expect: finding state-not-reached "/dock asks whether Dock::phase_ is Phase::DOCKED,*"
+    if (phase_ == DOCKED) {                      // expect: finding state-not-reached "/dock tests whether Dock::phase_ is Phase::DOCKED,*"
       phase_ = APPROACHING;
       report_pub_.publish(last_);
     }

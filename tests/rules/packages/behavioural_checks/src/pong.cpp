@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "pong");
   ros::NodeHandle nh;
   ros::Publisher pub = nh.advertise<std_msgs::Empty>("pong", 1);
-  ros::Subscriber ping_sub = nh.subscribe("ping", 1, onPing);  // expect: finding circular-wait "/pong waits for /ping, which /ping does not provide before it has got /pong,*"
+  ros::Subscriber ping_sub = nh.subscribe("ping", 1, onPing);  // expect: finding circular-wait "/pong waits for /ping, which /ping provides only after it has received /pong,*"
   ros::Subscriber hello_sub = nh.subscribe("hello", 1, onHello);
   ros::Rate rate(10);
   while (ros::ok() && (!has_ping || !has_hello)) {

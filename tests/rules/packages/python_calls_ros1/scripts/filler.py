@@ -37,11 +37,11 @@ rospy.Service('go', SetBool, on_go)  # expect: finding callback-misfit "*takes 2
 rospy.Timer(rospy.Duration(1), tick)  # expect: finding callback-misfit "*takes 0 arguments*called with 1"
 go = rospy.ServiceProxy('other', SetBool)
 text.publish('text')
-text.publish(4)  # expect: finding sent-misfit "*is given what is int"
+text.publish(4)  # expect: finding sent-misfit "*is given int"
 number.publish(4)
-number.publish('4')  # expect: finding sent-misfit "*is given what is str"
+number.publish('4')  # expect: finding sent-misfit "*is given str"
 twist.publish(1.0)  # expect: finding sent-misfit "/filler sends geometry_msgs/Twist on /twist, but is given float"
-twist.publish(1, 2, 3)  # expect: finding sent-misfit "*is given what is 3 values"
+twist.publish(1, 2, 3)  # expect: finding sent-misfit "*is given 3 values"
 twist.publish(Twist())
 print(go(True).success)
 print(go(True).done)  # expect: finding field-absent "*done of a std_srvs/SetBoolResponse*"
@@ -51,7 +51,7 @@ header = Header()
 header.stamp = rospy.Time.now()
 header.stamp = time.time()  # expect: finding field-misgiven "*stamp, which is time, to a value that is float"
 point = Point(1, 2, 3)
-point = Point(1, 2)  # expect: finding message-misbuilt "*of 2 values without names, and its class takes 3"
+point = Point(1, 2)  # expect: finding message-misbuilt "*from 2 positional values, but its class takes 3"
 point.x = 1
 point.x = '1'  # expect: finding field-misgiven "*x, which is float64, to a value that is str"
 first = rospy.wait_for_message('pose', PoseStamped)

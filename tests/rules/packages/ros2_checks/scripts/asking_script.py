@@ -21,7 +21,7 @@ class Asker(Node):
         self.create_timer(1.0, self.on_timer, callback_group=self.one)
 
     def on_go(self, text):
-        self.same.call(Trigger.Request())  # expect: finding callback-deadlock "a callback of /script waits for the answer of /same,*one callback group*"
+        self.same.call(Trigger.Request())  # expect: finding callback-deadlock "a callback of /script waits for the response of /same,*one callback group*"
         self.reentrant.call(Trigger.Request())  # expect: finding callback-deadlock "*/reentrant,*one thread*"
         self.spin_until(self.same.call_async(Trigger.Request()))
 
