@@ -20,6 +20,8 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
+from rosarch.base.git_revisions import export, resolve
+
 TOP = Path(__file__).resolve().parents[1]
 COMMANDS = (
     ("analyze", "--format", "json"),
@@ -40,11 +42,8 @@ def checkout(revision: str | None) -> Iterator[Path]:
         return
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "checkout")
-        subprocess.run(["git", "worktree", "add", "--quiet", "--detach", path, revision], cwd=TOP, check=True)
-        try:
-            yield path
-        finally:
-            subprocess.run(["git", "worktree", "remove", "--force", path], cwd=TOP, check=True)
+        export(resolve(revision, TOP), TOP, path)
+        yield path
 
 
 def outputs(source: Path, system: Path, work: Path) -> dict[str, str]:
