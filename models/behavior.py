@@ -293,7 +293,9 @@ def _initial(
     """The value that is given last, and the parameter that it is read from; of several parts of a variable none is its value."""
     initial, parameter = None, None
     for order, _place, node in values:
-        if node in read:
+        if order == 5:
+            initial, parameter = None, None
+        elif node in read:
             parameter = read[node][1]
             initial = _number_text(read[node][0]) if read[node][0] != "?" else initial
         elif order > 0 or len(values) == 1:
