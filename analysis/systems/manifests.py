@@ -25,6 +25,7 @@ _IMPORT = re.compile(
 )
 _TEXT = re.compile(r'"""(?:[^"\\]|\\.|"(?!""))*"""|\'\'\'(?:[^\'\\]|\\.|\'(?!\'\'))*\'\'\'', re.DOTALL)
 _INCLUDE = re.compile(r'[ \t]*#[ \t]*(?:(?P<opens>if\w*)|(?P<closes>endif)|include[ \t]*[<"](?P<name>[a-z]\w*)/)')
+_METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _FILE = re.compile(r"\$\(find\s+([\w-]+)\)|\bpackage://([\w-]+)/")
 _MESSAGES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
 _INTERFACES = frozenset({"msg", "srv", "action"})
@@ -48,7 +49,7 @@ class Declared:
     """What the manifest of a package in `folder` declares; `line` is that of its last dependency.
 
     `aside` are those that are in a comment only, `after` the lines of the dependencies that it is built or used with, not only tested.
-    `needs` have no dependency of their name.
+    `needs` have no dependency of their name. `is_meta`: it is a metapackage.
     """
 
     name: str
@@ -58,6 +59,7 @@ class Declared:
     aside: frozenset[str]
     after: tuple[tuple[str, int], ...]
     needs: tuple[Need, ...]
+    is_meta: bool = False
 
 
 def declared(root: Path) -> tuple[Declared, ...]:
@@ -83,7 +85,7 @@ def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:
     folder = os.path.dirname(path)
     aside = frozenset(match[2] for match in _DEPENDENCY.finditer(_text(path))) - depends
     needs = tuple(_needs(folder, folders, depends | {name})) if is_built else ()
-    return Declared(name, folder, last, depends, aside, tuple(after.items()), needs)
+    return Declared(name, folder, last, depends, aside, tuple(after.items()), needs, _METAPACKAGE.search(text) is not None)
 
 
 def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator[Need]:
@@ -185,6 +187,9 @@ def manifest_rows(
     used = named | {need.name for one in wanted for need in one.needs}
     for one in _with_dependencies(wanted | {by_name[name] for name in used if name in by_name}, by_name):
         rows["package_depends"].update((one.name, dependency) for dependency in one.depends)
+    for one in wanted:
+        rows["package_after"].update((one.name, name, place(one, line)) for name, line in one.after)
+        rows["package_is_meta"].update((name,) for name in (one.name, *one.depends) if name in by_name and by_name[name].is_meta)
     for number, one in enumerate(_unordered(by_name)):
         rows["package_unordered"].update((one.name, name, place(one, line), number) for name, line in one.after if name in by_name)
     return rows

@@ -69,11 +69,21 @@ def test_rows(tmp_path: Path) -> None:
     }
     assert rows["package_known"] == {("meshes",), ("driver",), ("known",)}
     assert rows["package_depends"] == {("robot", "lamp"), ("robot", "gtest"), ("lamp", "bulb"), ("bulb", "lamp"), ("meshes", "far")}
+    assert rows["package_after"] == {("robot", "lamp", "robot/package.xml:3:1")}
     assert rows["package_unordered"] == {
         ("bulb", "lamp", "bulb/package.xml:4:1", 0),
         ("lamp", "bulb", "lamp/package.xml:3:1", 1),
         ("robot", "lamp", "robot/package.xml:3:1", 2),
     }
+
+
+def test_metapackages(tmp_path: Path) -> None:
+    launch = '<launch><node pkg="x" type="x" name="x"/></launch>'
+    package(tmp_path, "robot", "<run_depend>arm</run_depend>\n<run_depend>lamp</run_depend>\n", **{"a.launch": launch})
+    package(tmp_path, "arm", "<run_depend>lamp</run_depend><export>\n<metapackage/></export>\n")
+    package(tmp_path, "lamp", "<!-- <export><metapackage/></export> -->\n")
+    composition = compose([tmp_path / "robot" / "a.launch"], files=Files(PackagePath([tmp_path])))
+    assert manifest_rows(composition, declared(tmp_path), tmp_path, ())["package_is_meta"] == {("arm",)}
 
 
 def test_what_stands_in_a_comment_only_is_set_aside(tmp_path: Path) -> None:
