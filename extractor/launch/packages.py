@@ -59,6 +59,12 @@ class PackagePath:
         """The folder of the package that a file is in, the innermost."""
         return max((folder for folder in self.packages.values() if path.startswith(folder + os.sep)), key=len, default=None)
 
+    def depends(self, path: str, name: str) -> bool:
+        """Whether the manifest of the package that a file is in names another package."""
+        folder = self.of_file(path)
+        text = None if folder is None else quick_text(f"{folder}/package.xml")
+        return text is not None and re.search(rf"depend[^<>]*>\s*{re.escape(name)}\s*<", text) is not None
+
     def names_in(self, folder: str) -> frozenset[str]:
         """The names of the files below a package's folder, and all words of its build files: what its programs may be called."""
         if folder not in self._names:

@@ -88,13 +88,14 @@ def _visit_made(world: World, action: Made, context: Context) -> None:
             state.scope = Scope("/", context.file, conditions=context.conditions)
             if handler is not None and starts:
                 handler(world, action, context)
+                world.agenda.carried_out(action, context)
             elif handler is None and action.kind not in _SILENT:
                 state.warn("python", action.kind, f"{action.kind} is not carried out")
     except LaunchError as error:
         world.here(action.place)
         state.report(error)
     except Raised as error:
-        world.interpreter.misunderstood(error.place or action.place, f"not understood from here on: {error.kind}: {error.message}")
+        world.interpreter.raised(error, action.place)
 
 
 @contextmanager
@@ -148,8 +149,21 @@ def _performed(world: World, given: Any, context: Context) -> dict[str, str]:
 
 @carries_out("TimerAction", "RosTimer", "ROSTimer")
 def _timer(world: World, made: Made, context: Context) -> None:
-    with context.later():
-        visit(world, made.get("actions"), context)
+    text, moment = perform(world, made.get("period"), context), context.moment()
+
+    def fire() -> None:
+        with context.resumed(moment):
+            visit(world, made.get("actions"), context)
+
+    world.agenda.put(_seconds(text), fire)
+
+
+def _seconds(text: str) -> float:
+    """The period of a timer; 0 when it is not known."""
+    try:
+        return max(float(text), 0.0)
+    except ValueError:
+        return 0.0
 
 
 _HANDLED = ("on_exit", "on_start", "on_completion", "on_shutdown", "on_stdout", "on_stderr", "entities")
@@ -157,26 +171,32 @@ _HANDLED = ("on_exit", "on_start", "on_completion", "on_shutdown", "on_stdout", 
 
 @carries_out("RegisterEventHandler")
 def _events(world: World, made: Made, context: Context) -> None:
-    """What an event starts is started some time, but for what the end of launch itself starts."""
+    """What an event starts is started when it happens, but for what the end of launch itself starts."""
     handler = made.get("event_handler")
+    if isinstance(handler, Instance):
+        handler = handler.made
     if not isinstance(handler, Made) or handler.kind == "OnShutdown":
         return
-    for name in _HANDLED:
-        if name in handler.arguments:
-            _visit_outcome(world, handler.arguments[name], context, anew=name == "on_exit")
+    outcomes = [handler.arguments[name] for name in _HANDLED if name in handler.arguments]
 
+    def handle() -> None:
+        for outcome in outcomes:
+            if isinstance(outcome, (Function, Bound)):
+                outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
+            visit(world, outcome, context)
 
-def _visit_outcome(world: World, outcome: Any, context: Context, *, anew: bool) -> None:
-    if isinstance(outcome, (Function, Bound)):
-        outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
-    with context.later(anew=anew):
-        visit(world, outcome, context)
+    world.agenda.register(handler, context, handle)
 
 
 @carries_out("EmitEvent", "LifecycleTransition")
 def _emit(world: World, _made: Made, _context: Context) -> None:
     """Which nodes get the event, and what they do then, is not followed."""
     world.state.commands.setdefault(world.state.here)
+
+
+def must_be_passed(name: str) -> LaunchError:
+    """What is wrong where an argument is not passed that must be."""
+    return LaunchError("argument", name, f"argument `{name}` must be passed, it has no default")
 
 
 @carries_out("DeclareLaunchArgument")
@@ -188,7 +208,7 @@ def _declare(world: World, made: Made, context: Context) -> None:
     state.declared.append(ArgumentDeclared(context.file, name, None, default, state.here))
     if name not in context.configurations:
         if default is None:
-            state.report(LaunchError("argument", name, f"argument `{name}` must be passed, it has no default"))
+            state.report(must_be_passed(name))
             default = state.unknowns.mark(f"$(var {name})", context.file)
         context.give(name, default, state.here)
     elif default is not None:
@@ -268,7 +288,7 @@ def _parameter(world: World, made: Made, context: Context) -> None:
 def _parameters(world: World, made: Made, context: Context) -> None:
     node = made.get("node_name")
     name = None if node is None else perform(world, node, context)
-    context.params = (*context.params, Given(made.get("filename"), world.state.here, context.conditions, node=name))
+    context.params = (*context.params, Given(made.get("filename"), world.state.here, context.conditions, node=name, shared=True))
 
 
 @carries_out("OpaqueFunction")

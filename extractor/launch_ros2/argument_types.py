@@ -1,4 +1,4 @@
-"""Arguments whose type the classes of launch_ros reject, in all versions.
+"""Arguments that the classes of launch_ros reject, in all versions: their types, and those that must be there.
 
 Sources: launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py.
 """
@@ -9,14 +9,25 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from rosarch.extractor.launch.unknowns import is_known
-from rosarch.extractor.launch_ros2.values import Made
+from rosarch.extractor.launch_ros2.values import MORE, Made
 
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
+_REQUIRED = {  # by any of their names
+    "Node": (("executable", "node_executable"),),
+    **dict.fromkeys(
+        ("LifecycleNode", "ComposableNodeContainer"),
+        (("executable", "node_executable"), ("name", "node_name"), ("namespace", "node_namespace")),
+    ),
+    "ComposableNode": (("package",), ("plugin", "node_plugin")),
+}
 _RENAMING = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
 
 
 def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """The arguments of an object of the class `kind` that have a type that it rejects, and what it asks for."""
+    """The arguments that an object of the class `kind` does not get, or gets with a type that it rejects, and what it asks for."""
+    for names in _REQUIRED.get(kind, ()):
+        if given.keys().isdisjoint((*names, MORE)):
+            yield names[0], f"the argument `{names[0]}` must be given"
     parameters = given.get("parameters")
     if kind in _NODES and (isinstance(parameters, (dict, tuple, Made)) or _is_text(parameters)):
         yield "parameters", "parameters must be a list"

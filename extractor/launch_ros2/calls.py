@@ -8,17 +8,19 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from rosarch.extractor.launch.evaluation import PYTHON_ERRORS
 from rosarch.extractor.launch.formulas import Test
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch_ros2.argument_types import refused
 from rosarch.extractor.launch_ros2.decisions import is_certain
 from rosarch.extractor.launch_ros2.expressions import Expressions, Raised, Undecided
 from rosarch.extractor.launch_ros2.natives import attribute
-from rosarch.extractor.launch_ros2.natives_files import environment_has, environment_item
+from rosarch.extractor.launch_ros2.natives_files import environment_has, environment_item, set_environment
 from rosarch.extractor.launch_ros2.registry import KNOWN_MODULES, NATIVES
 from rosarch.extractor.launch_ros2.values import (
     CLASSES,
     KEYWORDS,
+    MORE,
     NOTHING,
     Bound,
     Class,
@@ -76,6 +78,13 @@ class Calls(Expressions):
     def misunderstood(self, place: Place, message: str) -> None:
         """Report what was not understood, once."""
         self.world.state.warn("python", message, message, place)
+
+    def raised(self, error: Raised, place: Place) -> None:
+        """Report an exception that ends a launch file, or an action of it."""
+        if error.certain:
+            self.world.state.report(LaunchError("python", error.kind, f"{error.kind}: {error.message}"), place=error.place or place)
+        else:
+            self.misunderstood(error.place or place, f"not understood from here on: {error.kind}: {error.message}")
 
     def installs(self, package: str) -> bool:
         return self.world.state.files.packages.find(package) is not None
@@ -183,11 +192,13 @@ class Calls(Expressions):
 
     # -- modules --------------------------------------------------------------------------------------------------------------
 
-    def module(self, name: str, frame: Frame) -> Any:
-        """A module by its full name: one that is known here, one of the workspace, or unknown."""
+    def module(self, name: str, frame: Frame, place: Place | None = None) -> Any:
+        """A module by its full name: one that is known here, one of the workspace, or unknown; `place` imports it."""
         first = name.partition(".")[0]
         if first in _LAUNCH or name in KNOWN_MODULES:
             return Module(name)
+        if place is not None:
+            self.world.import_from(first, place)
         if name in self.modules:
             return Module(name, self.modules[name])
         source = self.world.module_source(name, frame.module.file)
@@ -217,6 +228,8 @@ class Calls(Expressions):
                 named[keyword.arg] = value
             elif isinstance(value, dict):
                 named.update({str(key): item for key, item in value.items()})
+            else:
+                named[MORE] = value
         return self.call(function, arguments, named, node, frame)
 
     def _super(self, frame: Frame) -> Any:
@@ -241,6 +254,7 @@ class Calls(Expressions):
         if isinstance(function, Native):
             if frame.module.is_launch_file:
                 self.world.here(self.place(node, frame))
+            named.pop(MORE, None)
             found = function.call(self, *arguments, **named)
             if found is NOTHING:
                 return self.unknown(node, frame)
@@ -249,7 +263,10 @@ class Calls(Expressions):
             if not all(map(self._plain, (*arguments, *named.values()))):
                 return self.unknown(node, frame)
             wrapped = {name: self._callable(value) for name, value in named.items()}
-            return self.weighed(function(*map(self._callable, arguments), **wrapped))
+            try:
+                return self.weighed(function(*map(self._callable, arguments), **wrapped))
+            except PYTHON_ERRORS as error:
+                raise Raised(type(error).__name__, str(error), self.place(node, frame)) from None
         self.world.hand(*arguments, *named.values())
         return self.unknown(node, frame)
 
@@ -298,7 +315,7 @@ class Calls(Expressions):
     def make(self, kind: str, arguments: list[Any], named: dict[str, Any], place: Place) -> Made:
         """An object of a class of launch."""
         names = CLASSES[kind]
-        for name in named.keys() - KEYWORDS.get(kind, named.keys()):
+        for name in named.keys() - {MORE} - KEYWORDS.get(kind, named.keys()):
             self.world.state.report(LaunchError("keyword", name, f"{kind} has no argument `{name}`"), place=place)
         given = {**dict(zip(names, arguments, strict=False)), **named}
         for name, reason in refused(kind, given):
@@ -322,12 +339,15 @@ class Calls(Expressions):
             self.call_function(start, [made, *arguments], named)
         return made
 
-    def decorated(self, function: Function, decorators: list[ast.expr]) -> Function:
-        """A function with its decorators: those of methods count, others are taken for such as change nothing."""
-        for decorator in decorators:
+    def decorated(self, function: Function, decorators: list[ast.expr], frame: Frame) -> Any:
+        """A function with its decorators: those of methods, and functions of the workspace; others are taken for such as change nothing."""
+        found: Any = function
+        for decorator in reversed(decorators):
             if isinstance(decorator, ast.Name) and decorator.id in _DECORATORS:
                 self.kinds[id(function)] = decorator.id
-        return function
+            elif isinstance(wrap := self.value(decorator, frame), (Function, Bound)):
+                found = self.apply(wrap, [found], {})
+        return found
 
     def own(self, made: Class) -> None:
         """Record in the methods of a class which class they are of."""
@@ -346,22 +366,20 @@ class Calls(Expressions):
             return environment_item(self, self.value(node.slice, frame))
         return self.unknown(node, frame)
 
-    def guarded(self, value: Any) -> Any:
+    def guarded(self, value: Any, otherwise: Any = NOTHING) -> Any:
         """A value that is added to something under the unknown conditions of the present branch."""
         for condition in reversed(self.path):
-            value = Either(condition, value, NOTHING)
+            value = Either(condition, value, otherwise)
         return value
 
     def set_item(self, owner: Any, key: Any, value: Any) -> None:
         """`owner[key] = value`."""
         if isinstance(owner, dict) and is_certain(key):
-            for condition in reversed(self.path):
-                value = Either(condition, value, owner.get(key, NOTHING))
-            owner[key] = value
+            owner[key] = self.guarded(value, owner.get(key, NOTHING))
         elif isinstance(owner, list) and isinstance(key, int) and -len(owner) <= key < len(owner):
-            for condition in reversed(self.path):
-                value = Either(condition, value, owner[key])
-            owner[key] = value
+            owner[key] = self.guarded(value, owner[key])
+        elif isinstance(owner, Native) and owner.name == "os.environ":
+            set_environment(self, key, value)
 
     def close(self, file: TextFile) -> None:
         """What was written into a file can be read."""
@@ -382,6 +400,8 @@ def _bound(function: Function, arguments: list[Any], named: dict[str, Any]) -> I
             yield arg.arg, rest.pop(arg.arg)
         elif arg.arg in defaults:
             yield arg.arg, defaults[arg.arg]
+        elif MORE in rest:
+            yield arg.arg, Unknown(arg.arg, Place(function.frame.module.file, function.node.lineno))
         else:
             raise Raised("TypeError", f"missing argument `{arg.arg}`")
     for arg in spec.kwonlyargs:

@@ -41,6 +41,7 @@ def compose_ros2(
     for path in map(str, launch_files):
         context = Context(path, outside=world.environment, namespace=joined("", namespace or ""))
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
+        world.context = context
         _top(world, path, context)
     composition = replace(finished(state, _references(world)), ros=2)
     more = (*_meant(world, composition), *_truths(world))
@@ -53,13 +54,14 @@ def _top(world: World, path: str, context: Context) -> None:
     state.files.allow_beside(path)
     try:
         visit(world, read(world, path), context)
+        world.agenda.run()
     except (Exhausted, RecursionError, Stopped, Undecided) as error:
         reason = str(error) if isinstance(error, (Exhausted, Stopped)) else "nested too deeply, the rest is left out"
         state.report(LaunchError("size", path, reason))
     except LaunchError as error:
         state.report(error)
     except Raised as error:
-        world.interpreter.misunderstood(error.place or Place(path, 1), f"not understood from here on: {error.kind}: {error.message}")
+        world.interpreter.raised(error, Place(path, 1))
 
 
 def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:

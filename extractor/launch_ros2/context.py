@@ -14,7 +14,8 @@ from rosarch.extractor.launch.model import Condition, Place, Remap, exclusive
 class Given:
     """A parameter, or a file of parameters, that nodes get; `place` is where it is given, `conditions` are its own.
 
-    What is given to a class that is `loaded` into a container is read by launch_ros itself.
+    What is given to a class that is `loaded` into a container is read by launch_ros itself; what is `shared` is given to all nodes that
+    follow, by an action of its own.
     """
 
     value: Any
@@ -23,6 +24,7 @@ class Given:
     name: str | None = None
     node: str | None = None
     loaded: bool = False
+    shared: bool = False
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,21 @@ class Origin:
     place: Place
     lines: tuple[Place, ...]
     conditions: tuple[Condition, ...]
+
+
+@dataclass(frozen=True)
+class Moment:
+    """Where in the launch files launch is, and under which conditions, when it puts something off."""
+
+    file: str
+    lines: tuple[Place, ...]
+    conditions: tuple[Condition, ...]
+    held: tuple[Condition, ...]
+    loop: Mapping[str, Any]
+
+    def within(self, *conditions: tuple[Condition, ...]) -> Moment:
+        """This moment, under more conditions."""
+        return replace(self, conditions=tuple(dict.fromkeys([*self.conditions, *(one for some in conditions for one in some)])))
 
 
 @dataclass
@@ -54,7 +71,7 @@ class Context:
     conditions: tuple[Condition, ...] = ()
     held: tuple[Condition, ...] = ()
     lines: tuple[Place, ...] = ()
-    loop: dict[str, Any] = field(default_factory=dict)
+    loop: Mapping[str, Any] = field(default_factory=dict)
     anew: bool = False
     """Whether the end of a process starts what is visited: the actions that have started before are started once more."""
 
@@ -83,15 +100,25 @@ class Context:
             return None
         return None if self.lines[: len(origin.lines)] == origin.lines else origin
 
+    def moment(self) -> Moment:
+        """Where launch is now."""
+        return Moment(self.file, self.lines, self.conditions, self.held, self.loop)
+
     @contextmanager
-    def later(self, *, anew: bool = False) -> Iterator[None]:
-        """What happens meanwhile happens when all else has, and in an order that is not known; `anew`: when a process has ended."""
-        kept, self.origins = (self.origins, self.anew), {}
-        self.anew = self.anew or anew
+    def resumed(self, moment: Moment, *, anew: bool = False) -> Iterator[None]:
+        """What happens meanwhile was put off at a moment, and sees what has been set since; `anew`: a process has ended."""
+        now, kept = self.moment(), (self.origins, self.anew)
+        self._return_to(moment)
+        self.origins, self.anew = {}, anew
         try:
             yield
         finally:
+            self._return_to(now)
             self.origins, self.anew = kept
+
+    def _return_to(self, moment: Moment) -> None:
+        self.file, self.lines, self.conditions = moment.file, moment.lines, moment.conditions
+        self.held, self.loop = moment.held, moment.loop
 
     @contextmanager
     def scoped(self) -> Iterator[None]:

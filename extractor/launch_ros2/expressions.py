@@ -44,11 +44,11 @@ class Undecided(Exception):
 
 
 class Raised(Exception):
-    """What the launch file does raises an exception in Python."""
+    """What the launch file does raises an exception in Python; not `certain` where only what stands for a function here does."""
 
-    def __init__(self, kind: str, message: str, place: Place | None = None) -> None:
+    def __init__(self, kind: str, message: str, place: Place | None = None, *, certain: bool = True) -> None:
         super().__init__(message)
-        self.kind, self.message, self.place = kind, message, place
+        self.kind, self.message, self.place, self.certain = kind, message, place, certain
 
 
 class Expressions(Decisions):
@@ -84,7 +84,8 @@ class Expressions(Decisions):
         except TooLarge as error:
             return self.unknown(node, frame, str(error))
         except PYTHON_ERRORS as error:
-            raise Raised(type(error).__name__, str(error), self.place(node, frame)) from None
+            certain = not isinstance(node, ast.Call)
+            raise Raised(type(error).__name__, str(error), self.place(node, frame), certain=certain) from None
 
     def weighed(self, value: Any) -> Any:
         """A value that was made, its size counted as work."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ from rosarch.extractor.launch.compose import MAX_INCLUDE_DEPTH, MAX_INCLUDES
 from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError, Place
 from rosarch.extractor.launch.state import Exhausted
 from rosarch.extractor.launch.yaml_values import YamlError
-from rosarch.extractor.launch_ros2.actions import carries_out, visit
+from rosarch.extractor.launch_ros2.actions import carries_out, must_be_passed, visit
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
 from rosarch.extractor.launch_ros2.frontend import Entity, actions_of
@@ -45,6 +45,10 @@ def _include(world: World, made: Made, context: Context) -> None:
     passed = _pass(world, made, place, context)
     file = None if state.unknowns.is_open(path) else world.located(path)
     entities = None if file is None else read(world, file, len(context.lines))
+    for declared in _required(entities, set()):
+        name = world.as_text(declared.get("name"))
+        if name not in passed and not any(map(state.unknowns.is_open, passed)):
+            state.report(must_be_passed(name), place=declared.place)
     lines = (*context.lines, place)
     state.includes.append(Include(path, file if entities is not None else None, lines, context.conditions, passes_all=True))
     if file is None or entities is None:
@@ -55,6 +59,28 @@ def _include(world: World, made: Made, context: Context) -> None:
     world.here(place)
     for name in _unused(world, passed, file, before):
         state.warn("unused-argument", name, f"{path} neither declares nor uses the argument `{name}` that is passed to it")
+
+
+def _required(entity: Any, seen: set[str]) -> Iterator[Made]:
+    """The declarations of arguments that an include must pass itself, whatever is set already: those that no condition guards."""
+    if isinstance(entity, (list, tuple)):
+        for item in entity:
+            if isinstance(item, Made) and item.kind == "ResetLaunchConfigurations":
+                return
+            yield from _required(item, seen)
+    elif isinstance(entity, Made) and entity.kind == "DeclareLaunchArgument" and isinstance(name := entity.get("name"), str):
+        if name not in seen and entity.get("condition", "default_value") is None:
+            yield entity
+        seen.add(name)
+    elif isinstance(entity, Made) and entity.kind == "LaunchDescription":
+        yield from _required(entity.get("initial_entities"), seen)
+    elif isinstance(entity, Made) and entity.kind == "GroupAction" and entity.get("condition") is None and not _starts_anew(entity):
+        yield from _required(entity.get("actions"), seen)
+
+
+def _starts_anew(group: Made) -> bool:
+    """Whether a group sees no configurations but its own."""
+    return group.arguments.get("scoped") is not False and group.arguments.get("forwarding") is False
 
 
 def _unused(world: World, passed: Iterable[str], file: str, before: tuple[int, int, int, int]) -> list[str]:
@@ -136,8 +162,10 @@ def _python(world: World, file: str) -> Any:
         return None
     except (Raised, Stopped, Undecided, RecursionError) as error:
         place = (error.place if isinstance(error, Raised) else None) or world.state.here
-        reason = f"{error.kind}: {error.message}" if isinstance(error, Raised) else str(error) or "too much depends on what is not known"
-        run.misunderstood(place, f"not understood from here on: {reason}")
+        if isinstance(error, Raised):
+            run.raised(error, place)
+        else:
+            run.misunderstood(place, f"not understood from here on: {str(error) or 'too much depends on what is not known'}")
         frame = module or run.modules.get(name)
         return frame.described[-1] if frame and frame.described else Unknown(Path(file).name, place)
     finally:

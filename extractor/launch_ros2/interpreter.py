@@ -202,7 +202,7 @@ class Interpreter(Calls):
     # -- definitions ----------------------------------------------------------------------------------------------------------
 
     def _do_functiondef(self, node: ast.FunctionDef | ast.AsyncFunctionDef, frame: Frame) -> None:
-        frame.variables[node.name] = self.decorated(self.function(node, frame), node.decorator_list)
+        frame.variables[node.name] = self.decorated(self.function(node, frame), node.decorator_list, frame)
 
     _do_asyncfunctiondef = _do_functiondef
 
@@ -217,7 +217,7 @@ class Interpreter(Calls):
 
     def _do_import(self, node: ast.Import, frame: Frame) -> None:
         for alias in node.names:
-            found = self.module(alias.name, frame)
+            found = self.module(alias.name, frame, self.place(node, frame))
             if alias.asname:
                 frame.variables[alias.asname] = found
             else:
@@ -230,7 +230,7 @@ class Interpreter(Calls):
             package = package.rpartition(".")[0]
         name = ".".join(part for part in (package, node.module) if part)
         for alias in node.names:
-            module = self.module(name, frame)
+            module = self.module(name, frame, self.place(node, frame))
             if alias.name == "*":
                 frame.variables.update(_all_of(module))
                 continue

@@ -32,6 +32,7 @@ from rosarch.extractor.launch_ros2.values import (
     PathText,
     TextFile,
     Unknown,
+    is_derived,
 )
 
 if TYPE_CHECKING:
@@ -82,7 +83,7 @@ def _of_plain(owner: Any, name: str) -> Any:
 
 
 def _joined(separator: str, items: Any) -> Any:
-    known = isinstance(items, (list, tuple)) and all(isinstance(item, str) for item in items)
+    known = isinstance(items, (str, list, tuple)) and all(isinstance(item, str) for item in items)
     return METHODS[str]["join"](separator, items) if known else NOTHING
 
 
@@ -129,8 +130,11 @@ def _insert(run: Calls, owner: list[Any], index: Any, item: Any) -> None:
     owner.insert(index if isinstance(index, int) else len(owner), run.guarded(item))
 
 
-def _update(run: Calls, owner: dict[Any, Any], other: Any = None, **named: Any) -> None:
-    pairs = other if isinstance(other, (list, tuple)) else (other or {}).items() if isinstance(other, dict) else ()
+def _update(run: Calls, owner: dict[Any, Any], *more: Any, **named: Any) -> None:
+    if more and more[0] is None:
+        raise Raised("TypeError", "'NoneType' object is not iterable")
+    other = more[0] if more else None
+    pairs = other if isinstance(other, (list, tuple)) else other.items() if isinstance(other, dict) else ()
     for key, value in (*pairs, *named.items()):
         run.set_item(owner, key, value)
 
@@ -202,6 +206,7 @@ def _find(run: Calls, owner: Made, package: Any) -> Any:
 
 
 _MADE: dict[str, _Call] = {"add_action": _add, "add_entity": _add, "perform": _perform, "evaluate": _evaluate, "find": _find}
+_MADE["_predicate_func"] = _evaluate  # what IfCondition and UnlessCondition evaluate by
 _MADE["get_launch_arguments"] = _arguments
 _MADE["describe"] = lambda _run, _owner: NOTHING
 
@@ -269,16 +274,19 @@ def _type(_run: Calls, value: Any, *more: Any) -> Any:
 def _isinstance(_run: Calls, value: Any, kinds: Any) -> Any:
     if isinstance(value, (Unknown, Either)):
         return NOTHING
-    return any(_is_of(value, kind) for kind in (kinds if isinstance(kinds, tuple) else (kinds,)))
+    found = [_is_of(value, kind) for kind in (kinds if isinstance(kinds, tuple) else (kinds,))]
+    return True if True in found else NOTHING if None in found else False
 
 
-def _is_of(value: Any, kind: Any) -> bool:
+def _is_of(value: Any, kind: Any) -> bool | None:
+    """Whether a value is of a class; None when that is not known."""
     kind = _TYPES.get(kind.name) if isinstance(kind, Native) else kind
     if isinstance(kind, Constructor):
-        return isinstance(value, Made) and value.kind == kind.kind
+        made = value.made if isinstance(value, Instance) else value
+        return isinstance(made, Made) and is_derived(made.kind, kind.kind)
     if isinstance(kind, Class):
-        return isinstance(value, Instance) and value.of is kind
-    return kind in _TYPES.values() and isinstance(value, kind)
+        return isinstance(value, Instance) and value.of.is_derived(kind)
+    return isinstance(value, kind) if kind in _TYPES.values() else None
 
 
 @native("len")

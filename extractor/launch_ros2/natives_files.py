@@ -249,8 +249,9 @@ def environment_item(run: Calls, name: Any) -> Any:
     if not isinstance(name, str) or not is_known(name):
         return NOTHING
     world = run.world
-    if name in world.environment:
-        return world.environment[name]
+    value = world.context.variable(name)
+    if value is not None:
+        return value
     if name not in _ALWAYS_SET:
         world.state.report(LaunchError("env", name, f"environment variable `{name}` is not set"))
     return world.state.unknowns.mark(f"$(env {name})")
@@ -258,15 +259,43 @@ def environment_item(run: Calls, name: Any) -> Any:
 
 def environment_has(run: Calls, name: str) -> bool:
     """`name in os.environ`."""
-    return name in run.world.environment or name in _ALWAYS_SET
+    return run.world.context.variable(name) is not None or name in _ALWAYS_SET
 
 
-@native("os.getenv", "os.environ.get", "os.environ.setdefault", "os.environ.pop")
+def set_environment(run: Calls, name: Any, value: Any) -> None:
+    """`os.environ[name] = value`: the environment of launch itself."""
+    if isinstance(name, str) and is_known(name):
+        run.world.context.environment[name] = run.world.as_text(run.guarded(value, run.world.context.variable(name) or ""))
+
+
+@native("os.environ.setdefault")
+def _set_default(run: Calls, name: Any, value: Any) -> Any:
+    if isinstance(name, str) and not environment_has(run, name):
+        set_environment(run, name, value)
+    return _environment(run, name)
+
+
+@native("os.environ.update")
+def _update_environment(run: Calls, more: Any = None, **named: Any) -> None:
+    for name, value in {**(more if isinstance(more, dict) else {}), **named}.items():
+        set_environment(run, name, value)
+
+
+@native("os.environ.pop")
+def _unset_environment(run: Calls, name: Any, default: Any = None) -> Any:
+    found = _environment(run, name, default)
+    if isinstance(name, str):
+        run.world.context.environment[name] = None
+    return found
+
+
+@native("os.getenv", "os.environ.get")
 def _environment(run: Calls, name: Any, default: Any = None) -> Any:
     if not isinstance(name, str) or not is_known(name):
         return NOTHING
-    if name in run.world.environment:
-        return run.world.environment[name]
+    value = run.world.context.variable(name)
+    if value is not None:
+        return value
     return run.world.state.unknowns.mark(f"$(env {name})") if name in _ALWAYS_SET and default is None else default
 
 

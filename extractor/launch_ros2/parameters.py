@@ -158,7 +158,9 @@ def _of_file(world: World, value: Any, given: Given, name: str | None, context: 
         file = file.for_loaded() if given.loaded else file
         wanted = chosen(file.sections, given.node or name)
     except LaunchError as error:
-        state.report_unread(error)
+        # a node is started without a file that is not there; what reads files itself ends launch
+        missing = error.kind == "file" and not (given.loaded or substituted or given.shared)
+        state.report(error, fatal=not (missing or error.is_limit))
         yield Unread(path, given.place)
         return
     if file.unknown is not None:

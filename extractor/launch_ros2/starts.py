@@ -51,11 +51,13 @@ def _node(world: World, made: Made, context: Context) -> None:
     if "autostart" in made.arguments:
         world.state.commands.setdefault(world.state.here)
     start_node(world, made, context)
+    world.agenda.started(made, context)
 
 
 @carries_out("ComposableNodeContainer")
 def _container(world: World, made: Made, context: Context) -> None:
     container = start_node(world, made, context)
+    world.agenda.started(made, context)
     load(world, made.get("composable_node_descriptions"), container.full_name, context)
 
 
@@ -290,6 +292,8 @@ def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
 def _as_list(found: Any) -> list[Any]:
     if isinstance(found, dict):
         return list(found.items())
+    if isinstance(found, (set, frozenset)):  # whose order changes from run to run: as it is written
+        return sorted(found, key=lambda one: (one.place.line, one.place.column) if isinstance(one, Written) else (0, 0))
     return list(found) if isinstance(found, (list, tuple)) else [] if found is None else [found]
 
 
@@ -356,3 +360,4 @@ def _process(world: World, made: Made, context: Context) -> None:
         start_node(world, node, context)
     else:
         world.state.commands.setdefault(world.state.here)
+    world.agenda.started(made, context)

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.commands import words_of
+from rosarch.extractor.launch.commands import output, words_of
 from rosarch.extractor.launch.decisions import text_decision
 from rosarch.extractor.launch.descriptions import evaluated
 from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, no_name
@@ -182,25 +182,26 @@ def _content(world: World, made: Made, context: Context) -> str:
 
 @performs("Command")
 def _command(world: World, made: Made, context: Context) -> str:
-    """What a command prints: it is not run. rosarch evaluates xacro files itself."""
+    """What a command prints: it is not run. rosarch evaluates xacro files itself, and knows what `cat` and `echo` print."""
     command = perform(world, made.get("command"), context)
     unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
+    words = words_of(command)
+    made_here = any(world.is_made(word) for word in words)
     world.hand(command)
-    try:
-        words = words_of(command)
-        call = xacro_call(words)
-    except LaunchError:
-        return unknown
-    if call is None or _is_open(world, call.file) or not world.state.files.is_file(call.file):
+    call = xacro_call(words)
+    if made_here or (call is not None and _is_open(world, call.file)):
         return unknown
     try:
-        printed, plugins = evaluated(world.state, call, installed=True)
-    except LaunchError:
+        if call is None:
+            printed = output(words, world.state.files, world.environment)
+        else:
+            printed, plugins = evaluated(world.state, call, installed=True)
+            if printed is not None:
+                world.described[printed] = plugins
+    except LaunchError as error:
+        world.state.report_unread(error)
         return unknown
-    if printed is None:
-        return unknown
-    world.described[printed] = plugins
-    return printed
+    return unknown if printed is None else printed
 
 
 @performs("PythonExpression")

@@ -42,6 +42,10 @@ class Unknown:
     truth: Formula | None = None
 
 
+MORE = "**"
+"""The name of what is passed by keywords that are not known."""
+
+
 class Nothing:
     """What is there when an alternative is not: no value at all."""
 
@@ -116,6 +120,10 @@ class Class:
                 except KeyError:
                     continue
         raise KeyError(name)
+
+    def is_derived(self, other: Class) -> bool:
+        """Whether this is another class of a launch file, or derived from it."""
+        return self is other or any(isinstance(base, Class) and base.is_derived(other) for base in self.bases)
 
     def constructors(self) -> list[Constructor]:
         """The classes of launch that this one is derived from."""
@@ -207,6 +215,23 @@ KEYWORDS: dict[str, frozenset[str]] = {}
 """The classes of launch of which all names of parameters are known, with these."""
 MODULES: dict[str, list[str]] = {}
 """The modules of launch with the names of their classes."""
+BASES: dict[str, str] = {}
+"""The classes of launch with the class that each is derived from."""
+_BASE_IN = {
+    "actions": "Action",
+    "conditions": "Condition",
+    "event_handlers": "EventHandler",
+    "events": "Event",
+    "substitutions": "Substitution",
+}
+"""What the classes of a module are derived from, unless the list says another one."""
+
+
+def is_derived(kind: str | None, base: str) -> bool:
+    """Whether a class of launch is another one, or derived from it."""
+    while kind is not None and kind != base:
+        kind = BASES.get(kind)
+    return kind is not None
 
 
 def _read_api() -> None:
@@ -218,6 +243,10 @@ def _read_api() -> None:
             shared[first] = rest
         elif first != "#":
             name, *parameters = rest
+            name, _, base = name.rstrip(")").partition("(")
+            base = base or _BASE_IN.get(first.rpartition(".")[2], "")
+            if base not in ("", name):
+                BASES[name] = base
             CLASSES[name] = tuple(parameters)
             MODULES.setdefault(first, []).append(name)
             if bar:

@@ -12,6 +12,8 @@ from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, bounded, cho
 from rosarch.extractor.launch.model import LaunchError, PackageNamed, Place, Reference
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import is_known, may_be
+from rosarch.extractor.launch_ros2.agenda import Agenda
+from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.interpreter import Interpreter
 from rosarch.extractor.launch_ros2.values import Either, PathText, Unknown, installed
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
@@ -20,6 +22,9 @@ if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.params_files import ParamsFile
 
 MAX_HANDED = 1000
+_NO_MODULE = {"ImportError", "ModuleNotFoundError"}
+_WITH_LAUNCH = frozenset({"ament_index_python", "osrf_pycommon", "rclpy", "composition_interfaces", "lifecycle_msgs", "xacro"})
+"""Packages whose modules are there wherever launch is, as it needs them itself; and xacro, which is evaluated here."""
 _NO_PACKAGE = {"PackageNotFoundError", "KeyError", "LookupError"}
 _KNOWN = Path(__file__).parent / "known"
 _KNOWN_NAMES = frozenset(path.stem for path in _KNOWN.glob("*.txt"))
@@ -31,6 +36,7 @@ class World:
     def __init__(self, state: State) -> None:
         self.state = state
         self.interpreter = Interpreter(self)
+        self.agenda = Agenda(self)
         self.written: dict[str, str] = {}
         self.described: dict[str, tuple[SimulatorPlugin, ...]] = {}
         self.parameter_texts: dict[str, ParamsFile] = {}
@@ -41,6 +47,7 @@ class World:
         self.asked: list[str] = []
         self.handed: list[str] = []
         self.temporary = 0
+        self.context = Context("", outside=self.environment)
 
     @property
     def environment(self) -> Mapping[str, str]:
@@ -91,6 +98,15 @@ class World:
             state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
         return state.unknowns.mark(f"$(find-pkg-share {package})")
 
+    def import_from(self, package: str, place: Place) -> None:
+        """Note that a module is of a package that is not on the package path: one that the manifest of the importing package names."""
+        packages = self.state.files.packages
+        if package in _WITH_LAUNCH or packages.find(package) is not None or not packages.depends(place.path, package):
+            return
+        self.here(place)
+        if not self.interpreter.optional(_NO_MODULE, installed(package)):
+            self.state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
+
     def is_guarded(self, package: str) -> bool:
         """Whether what is carried out happens under a condition that asks whether the package, or the metapackage of its name, is there."""
         conditions = (*self.interpreter.path, *self.state.scope.conditions)
@@ -131,6 +147,10 @@ class World:
                 self.handed.append(value)
             elif isinstance(value, (list, tuple)):
                 stack += value[:MAX_HANDED]
+
+    def is_made(self, path: str) -> bool:
+        """Whether a file is written meanwhile, or may be."""
+        return path in self.written or ("/" in path and self.is_handed(path))
 
     def is_handed(self, path: str) -> bool:
         """Whether a file that is not there may be written meanwhile: under a path that is not known, or with other arguments than now."""

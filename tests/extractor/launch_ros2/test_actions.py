@@ -176,7 +176,7 @@ def test_files_of_classes_in_containers(tmp_path: Path) -> None:
         + """def generate_launch_description():
     path = PathJoinSubstitution([FindPackageShare('here'), 'p.yaml'])
     return LaunchDescription([
-        ComposableNodeContainer(name='box', package='rclcpp_components', executable='component_container', composable_node_descriptions=[
+        ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', executable='component_container', composable_node_descriptions=[
             ComposableNode(package='here', plugin='here::One', name='one', parameters=[path])]),
         %s])
 """
@@ -197,7 +197,36 @@ def test_events_and_timers_start_what_they_hold(tmp_path: Path) -> None:
       RegisterEventHandler(OnProcessExit(target_action=first, on_exit=lambda event, context: [node('called')])),
       RegisterEventHandler(OnShutdown(on_shutdown=[node('never')])),
       ExecuteProcess(cmd=['ros2', 'run', 'here', 'tool', '--ros-args', '-r', '__node:=ran']), ExecuteProcess(cmd=['gz', 'sim'])"""
-    assert names(described(tmp_path, entities, before)) == ["/first", "/timed", "/next", "/called", "/ran"]
+    assert names(described(tmp_path, entities, before)) == ["/first", "/ran", "/timed", "/called", "/next"]
+
+
+def test_what_an_event_starts_sees_what_is_set_by_then(tmp_path: Path) -> None:
+    before = """first = node('first')
+def args(name): return Node(package='here', executable='run', name=name, arguments=[LaunchConfiguration('a')])"""
+    entities = """DeclareLaunchArgument('a', default_value='1'), GroupAction([PushRosNamespace('inner'), SetLaunchConfiguration('a', '2'), first,
+          RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[args('next')])), TimerAction(period=1.0, actions=[args('timed')])]),
+          SetLaunchConfiguration('a', '3'), SetRemap('x', 'y')"""
+    found = described(tmp_path, entities, before)
+    assert [(node.full_name, node.args, len(node.remaps)) for node in found.nodes] == [
+        ("/inner/first", "", 0), ("/timed", "3", 1), ("/next", "3", 1)
+    ]  # fmt: skip
+
+
+def test_what_waits_for_a_process_follows_it_alone(tmp_path: Path) -> None:
+    before = """from launch.event_handlers import OnExecutionComplete, OnProcessStart
+first, never = node('first'), node('never', condition=IfCondition('false'))
+unsure = node('unsure', condition=IfCondition(EnvironmentVariable('U')))
+opaque, early = OpaqueFunction(function=lambda context: None), OpaqueFunction(function=lambda context: None)"""
+    entities = """RegisterEventHandler(OnExecutionComplete(target_action=opaque, on_completion=[node('done')])), first, never, unsure, opaque, early,
+          RegisterEventHandler(OnProcessStart(target_action=first, on_start=[node('started')])),
+          RegisterEventHandler(OnProcessStart(target_action=never, on_start=[node('no')])),
+          RegisterEventHandler(OnProcessExit(target_action=unsure, on_exit=[node('perhaps')])),
+          RegisterEventHandler(OnExecutionComplete(target_action=early, on_completion=[node('late')])),
+          RegisterEventHandler(OnProcessExit(target_action=lambda action: action is first, on_exit=[node('matched')])),
+          RegisterEventHandler(OnProcessExit(on_exit=[node('any')]), condition=IfCondition('false'))"""
+    assert names(described(tmp_path, entities, before)) == [
+        "/first", "/unsure if $(env U)", "/started", "/done", "/matched", "/perhaps if $(env U)"
+    ]  # fmt: skip
 
 
 def test_loops_of_launch(tmp_path: Path) -> None:
