@@ -35,8 +35,7 @@ class Method:
 
     def key(self) -> list[str]:
         """All that the result depends on, but for the input and what ships."""
-        sources = [repr(self.sources.timeout), repr(sorted(self.sources.defines.items()))]
-        return [rules_hash(self.rules), self.engine, *sources, library_hash(self.library)]
+        return [rules_hash(self.rules), self.engine, *self.sources.key(), library_hash(self.library)]
 
 
 PLAIN = Method()

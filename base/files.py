@@ -55,6 +55,11 @@ def read_file(path: str | Path, most: int = LARGEST) -> bytes:
         tracing.read(path, status, content)
 
 
+def shown_path(root: Path, path: Path) -> Path:
+    """How reports name a file: by its path below the root of the workspace, where it lies there."""
+    return path.relative_to(root) if path.is_relative_to(root) else path
+
+
 def folder_reader(root: Path, *others: Path) -> Callable[[str], str | None]:
     r"""Reads texts below a folder, lines ending in `\n`; None for what is no regular file or cannot be read.
 

@@ -133,8 +133,17 @@ def probe(path: str | os.PathLike[str]) -> None:
         here.probes[full] = _kind(full)
 
 
+def names(folder: str | os.PathLike[str]) -> None:
+    """It was asked which names there are in a folder, but not what is below its folders."""
+    if not _recordings:
+        return
+    here, full = _recordings[-1], f"{os.path.abspath(folder)}/"
+    if not (full in here.probes or here.covers(full) or full.startswith(here.ignored)):
+        here.probes[full] = _kind(full)
+
+
 def listed(folder: str | os.PathLike[str]) -> None:
-    """It was asked what is below a folder."""
+    """It was asked what is below a folder, however deep."""
     if _recordings and not _recordings[-1].covers(os.path.abspath(folder)):
         _recordings[-1].uncertain = True
 
@@ -262,9 +271,18 @@ def _content(path: str, status: os.stat_result | None) -> bytes | None:
 
 
 def _kind(path: str) -> str:
-    """What lies at a path, and where that really is."""
+    """What lies at a path, and where that really is; of a path that ends in a slash, the names in that folder."""
+    if path.endswith("/"):
+        return _digest("\0".join(_names(path)).encode("utf-8", "surrogateescape"))
     status = _status(path)
     return "" if status is None else f"{stat.S_IFMT(status.st_mode):o} {os.path.realpath(path)}"
+
+
+def _names(folder: str) -> list[str]:
+    try:
+        return sorted(os.listdir(folder))
+    except OSError:
+        return []
 
 
 def _names_digest(top: str) -> str:

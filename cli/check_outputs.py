@@ -17,6 +17,7 @@ from rosarch.cli.terminal import emit, is_terminal
 
 if TYPE_CHECKING:
     from rosarch.extractor.suppressions import Suppression
+    from rosarch.extractor.underlay import Underlay
     from rosarch.findings.baseline import Baseline
     from rosarch.findings.model import Finding
     from rosarch.findings.policy import Policy, Reported
@@ -87,12 +88,15 @@ def write_reports(
     *,
     notes: bool = True,
     scope: str = "",
+    underlay: Underlay | None = None,
     rules: Mapping[str, Any] | None = None,
 ) -> None:
     """Write all reports on the findings of the workspace `folder`; see `Setting` for `read` and for what those for people show."""
+    from rosarch.extractor.underlay import NOTHING_INSTALLED
     from rosarch.reports.findings import Setting, report_text
 
-    setting = Setting(read, _seen_from_here(folder), notes=notes, scope=scope, rules=rules or {})
+    seen_from = _seen_from_here(folder)
+    setting = Setting(read, seen_from, notes=notes, scope=scope, underlay=underlay or NOTHING_INSTALLED, rules=rules or {})
     for name, file in destinations.files:
         write_output(file, report_text(name, reported, setting))
     for name in destinations.stdout:

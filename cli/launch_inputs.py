@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from rosarch.cli.options import parse_environment
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch import Composition
+    from rosarch.extractor.underlay import Underlay
 
 _WORKSPACE_MARKS = (".catkin_workspace", ".catkin_tools", ".git", ".rosinstall")
 
@@ -22,20 +24,29 @@ def is_folder(words: Sequence[str]) -> bool:
     return len(words) == 1 and os.path.isdir(words[0])
 
 
-def compose_folder(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> dict[str, Composition]:
+@dataclass(frozen=True)
+class Surroundings:
+    """Where packages are looked for, the environment variables that are given, what is installed."""
+
+    package_path: Sequence[Path] | None
+    environment: Sequence[str] | None
+    underlay: Underlay
+
+
+def compose_folder(words: Sequence[str], around: Surroundings) -> dict[str, Composition]:
     """Compose each launch file below a folder that no other includes."""
     from rosarch.extractor.launch import Files, PackagePath, launch_files, top_level
 
     folder = check_folder(Path(words[0]))
-    variables = _variables(environment)
-    files = Files(PackagePath(_package_path(package_path, [folder], variables)))
+    variables = _variables(around.environment)
+    files = Files(PackagePath(_package_path(around, [folder], variables), around.underlay))
     found = top_level(launch_files(os.path.abspath(folder)), files, variables)
     if not found:
         raise InputError(f"{folder}: no launch file below this folder")
     return found
 
 
-def compose_words(words: Sequence[str], package_path: Sequence[Path] | None, environment: Sequence[str] | None) -> Composition:
+def compose_words(words: Sequence[str], around: Surroundings) -> Composition:
     """Compose the launch files among `words`; the others are arguments, `name:=value`."""
     from rosarch.extractor.launch import Files, PackagePath, compose
 
@@ -44,8 +55,8 @@ def compose_words(words: Sequence[str], package_path: Sequence[Path] | None, env
     if not names:
         raise InputError("no launch file given")
     launch_files = [os.path.abspath(check_file(Path(name))) for name in names]
-    variables = _variables(environment)
-    files = Files(PackagePath(_package_path(package_path, _default_path(Path(names[0]), variables), variables)))
+    variables = _variables(around.environment)
+    files = Files(PackagePath(_package_path(around, _default_path(Path(names[0]), variables), variables), around.underlay))
     composition = compose(launch_files, arguments, files=files, environment=variables, namespace=namespace)
     for problem in composition.problems:
         if problem.kind == "xml" and problem.subject in launch_files:
@@ -85,19 +96,20 @@ def _variables(given: Sequence[str] | None) -> dict[str, str]:
     return {"ROS_MASTER_URI": "http://localhost:11311", **os.environ, **parse_environment(given)}
 
 
-def _package_path(given: Sequence[Path] | None, default: list[Path], variables: dict[str, str]) -> list[Path]:
+def _package_path(around: Surroundings, default: list[Path], variables: dict[str, str]) -> list[Path]:
     """Where packages are looked for; launch files see the same in ROS_PACKAGE_PATH."""
-    folders = [check_folder(folder) for folder in given or default]
-    variables["ROS_PACKAGE_PATH"] = ":".join(map(os.path.abspath, folders))
+    folders = [check_folder(folder) for folder in around.package_path or default]
+    variables["ROS_PACKAGE_PATH"] = ":".join([*map(os.path.abspath, folders), *around.underlay.share_folders])
     return folders
 
 
 def _default_path(file: Path, variables: dict[str, str]) -> list[Path]:
-    """The folders of ROS_PACKAGE_PATH; without it, the workspace that `file` is in."""
-    if variables.get("ROS_PACKAGE_PATH"):
-        from rosarch.base.boundary import ros_package_path
+    """The folders of ROS_PACKAGE_PATH that hold sources; without any, the workspace that `file` is in."""
+    from rosarch.extractor.underlay import source_folders
 
-        return ros_package_path(variables)
+    sources = source_folders(variables)
+    if sources:
+        return sources
     above = Path(os.path.abspath(file)).parents
     package = next((folder for folder in above if os.path.isfile(folder / "package.xml")), above[0])
     for folder in package.parents:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from enum import Enum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from rosarch.cli.errors import InputError
+
+if TYPE_CHECKING:
+    from rosarch.extractor.underlay import Underlay
 
 
 class Engine(str, Enum):
@@ -101,7 +104,36 @@ Libraries = Annotated[
         show_default=False,
     ),
 ]
+Underlays = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--underlay",
+        parser=path_argument,
+        metavar="DIR",
+        help="Where packages are installed that DIR does not have, such as /opt/ros/humble; may be repeated."
+        " By default what the environment names.",
+        show_default=False,
+    ),
+]
+NoUnderlay = Annotated[bool, typer.Option("--no-underlay", help="Read nothing that is installed, whatever the environment names.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Show every diagnostic.")]
+
+
+def installed(folders: Iterable[Path] | None, *, none: bool) -> Underlay:
+    """The underlay that the options name, or else the environment."""
+    import os
+
+    from rosarch.extractor.underlay import Underlay, environment_underlay, prefixes_in
+
+    given = list(folders or ())
+    if given and none:
+        raise InputError("--underlay and --no-underlay contradict each other")
+    for folder in given:
+        if not prefixes_in(folder):
+            raise InputError(f"--underlay {folder}: no package is installed there: no share/NAME/package.xml")
+    if given or none:
+        return Underlay.of(given)
+    return environment_underlay(os.environ)
 
 
 def parse_defines(defines: Iterable[str] | None) -> dict[str, str]:

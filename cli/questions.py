@@ -23,9 +23,12 @@ from rosarch.cli.options import (
     Input,
     Jobs,
     Libraries,
+    NoUnderlay,
     Packages,
     Timeout,
+    Underlays,
     Verbose,
+    installed,
     parse_defines,
 )
 from rosarch.cli.rule_options import Rules, Settings, Variants, parse_rules
@@ -52,6 +55,8 @@ class ReadingOptions:
     jobs: Jobs = None
     defines: Defines = None
     timeout: Timeout = SOURCE_SECONDS
+    underlays: Underlays = None
+    no_underlay: NoUnderlay = False
     cached: Cached = True
     verbose: Verbose = False
 
@@ -63,7 +68,8 @@ class ReadingOptions:
         """How sources are read."""
         from rosarch.extractor.settings import Settings as SourceSettings
 
-        return SourceSettings(self.jobs, self.timeout, parse_defines(self.defines), extraction_cache(self.cached))
+        underlay = installed(self.underlays, none=self.no_underlay)
+        return SourceSettings(self.jobs, self.timeout, parse_defines(self.defines), extraction_cache(self.cached), underlay=underlay)
 
     def method(self, rules: RuleSet, library: Sequence[Path] = ()) -> Method:
         """By what components and systems are analysed; some commands have `rules` that differ from those of the options."""

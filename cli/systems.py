@@ -156,7 +156,7 @@ def _readable(inputs: SystemInputs, where: LaunchEnvironment) -> list[Path]:
     requests = _requests(inputs, None)
     launches = [path for request in requests for file in request.files for path in (Path(file), inputs.folder / file)]
     arguments = [Path(value) for request in requests for _, values in request.arguments for value in values if os.path.isfile(value)]
-    return [*where.package_path, *named, *launches, *arguments]
+    return [*where.package_path, *map(Path, where.underlay.folders), *named, *launches, *arguments]
 
 
 def _analyze(
@@ -227,12 +227,12 @@ def _environment(inputs: SystemInputs, configuration: Configuration | None) -> L
     check_sources(inputs.folder)
     check_engine(inputs.method.engine)
     environment = dict(os.environ)
-    from rosarch.base.boundary import ros_package_path
+    from rosarch.extractor.underlay import source_folders
 
-    folders = ros_package_path()
+    folders = source_folders(os.environ)
     if configuration is not None:
         environment.update(configuration.environment)
         folders = [check_folder(Path(folder)) for folder in configuration.package_path] or folders
     environment.update(parse_environment(inputs.environment))
     given = [check_folder(folder) for folder in inputs.package_path or ()]
-    return LaunchEnvironment(inputs.folder, (inputs.folder, *(given or folders)), environment)
+    return LaunchEnvironment(inputs.folder, (inputs.folder, *(given or folders)), environment, inputs.method.sources.underlay)

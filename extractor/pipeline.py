@@ -16,7 +16,7 @@ from pathlib import Path
 from rosarch.base import tracing
 from rosarch.base.boundary import confined, ros_package_path
 from rosarch.base.cache import Cache, hash_of
-from rosarch.base.files import path_text
+from rosarch.base.files import path_text, shown_path
 from rosarch.base.memo import Memo
 from rosarch.base.pool import Failure
 from rosarch.base.scratch import scratch_folder
@@ -34,6 +34,7 @@ from rosarch.extractor.messages.message_fields import MessageFields
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.settings import DEFAULT, Settings
 from rosarch.extractor.sources import Sources, diagnostics
+from rosarch.extractor.underlay import Underlay
 from rosarch.extractor.unit_index import UnitIndex
 from rosarch.extractor.unit_store import read_rows
 from rosarch.extractor.units import Outcome, UnitFile
@@ -146,12 +147,12 @@ def extract(
     A `workspace` takes the place of what is discovered there. With a cache, components for which `is_cached` holds, by their key, may have
     no rows. Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below `root`.
     """
-    cache, defines, timeout = settings.cache, settings.defines, settings.timeout
+    cache, underlay = settings.cache, settings.underlay
     with ExitStack() as confinement, ExitStack() as unfinished:
-        confinement.enter_context(confined([root, *ros_package_path()]))
-        asked = [repr(packages and sorted(packages)), repr(sorted(defines.items())), repr(timeout)]
+        confinement.enter_context(confined([root, *ros_package_path(), *underlay.folders]))
+        asked = [repr(packages and sorted(packages)), *settings.key()]
         with _recorded(root) if cache and is_cached and not workspace else nullcontext() as rests_on:
-            workspace = workspace or _discovered(root, lambda: discover(root, packages, defines=defines, timeout=timeout), asked, cache)
+            workspace = workspace or _discovered(root, partial(_discover, root, packages, settings), asked, cache)
             interfaces = Interfaces.of(workspace.packages, workspace.root)
         index = UnitIndex.load(cache, asked, rests_on) if cache and rests_on and not rests_on.uncertain else None
         noticed = [*workspace.diagnostics, *interfaces.diagnostics]
@@ -167,13 +168,14 @@ def extract(
         units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
         compiled = [unit for unit in units if isinstance(unit, CompileUnit)]
         extraction.built = sum(commands.find(unit.source, "") is not None for unit in compiled)
-        extraction.folders = tuple(package.path for package in workspace.packages if package.name in workspace.selected)
-        extraction.installed = tuple(sorted(package.name for package in workspace.packages if is_brought(package)))
+        own = [package for package in workspace.packages if not package.installed]
+        extraction.folders = tuple(package.path for package in own if package.name in workspace.selected)
+        extraction.installed = tuple(sorted(package.name for package in own if is_brought(package)))
         confinement.enter_context(confined([scratch, *{folder for unit in compiled for folder in unit.installed}]))
-        finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, searched=workspace.searched)
+        finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, workspace.underlay, searched=workspace.searched)
         readers = UnitReader(workspace.root, finder, scratch, cache), PythonReader(workspace.root, scratch, cache)
         sources = Sources(*readers, settings)
-        make = partial(_component_facts, workspace.root, sources.paths, _defined(interfaces, workspace), built)
+        make = partial(_component_facts, workspace.root, workspace.underlay, sources.paths, _defined(interfaces, workspace), built)
         outcomes = index.read(units, sources.read) if index else sources.read(units)
         made = {one: make(one, outcomes.of(units_of[one])) for one in found}
         if is_cached and index:
@@ -187,6 +189,10 @@ def extract(
     extraction.seconds = outcomes.seconds
     extraction.components = tuple(made[one] for one in sorted(found, key=lambda each: (each.package, each.name)))
     return extraction
+
+
+def _discover(root: Path, packages: Collection[str] | None, settings: Settings) -> Workspace:
+    return discover(root, packages, defines=settings.defines, timeout=settings.timeout, underlay=settings.underlay)
 
 
 def _recorded(root: Path) -> AbstractContextManager[tracing.Recording]:
@@ -272,6 +278,7 @@ def _defined(interfaces: Interfaces, workspace: Workspace) -> _Defined:
 
 def _component_facts(
     root: Path,
+    underlay: Underlay,
     paths: Callable[[UnitFile], Iterable[Path]],
     defined: _Defined,
     programs: frozenset[tuple[str, str]],
@@ -292,8 +299,8 @@ def _component_facts(
     own["component_executable"] = {(name,) for name in {*component.executables, *run_alone}}
     for together, outcome in outcomes:
         for source in together:
-            if source.is_relative_to(root):
-                relative = path_text(source.relative_to(root))
+            if source.is_relative_to(root) or underlay.holds(str(source)):
+                relative = path_text(shown_path(root, source))
                 origin = "own" if source in component.sources else "library"
                 own["source_file"].add((file_key(relative), relative))
                 own["component_source"].add((file_key(relative), origin))
@@ -305,7 +312,8 @@ def _component_facts(
     certain = len(keys) == len(outcomes)  # a unit that failed may not do so the next time
     if not certain:
         tracing.uncertain()
-    sources = tuple(path_text(source.relative_to(root)) for source in component.sources if source.is_relative_to(root))
+    shown = (shown_path(root, source) for source in component.sources if source.is_relative_to(root) or underlay.holds(str(source)))
+    sources = tuple(map(path_text, shown))
     return ComponentFacts(
         component.name,
         component.package,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from rosarch.base.limits import SOURCE_SECONDS
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 
 if TYPE_CHECKING:
     from rosarch.base.cache import Cache
@@ -19,7 +20,8 @@ Progress = Callable[[str, int, int], None]
 class Settings:
     """How sources are read: by `jobs` processes, or as many as there are processors, with `timeout` as the limit in seconds for one source.
 
-    `defines` are CMake cache variables. With a `cache`, only what has changed since an earlier time is read again.
+    `defines` are CMake cache variables, `underlay` is what is installed. With a `cache`, only what has changed since an
+    earlier time is read again.
     """
 
     jobs: int | None = None
@@ -27,6 +29,11 @@ class Settings:
     defines: Mapping[str, str] = field(default_factory=dict)
     cache: Cache | None = None
     progress: Progress | None = None
+    underlay: Underlay = NOTHING_INSTALLED
+
+    def key(self) -> list[str]:
+        """All that the result depends on, but for the sources."""
+        return [repr(sorted(self.defines.items())), repr(self.timeout), *self.underlay.key()]
 
 
 DEFAULT = Settings()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from rosarch.base.places import Place
@@ -11,14 +11,26 @@ from rosarch.findings.model import Evidence, Finding
 from rosarch.models.system.rows import grouped
 from rosarch.rule_programs.checks import Check, evidence_of, shown_as
 
+_STARTED = "Start"
+"""The type of columns that show where nodes are started."""
 
-def findings(checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str) -> list[Finding]:
-    """What the checks found in a system; `places` are those of the facts, by key."""
-    return [finding for _, finding in findings_with_rows(checks, result, places, system)]
+
+def _nowhere(_path: str) -> bool:
+    return False
+
+
+def findings(
+    checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str, is_installed: Callable[[str], bool] = _nowhere
+) -> list[Finding]:
+    """What the checks found in a system; `places` are those of the facts, by key.
+
+    What is in installed files alone is left out: who reads about it cannot change them.
+    """
+    return [finding for _, finding in findings_with_rows(checks, result, places, system, is_installed)]
 
 
 def findings_with_rows(
-    checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str
+    checks: Sequence[Check], result: Result, places: Mapping[str, Place], system: str, is_installed: Callable[[str], bool] = _nowhere
 ) -> Iterator[tuple[tuple[Any, ...], Finding]]:
     """The same, each with the row of its check."""
     known = set(result.names())
@@ -27,16 +39,30 @@ def findings_with_rows(
     for check in checks:
         for row in result.rows(check.relation):
             texts = {}
-            evidence = []
+            shown: list[tuple[str, list[Evidence]]] = []
             for (column, type_), value in zip(check.columns, row, strict=True):
                 texts[column] = str(names[type_].get(value, value)) if type_ in names else str(value)
             entities = dict(zip((name for name, _ in check.columns), row, strict=True))
             for column, own in check.evidence:
-                for step, text, place in steps[dict(check.columns)[column]].get(entities[column], []):
-                    evidence.append(Evidence(own.format(**texts) if own and step == 0 else text, places[place]))
+                type_ = dict(check.columns)[column]
+                found = steps[type_].get(entities[column], [])
+                part = [Evidence(own.format(**texts) if own and step == 0 else text, places[place]) for step, text, place in found]
+                shown += [(type_, part)] if part else []
+            evidence = _workspace_first(shown, is_installed)
             if evidence:
                 message = check.message.format(**texts)
                 yield row, Finding(check, check.severity, message, tuple(dict.fromkeys(evidence)), (system,))
+
+
+def _workspace_first(shown: list[tuple[str, list[Evidence]]], is_installed: Callable[[str], bool]) -> list[Evidence]:
+    """All that is shown of the parts of a finding, first of one that is in the workspace; nothing when there is none.
+
+    Where a finding begins in an installed file, that the workspace starts the node is no part of its own.
+    """
+    inside = [not is_installed(part[0].place.path) for _, part in shown]
+    own = [number for number, (type_, _) in enumerate(shown) if inside[number] and (inside[0] or type_ != _STARTED)]
+    order = [*own[:1], *(number for number in range(len(shown)) if number not in own[:1])] if own else []
+    return [each for number in order for each in shown[number][1]]
 
 
 def _types(checks: Sequence[Check]) -> set[str]:

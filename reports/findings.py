@@ -10,10 +10,11 @@ from typing import Any
 
 from rosarch.analysis.systems.check_result import Scope
 from rosarch.base.places import Place
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 from rosarch.findings.model import Finding
 from rosarch.findings.policy import Reported
 from rosarch.findings.withheld import Withheld
-from rosarch.reports.labels import counted
+from rosarch.reports.labels import counted, underlay_text
 from rosarch.reports.printable import printable
 from rosarch.rule_programs.checks import SEVERITIES
 
@@ -29,7 +30,8 @@ class Setting:
 
     `read` gives the text of a file of the workspace, or None. `folder` is the workspace as seen from where the reader stands, empty when
     that is the workspace itself: people, editors and services find a file by the path that begins there. `notes` says whether people want
-    notes, `scope` describes what was checked. `rules` describes rules other than those that ship, see `described`.
+    notes, `scope` describes what was checked, `underlay` is what is installed. `rules` describes rules other than those that ship, see
+    `described`.
     """
 
     read: Callable[[str], str | None] = field(default=lambda _path: None)
@@ -37,6 +39,7 @@ class Setting:
     terminal: bool = False
     notes: bool = True
     scope: str = ""
+    underlay: Underlay = NOTHING_INSTALLED
     rules: Mapping[str, Any] = field(default_factory=dict)
 
     def path(self, path: str) -> str:
@@ -95,11 +98,11 @@ def _some(texts: list[str]) -> list[str]:
     return texts if len(texts) <= MOST else [*texts[: MOST - 1], f"{len(texts) - MOST + 1} more"]
 
 
-def scope_text(scope: Scope) -> str:
-    """How much was checked, and of how much nothing is known."""
+def scope_text(scope: Scope, underlay: Underlay = NOTHING_INSTALLED) -> str:
+    """How much was checked, and of how much nothing is known; what it was composed with that is installed."""
     known = f", {scope.unknown} of them without a model" if scope.unknown else ""
     more = f", {scope.open} may have more ports than were seen" if scope.open else ""
-    return f"checked {counted(scope.systems, 'system')} with {counted(scope.nodes, 'node')}{known}{more}"
+    return f"checked {counted(scope.systems, 'system')} with {counted(scope.nodes, 'node')}{known}{more}{underlay_text(underlay)}"
 
 
 def because(each: Withheld, setting: Setting) -> list[str]:

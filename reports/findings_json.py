@@ -21,6 +21,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
         "rosarch": tool_version(),
         "folder": setting.folder or ".",
         **rules,
+        **_underlay(setting),
         "findings": [_finding(finding) for finding in reported.shown],
         "suppressed": [
             {**_finding(each.finding), "reason": each.suppression.reason, "comment_line": each.suppression.line}
@@ -40,6 +41,11 @@ def findings_text(reported: Reported, setting: Setting) -> str:
 def findings_schema() -> Any:
     """The JSON Schema of the document."""
     return json.loads(files("rosarch.reports").joinpath("schema/findings.schema.json").read_text(encoding="utf-8"))
+
+
+def _underlay(setting: Setting) -> dict[str, Any]:
+    prefixes = setting.underlay.prefixes
+    return {"underlay": {"prefixes": list(prefixes), "packages": len(setting.underlay.packages)}} if prefixes else {}
 
 
 def _finding(finding: Finding) -> dict[str, Any]:

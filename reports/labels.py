@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rosarch.reports.printable import printable
+
 if TYPE_CHECKING:
+    from rosarch.extractor.underlay import Underlay
     from rosarch.models.component import ComponentModel, Port
 
+_MOST = 3  # prefixes that a line names
 KINDS = {
     "publisher": "publisher",
     "subscriber": "subscriber",
@@ -68,3 +72,12 @@ def counted(number: int, noun: str) -> str:
     if number == 1:
         return f"1 {noun}"
     return f"{number} {noun[:-1]}ies" if noun.endswith("y") else f"{number} {noun}s"
+
+
+def underlay_text(underlay: Underlay) -> str:
+    """What is installed, as the end of a sentence."""
+    if not underlay.prefixes:
+        return ""
+    first = ", ".join(map(printable, underlay.prefixes[:_MOST]))
+    more = f" and {len(underlay.prefixes) - _MOST} more" if len(underlay.prefixes) > _MOST else ""
+    return f"; with {counted(len(underlay.packages), 'package')} installed below {first}{more}"

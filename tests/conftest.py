@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from rosarch.base.limits import LIMITS, Limits
+from rosarch.extractor.underlay import VARIABLES
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -45,6 +46,16 @@ class Outcome:
     code: int
     out: str
     err: str
+
+
+@pytest.fixture(scope="session", autouse=True)
+def nothing_installed() -> Iterator[None]:
+    """What is installed on the machine that tests run on is not seen."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name in (*VARIABLES, "ROS_DISTRO"):
+            patch.delenv(name, raising=False)
+        patch.setattr("rosarch.extractor.underlay.DISTRIBUTIONS", "/nowhere")
+        yield
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -145,12 +145,13 @@ def _system(rules: SystemRules, launch: Launch, rows: Rows, method: Method) -> C
 
 
 def composed(rules: SystemRules, launch: Launch, rows: Rows, result: Result) -> Composed:
-    """The model of a system and its findings, from what rules derived."""
+    """The model of a system and its findings, from what rules derived: those about the workspace."""
     from rosarch.findings.of_systems import findings
     from rosarch.models.system.build import system_model
 
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
-    return system_model(launch.name, launch.words, rows, result, places), findings(rules.checks, result, places, launch.name)
+    found = findings(rules.checks, result, places, launch.name, launch.packages.underlay.holds)
+    return system_model(launch.name, launch.words, rows, result, places), found
 
 
 def _together(found: Sequence[Finding]) -> tuple[Finding, ...]:

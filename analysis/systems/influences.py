@@ -56,12 +56,9 @@ def analyse_in_detail(
         details = _details(result, method)
         if shorten:
             composition = shared.components.with_nodes(launch)[0].composition
-            details = replace(
-                details,
-                reasons=system_reasons(
-                    rules, rows, result, launch.name, Started(composition, shared.root), shorten, chains=method.rules.flows
-                ),
-            )
+            started = Started(composition, shared.root, launch.packages.underlay.holds)
+            reasons = system_reasons(rules, rows, result, launch.name, started, shorten, chains=method.rules.flows)
+            details = replace(details, reasons=reasons)
         return composed(rules, launch, rows, result), details
 
     found: dict[int, tuple[Composed, SystemDetails] | Failure] = {}

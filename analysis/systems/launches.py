@@ -49,8 +49,8 @@ def by_themselves(where: LaunchEnvironment, defines: Mapping[str, str]) -> list[
 
     What runs beside it, and which parameters it is given, is not known. Of packages without programs there is what their files say.
     """
-    packages = PackagePath([os.path.abspath(where.root)])
-    workspace = discover(where.root, defines=defines)
+    packages = PackagePath([os.path.abspath(where.root)], where.underlay)
+    workspace = discover(where.root, defines=defines, underlay=where.underlay)
     own = {package.name: package for package in workspace.packages if package.name in workspace.selected}
     programs = [
         (own[component.package], program)

@@ -29,7 +29,7 @@ def system_reasons(
 ) -> Derivations:
     """Why a system has its nodes, connectors, rates, `chains` and findings; `result` has the rows of all relations."""
     places = {row[0]: Place(*row[1:]) for row in rows.get("place", ())}
-    found = findings_with_rows(rules.checks, result, places, system)
+    found = findings_with_rows(rules.checks, result, places, system, started.is_installed)
     asked = [Wanted(f"finding {finding.fingerprint}", finding.check.relation, row) for row, finding in found]
     facts = {relation: list(own) for relation, own in rows.items()}
     implicit = {port for (port,) in rows.get("interface_port_implicit", ())}
@@ -69,8 +69,9 @@ def _port(port: tuple[str, str, str]) -> str:
 class Started:
     """What starts the nodes of a composition, as steps; paths below `root` are relative to it."""
 
-    def __init__(self, composition: Composition, root: Path) -> None:
+    def __init__(self, composition: Composition, root: Path, is_installed: Callable[[str], bool] = lambda _: False) -> None:
         self.composition = composition
+        self.is_installed = is_installed
         self.root = str(root.absolute())
         self.steps: list[ProofStep] = []
         self.passed: dict[LaunchPlace, list[ArgumentPassed]] = defaultdict(list)

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosarch.base import tracing
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch import Files
@@ -24,21 +25,25 @@ class LaunchWordError(ValueError):
 
 @dataclass(frozen=True)
 class LaunchEnvironment:
-    """Where launch files are composed: the workspace, where packages are looked for, the robot's environment variables."""
+    """Where launch files are composed: the workspace, where packages are looked for, the robot's environment variables.
+
+    The `underlay` has what is installed.
+    """
 
     root: Path
     package_path: tuple[Path, ...]
     environment: Mapping[str, str]
+    underlay: Underlay = NOTHING_INSTALLED
 
     def files(self) -> Files:
         """What reads launch files here."""
         from rosarch.extractor.launch import Files, PackagePath
 
-        return Files(PackagePath(self.package_path))
+        return Files(PackagePath(self.package_path, self.underlay))
 
     def variables(self) -> Mapping[str, str]:
         """The environment of launch files. roslaunch does not run without ROS_MASTER_URI."""
-        path = os.pathsep.join(map(os.path.abspath, self.package_path))
+        path = os.pathsep.join([*map(os.path.abspath, self.package_path), *self.underlay.share_folders])
         return tracing.Variables({"ROS_MASTER_URI": "http://localhost:11311", "ROS_PACKAGE_PATH": path, **self.environment})
 
 

@@ -36,6 +36,7 @@ from rosarch.extractor.launch.facts import launch_rows, library_name, started, s
 from rosarch.extractor.launch.model import Composition, FileMeant
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
+from rosarch.extractor.underlay import Underlay
 from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import NodeConfiguration
 from rosarch.models.system.rows import Rows, merged
@@ -80,10 +81,12 @@ class Components:
     """The components that launches start, of sources and of the library: their models, their interfaces, and what all systems see of them.
 
     `interfaces` begin with those of `models`, in their order. `programs` are package and name of all executables that the workspace builds
-    and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows.
+    and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows or that
+    are in the `underlay`.
     """
 
     root: Path
+    underlay: Underlay
     models: tuple[ComponentModel, ...]
     programs: frozenset[tuple[str, str]]
     builds: tuple[Built, ...]
@@ -99,7 +102,7 @@ class Components:
 
     @cached_property
     def _model_index(self) -> ModelIndex:
-        return ModelIndex.of(Trees(self.root), self.models)
+        return ModelIndex.of(Trees(self.root, self.underlay), self.models)
 
     def with_models(self, models: Iterable[ComponentModel]) -> Components:
         """The same components; those that are among `models` have the models there."""
@@ -258,6 +261,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
     from rosarch.library import load
 
     diagnostics: list[Diagnostic] = []
+    underlay = method.sources.underlay.without(PackagePath([root]).own)
 
     def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool], wanted: Wanted = ALONE) -> Analysis:
         found = analyze(root, packages, method, only=only, wanted=wanted)
@@ -267,8 +271,8 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
         return replace(found, models=kept)
 
-    planner = Planner([launch.composition for launch in launches], Trees(root))
-    found = analyzed(_packages_below(root, needed.packages), needed.is_needed, Wanted(after=planner.after))
+    planner = Planner([launch.composition for launch in launches], Trees(root, underlay))
+    found = analyzed(sorted(needed.packages & (underlay.hidden | underlay.packages.keys())), needed.is_needed, Wanted(after=planner.after))
     models = found.models
     tried: dict[str, set[NodeConfiguration]] = defaultdict(set)
     for _ in range(_ROUNDS):
@@ -292,10 +296,10 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         models += analyzed(None, is_plugin).models
     known = load(tuple(method.library))
     diagnostics += known.problems
-    interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models)))]
-    return Components(
-        root, models, found.programs, found.builds, known.packages, tuple(interfaces), _shared(models, interfaces), tuple(diagnostics)
-    )
+    interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models, underlay)))]
+    expected = known.packages | underlay.packages.keys()
+    shared = _shared(models, interfaces)
+    return Components(root, underlay, models, found.programs, found.builds, expected, tuple(interfaces), shared, tuple(diagnostics))
 
 
 def _plugins(wanted: Mapping[str, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:
@@ -341,16 +345,18 @@ class _Needed:
         names = (component.plugin_name, *(component.executables or (component.name,)))
         return any((component.package, name) in self.executables for name in names) or component.plugin_name in self.words
 
-    def of(self, library: Library, models: Sequence[ComponentModel]) -> list[LibraryComponent]:
+    def of(self, library: Library, models: Sequence[ComponentModel], underlay: Underlay) -> list[LibraryComponent]:
         """The components of the library that are started, and those that these load, unless they are among `models`.
 
-        A plug-in of a simulator goes by its file alone: one that the workspace builds hides those of all packages.
+        A package that is installed has no other programs than are there. A plug-in of a simulator goes by its file alone: one that the
+        workspace builds hides those of all packages.
         """
         own = {(model.package, type_) for model in models for type_ in (*model.types, model.executable)}
         built = {model.plugin.name for model in models if model.plugin}
         parts: dict[str, LibraryComponent] = {}
+        programs = [one for one in sorted(self.executables) if not underlay.lacks(*one)]
         for ros in sorted(self.versions, reverse=True):
-            found = [library.find(package, type_, ros) for package, type_ in sorted(self.executables)]
+            found = [library.find(package, type_, ros) for package, type_ in programs]
             found += [library.find(None, word, ros) for word in sorted(self.words) if "/" in word]
             found += [library.find(None, file, ros) for file in sorted(self.plugins - built)]
             started = [component for component in found if component is not None and (component.package, component.component) not in own]
@@ -363,11 +369,6 @@ class _Needed:
 def is_loaded(component: Component, models: Sequence[ComponentModel]) -> bool:
     """Whether one of `models` loads this plug-in, by its name or because it takes all that are derived from a class."""
     return any(component.plugin_name in model.loads or component.base_class in model.loads_any for model in models)
-
-
-def _packages_below(root: Path, names: Collection[str]) -> list[str]:
-    known = PackagePath([os.path.abspath(root)]).packages
-    return sorted(name for name in names if name in known)
 
 
 def _packages_of_files(launches: Sequence[Launch]) -> set[str]:

@@ -1,4 +1,4 @@
-"""The behavior trees that nodes carry out: their files lie in packages of the workspace."""
+"""The behavior trees that nodes carry out: their files lie in packages of the workspace or in installed ones."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 
 from rosarch.extractor.behavior_trees import TreeNode, nodes_of
 from rosarch.extractor.launch.packages import PackagePath
+from rosarch.extractor.underlay import Underlay
 
 PACKAGE = "package://"
 """What the folder of a package is called where code asks for it (http://wiki.ros.org/resource_retriever)."""
@@ -15,8 +16,8 @@ PACKAGE = "package://"
 class Trees:
     """Finds the files that texts name, and reads each set of them once."""
 
-    def __init__(self, root: Path) -> None:
-        self.packages = PackagePath([root])
+    def __init__(self, root: Path, underlay: Underlay) -> None:
+        self.packages = PackagePath([root], underlay)
         self._read: dict[tuple[str, ...], tuple[tuple[TreeNode, ...], frozenset[str]]] = {}
 
     def nodes(self, files: Iterable[str]) -> tuple[tuple[TreeNode, ...], frozenset[str]]:

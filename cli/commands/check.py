@@ -83,7 +83,9 @@ def check(
     )
     if withheld:
         reported = replace(reported, withheld=_withheld(checked, check_systems(question.inputs(closed_world(rules)), configuration)))
-    write_reports(reported, destinations, folder, read, notes=verbose, scope=scope_text(checked.scope), rules=_description(rules))
+    underlay = inputs.method.sources.underlay
+    scope = scope_text(checked.scope, underlay)
+    write_reports(reported, destinations, folder, read, notes=verbose, scope=scope, underlay=underlay, rules=_description(rules))
     if reported.exit_code:
         raise typer.Exit(reported.exit_code)
 

@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.errors import FINDINGS
-from rosarch.cli.launch_inputs import compose_folder, compose_words, is_folder
-from rosarch.cli.options import Verbose
+from rosarch.cli.launch_inputs import Surroundings, compose_folder, compose_words, is_folder
+from rosarch.cli.options import NoUnderlay, Underlays, Verbose, installed
 from rosarch.cli.terminal import emit, emit_lines, show_diagnostics
 
 
@@ -34,18 +34,21 @@ def launch(
         list[str] | None,
         typer.Option("--env", metavar="NAME=VALUE", help="An environment variable of the robot; may be repeated.", show_default=False),
     ] = None,
+    underlays: Underlays = None,
+    no_underlay: NoUnderlay = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print nodes and parameters as JSON, as roslaunch holds them in memory.")] = False,
     verbose: Verbose = False,
 ) -> None:
     """List the nodes that launch files start, with names, remappings and parameters, without running anything."""
     from rosarch.reports import launch_table
 
+    around = Surroundings(package_path, environment, installed(underlays, none=no_underlay))
     if is_folder(words):
-        compositions = compose_folder(words, package_path, environment)
+        compositions = compose_folder(words, around)
         refused = any(composition.refusal for composition in compositions.values())
         emit(launch_table.overview_json(compositions)) if as_json else emit_lines(launch_table.overview_text(compositions, Path.cwd()))
     else:
-        composition = compose_words(words, package_path, environment)
+        composition = compose_words(words, around)
         refused = composition.refusal is not None
         show_diagnostics(composition.diagnostics(), verbose)
         emit(launch_table.composition_json(composition)) if as_json else emit_lines(launch_table.composition_text(composition, Path.cwd()))

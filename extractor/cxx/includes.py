@@ -19,6 +19,7 @@ from rosarch.base.cache import hash_of
 from rosarch.base.files import read_file
 from rosarch.base.whole import write_whole
 from rosarch.extractor.cxx.assumed import assumed_text
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 from rosarch.extractor.workspace.model import ROS1, ROS2
 
 SHIPPED = Path(__file__).parent / "headers"
@@ -115,13 +116,22 @@ class HeaderFinder:
     """Resolves includes against a workspace; what has to be made is written below `scratch`.
 
     `message_header` gives the text of a generated header by the name that code includes it by, else None. Headers that no folder of a
-    source has are looked for in all of the workspace when it is `searched`. Within, paths are text: there are many, and they are
-    compared all the time.
+    source has are looked for in all of the workspace when it is `searched`, then in the `underlay`. Within, paths are text: there are
+    many, and they are compared all the time.
     """
 
-    def __init__(self, root: Path, scratch: Path, message_header: Callable[[str], str | None], *, searched: bool = True) -> None:
+    def __init__(
+        self,
+        root: Path,
+        scratch: Path,
+        message_header: Callable[[str], str | None],
+        underlay: Underlay = NOTHING_INSTALLED,
+        *,
+        searched: bool = True,
+    ) -> None:
         self.root = root
         self.scratch = scratch
+        self.underlay = underlay
         self.message_header = message_header
         self._by_name: dict[str, list[str]] | None = None if searched else {}
         self._included: dict[str, list[tuple[int, str, bool]]] = {}
@@ -262,7 +272,7 @@ class HeaderFinder:
         found = search.of_name[name]
         if found is not None:
             return found
-        elsewhere = self._elsewhere(file, name)
+        elsewhere = self._elsewhere(file, name) or next(filter(self._is_file, self.underlay.headers(name)), None)
         if elsewhere is not None:
             return _Target(elsewhere, self._forward(name, elsewhere))
         return _Target(None, self._absent(name), Missing(Path(file), line, name))
@@ -319,7 +329,7 @@ class HeaderFinder:
         if not inside():
             return None
         if self._outward is None:  # includes that macros name are not looked for here
-            self._outward = _links_out(self.root)
+            self._outward = set().union(*(_links_out(top) for top in (str(self.root), *self.underlay.include_folders)))
         barred = frozenset(self._barred | self._outward)
         if barred not in self._overlays:
             seen = []
@@ -350,10 +360,10 @@ def is_shipped(path: str) -> bool:
     return path.startswith(_SHIPPED_PREFIX)
 
 
-def _links_out(root: Path) -> set[str]:
+def _links_out(root: str) -> set[str]:
     """The links below a folder that lead beyond the boundary, and what is neither file nor folder: to open a pipe would block."""
     found = set()
-    stack = [str(root)]
+    stack = [root]
     while stack:
         try:
             entries = list(os.scandir(stack.pop()))

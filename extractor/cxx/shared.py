@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Protocol
 
 from rosarch.base.cache import hash_of
-from rosarch.base.files import path_text
 from rosarch.extractor.cxx import kinds, libclang
 from rosarch.extractor.cxx.heal import files_with_errors
 from rosarch.extractor.cxx.includes import Folders, HeaderFinder, Includes, is_shipped
@@ -72,8 +71,7 @@ class SharedHeaders:
         if not includes.predictable or not wrong.isdisjoint(includes.files) or _foreign_macros(facts, cursors, includes):
             return
         skipped = [f"{Path(path).name} {facts.skipped[path]}" for path in sorted(facts.skipped) if path in includes.files]
-        relative = path_text(file.path.relative_to(facts.root))
-        key = hash_of([extractor_version(), relative, *self.compiled_as, "", fingerprint, *skipped])
+        key = hash_of([extractor_version(), str(file.relative), *self.compiled_as, "", fingerprint, *skipped])
         names = self.kept.load(key)
         if names is None:
             if _foreign_names(facts, cursors, includes):

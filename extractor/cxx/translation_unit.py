@@ -110,7 +110,10 @@ def unit_key(unit: CompileUnit, root: Path, includes: Includes, finder: HeaderFi
     installed = [os.path.relpath(folder, root) for folder in unit.installed]
     source = os.path.relpath(unit.source, root)
     return hash_of(
-        [extractor_version(), unit.middleware, source, *folders, "", *installed, "", *unit.definitions, "", finder.fingerprint(includes)]
+        [
+            *(extractor_version(), unit.middleware, source, *folders, "", *installed, "", *unit.definitions, ""),
+            *(finder.fingerprint(includes), *finder.underlay.prefixes),
+        ]
     )
 
 
@@ -152,7 +155,7 @@ def parsed_unit(
 ) -> Iterator[tuple[libclang.Unit, UnitFacts]]:
     """The parse that the facts of a translation unit are taken from, and these facts. See `extract_unit`."""
     includes = includes or finder.closure(unit.source, unit.folders)
-    sources = sources or SourceFiles(root)
+    sources = sources or SourceFiles(root, finder.underlay)
     arguments = arguments_of(unit, includes, prelude)
     with deep_recursion(), libclang.Unit(unit.source, arguments, OPTIONS) as parsed:
         facts, declarations = _declarations(sources, includes, parsed, headers)

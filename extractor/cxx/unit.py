@@ -13,12 +13,13 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
-from rosarch.base.files import path_text, read_file
+from rosarch.base.files import path_text, read_file, shown_path
 from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.includes import STAND_INS
 from rosarch.extractor.cxx.libclang import MACRO_BIT, Tree
 from rosarch.extractor.cxx.libclang_library import Cursor, Location, Range, Type
 from rosarch.extractor.messages.parameter_library import made_from
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 
 TEXT_LIMIT = 2000
 
@@ -58,10 +59,14 @@ class SourceFile:
 
 
 class SourceFiles:
-    """The files that clang read for units of the workspace at `root`, each looked at once: most are headers that many units include."""
+    """The files that clang read for units of the workspace at `root`, each looked at once: most are headers that many units include.
 
-    def __init__(self, root: Path) -> None:
+    Headers of the `underlay` are read like those of the workspace.
+    """
+
+    def __init__(self, root: Path, underlay: Underlay = NOTHING_INSTALLED) -> None:
         self.root = root
+        self._underlay = underlay
         self._by_name: dict[str, SourceFile] = {}
 
     def named(self, name: str) -> SourceFile:
@@ -75,7 +80,8 @@ class SourceFiles:
                 data = read_file(path)
             except OSError:
                 data = b""
-            relative = path_text(path.relative_to(self.root)) if path.is_relative_to(self.root) else made_from(data)
+            is_read = path.is_relative_to(self.root) or self._underlay.holds(str(path))
+            relative = path_text(shown_path(self.root, path)) if is_read else made_from(data)
             known = self._by_name[name] = SourceFile(self.root / relative if relative else path, relative, data)
         return known
 

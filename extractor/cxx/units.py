@@ -46,7 +46,7 @@ class UnitReader:
 
     @cached_property
     def _sources(self) -> SourceFiles:
-        return SourceFiles(self.root)
+        return SourceFiles(self.root, self.finder.underlay)
 
     @property
     def files(self) -> UnitStore:

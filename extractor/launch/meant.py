@@ -64,7 +64,7 @@ def meshes_meant(meshes: Collection[tuple[str, Place]], packages: PackagePath) -
 
 def _listed(folder: str) -> list[str]:
     """The names in a folder, none where there is no such folder."""
-    tracing.listed(folder)
+    tracing.names(folder)
     try:
         return sorted(os.listdir(folder))
     except OSError:

@@ -18,6 +18,7 @@ from rosarch.base import tracing
 from rosarch.base.files import is_folder, read_file
 from rosarch.extractor.launch.ignored import kept_out
 from rosarch.extractor.package_names import IGNORE_MARKERS, NO_PACKAGES, quick_name, quick_text
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _WORD = re.compile(r"[\w.+-]+")
@@ -33,17 +34,28 @@ _MAKING = re.compile(
 
 
 class PackagePath:
-    """The packages below some folders; the first folder that has a package wins."""
+    """The packages below some folders, then those of an underlay; the first that has a package wins."""
 
-    def __init__(self, folders: Sequence[Path | str]) -> None:
+    def __init__(self, folders: Sequence[Path | str], underlay: Underlay = NOTHING_INSTALLED) -> None:
         self.folders = tuple(os.path.abspath(folder) for folder in folders)
+        self._underlay = underlay
         self._names: dict[str, frozenset[str]] = {}
         self._paths: dict[str, dict[str, list[str]]] = {}
         self._made: dict[str, frozenset[str]] = {}
 
     @cached_property
     def packages(self) -> dict[str, str]:
-        """The folder of each package."""
+        """The folder of each package: of one that is installed, its share folder."""
+        return {**{name: package.share for name, package in self.underlay.packages.items()}, **self.own}
+
+    @cached_property
+    def underlay(self) -> Underlay:
+        """What is installed of packages that none of the folders has."""
+        return self._underlay.without(self.own)
+
+    @cached_property
+    def own(self) -> dict[str, str]:
+        """The packages of the folders."""
         found: dict[str, str] = {}
         roots = tuple(os.path.realpath(folder).rstrip("/") + "/" for folder in self.folders)
         for folder in self.folders:
@@ -66,9 +78,16 @@ class PackagePath:
         return text is not None and re.search(rf"depend[^<>]*>\s*{re.escape(name)}\s*<", text) is not None
 
     def names_in(self, folder: str) -> frozenset[str]:
-        """The names of the files below a package's folder, and all words of its build files: what its programs may be called."""
+        """The names of the files below a package's folder, and all words of its build files: what its programs may be called.
+
+        Of one that is installed, the names of its programs, and all words of the index about it.
+        """
         if folder not in self._names:
-            self._names[folder] = _names_and_words(self.paths_in(folder))
+            found = set(_names_and_words(self.paths_in(folder)))
+            installed = self.underlay.of_share(folder)
+            if installed is not None:
+                found.update(installed.programs(), *(_WORD.findall(text) for _, text in installed.resources()))
+            self._names[folder] = frozenset(found)
         return self._names[folder]
 
     def makes(self, path: str) -> bool:
@@ -93,6 +112,7 @@ class PackagePath:
         if folder not in self._paths:
             found: dict[str, list[str]] = {}
             for here, folders, names in os.walk(folder):
+                tracing.names(here)
                 if here != folder and not IGNORE_MARKERS.isdisjoint(names):
                     folders.clear()
                     continue

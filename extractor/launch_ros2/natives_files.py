@@ -315,7 +315,7 @@ def _share_path(run: Calls, package: Any) -> Any:
 
 @native("ament_index_python.packages.get_package_prefix", "ament_index_python.get_package_prefix")
 def _prefix(run: Calls, package: Any) -> Any:
-    return run.world.share(run.world.as_text(package))
+    return run.world.prefix(run.world.as_text(package))
 
 
 @native("ament_index_python.resources.has_resource", "ament_index_python.has_resource")

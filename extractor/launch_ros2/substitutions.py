@@ -116,7 +116,8 @@ def _environment(world: World, made: Made, context: Context) -> str:
 
 @performs("FindPackageShare", "FindPackagePrefix")
 def _package(world: World, made: Made, context: Context) -> str:
-    return world.share(perform(world, made.get("package"), context))
+    found = world.prefix if made.kind == "FindPackagePrefix" else world.share
+    return found(perform(world, made.get("package"), context))
 
 
 @performs("PathJoinSubstitution")

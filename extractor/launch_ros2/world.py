@@ -107,6 +107,11 @@ class World:
         if not self.interpreter.optional(_NO_MODULE, installed(package)):
             self.state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))
 
+    def prefix(self, package: str) -> str:
+        """The prefix that a package is installed below; of one that is there as sources, its folder."""
+        installed_as = None if self.state.unknowns.is_open(package) else self.state.files.packages.underlay.packages.get(package)
+        return self.share(package) if installed_as is None else installed_as.prefix
+
     def is_guarded(self, package: str) -> bool:
         """Whether what is carried out happens under a condition that asks whether the package, or the metapackage of its name, is there."""
         conditions = (*self.interpreter.path, *self.state.scope.conditions)

@@ -28,7 +28,7 @@ def closed_packages(packages: Iterable[Package]) -> dict[str, set[tuple[str, ...
     closed: set[tuple[str, ...]] = set()
     defined: set[tuple[str, ...]] = set()
     for package in packages:
-        headers = _headers(package) if names[package.name] == 1 else None
+        headers = ("some" if package.installed else _headers(package)) if names[package.name] == 1 and _declared(package) else None
         if headers is not None:
             closed.add((package.name, headers))
             files = (path for kind in _INTERFACES for path in (package.path / kind[1:]).glob(f"*{kind}"))
@@ -42,7 +42,7 @@ def _declared(package: Package) -> set[Path]:
 
 def _headers(package: Package) -> str | None:
     declared = _declared(package)
-    if not declared or _makes_files(package.path / "CMakeLists.txt"):
+    if _makes_files(package.path / "CMakeLists.txt"):
         return None
     headers = "all"
     for folder, folders, files in os.walk(package.path):

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from rosarch.base.diagnostics import SourceProblem, why
-from rosarch.base.files import path_text
+from rosarch.base.files import path_text, shown_path
 from rosarch.base.limits import deep_recursion
 from rosarch.extractor.cxx.unit import file_key
 from rosarch.extractor.flow import Flow
@@ -44,7 +44,7 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
         parsed = Problem(1, 1, f"not analysed: {why(error)}")
     found = (parsed,) if isinstance(parsed, Problem) else parsed.problems
     problems += [(str(path), problem.line, problem.column, problem.message) for problem in found]
-    if isinstance(parsed, Problem) or not path.is_relative_to(root):
+    if isinstance(parsed, Problem):
         return
     for depth, nodes in enumerate(_levels(parsed.tree)):
         if depth > _DEEPEST:
@@ -53,7 +53,7 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
         for line, column in _dynamic_imports(nodes):
             problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
     name_attributes(parsed.tree)
-    relative = path_text(path.relative_to(root))
+    relative = path_text(shown_path(root, path))
     main = path == entry.file and entry.function is None
     module = Module(name, parsed.tree, file_key(relative), relative, tuple(parsed.data.split(b"\n")), main, path.name == "__init__.py")
     module.left_out = parsed.left_out

@@ -73,6 +73,7 @@ def builds(workspace: Workspace) -> tuple[Built, ...]:
             exports_more(package),
         )
         for package in workspace.packages
+        if not package.installed
     )
 
 

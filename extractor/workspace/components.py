@@ -27,7 +27,7 @@ def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
             "plugin", plugin.declared_at, plugin.line, 1, f"no target builds {plugin.library or 'the library'} of {plugin.cxx_class}"
         )
         for package in workspace.packages
-        if package.name in workspace.selected
+        if package.name in workspace.selected and not package.installed
         for plugin in package.plugins
         if not plugin.in_python and plugin.cxx_class not in _registrations(package) and _library(workspace, plugin, package) is None
     )
@@ -53,13 +53,13 @@ def registered(workspace: Workspace) -> frozenset[tuple[str, str]]:
 
 
 def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -> tuple[Component, ...]:
-    """The components of the selected packages, by package, kind and name. Tests are none.
+    """The components of the selected packages, by package, kind and name; of installed ones those in Python. Tests are none.
 
     No two components of a package have one name: of equal ones, all but the first get a number. `problems` lists these.
     """
     result: list[Component] = []
     for package in workspace.packages:
-        if package.name in workspace.selected:
+        if package.name in workspace.selected and not package.installed:
             result.extend(_nodes(workspace, package))
             result.extend(_plugins(workspace, package))
     problems = [] if problems is None else problems

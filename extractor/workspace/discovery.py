@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from rosarch.base.files import file_name, read_file
 from rosarch.base.hints import hint
 from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.extractor.package_names import quick_name
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 from rosarch.extractor.workspace import (
     commands_auto,
     commands_files,
@@ -30,6 +31,7 @@ from rosarch.extractor.workspace.cmake_state import PackageDraft
 from rosarch.extractor.workspace.commands_ros import finish_ament
 from rosarch.extractor.workspace.drafts import finished_package
 from rosarch.extractor.workspace.evaluator import Evaluator
+from rosarch.extractor.workspace.installed import installed_package
 from rosarch.extractor.workspace.manifests import Manifest, find_manifests, read_manifest
 from rosarch.extractor.workspace.model import Package, Workspace
 from rosarch.extractor.workspace.options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
@@ -56,8 +58,11 @@ def discover(
     ros_distro: str | None = None,
     environment: Mapping[str, str] | None = None,
     timeout: float = SOURCE_SECONDS,
+    underlay: Underlay = NOTHING_INSTALLED,
 ) -> Workspace:
     """The packages below `root`; with `packages`, only those and what they need, so that one package costs little.
+
+    What they need of an `underlay` is there, too, unless the package is below `root`. Of `packages`, some may be installed.
 
     `defines` are CMake cache variables and override what is assumed of `find_package`, e.g. `{"CUDA_FOUND": "0"}`.
     `ros_distro` answers `$ENV{ROS_DISTRO}` and `rosversion -d`; the default is `kinetic`, for ament packages `humble`.
@@ -67,14 +72,17 @@ def discover(
     if not os.path.isdir(root):
         what = "not a folder" if os.path.exists(root) else "no such folder"
         return Workspace(root, (), (Diagnostic("workspace", root, 1, 1, what),))
-    return _Discovery(root, Options(ros_distro, dict(defines or {}), dict(environment or {}), timeout)).run(packages)
+    options = Options(ros_distro, dict(defines or {}), dict(environment or {}), timeout)
+    return _Discovery(root, options, underlay).run(packages)
 
 
 class _Discovery:
     """The world of the evaluators: packages are evaluated when first asked for."""
 
-    def __init__(self, root: Path, options: Options) -> None:
+    def __init__(self, root: Path, options: Options, underlay: Underlay) -> None:
         self.root = root
+        self.underlay = underlay
+        self.installed: list[Package] = []
         self.options = options
         self.diagnostics: list[Diagnostic] = []
         self.paths: dict[str, str] = {}
@@ -84,7 +92,7 @@ class _Discovery:
 
     def run(self, names: Collection[str] | None) -> Workspace:
         """Evaluate what is asked for."""
-        with confined([self.root, *ros_package_path()]):
+        with confined([self.root, *ros_package_path(), *self.underlay.folders]):
             return self._run(names)
 
     def _run(self, names: Collection[str] | None) -> Workspace:
@@ -93,21 +101,30 @@ class _Discovery:
             self._report("workspace", self.root, "no package.xml below this folder")
         if set(names or ()) - set(self.paths):
             self._locate_ignored(set(names or ()))
-        for name in sorted(set(names or ()) - set(self.paths)):
+        self.underlay = self.underlay.without(self.paths)
+        known = {*self.paths, *self.underlay.packages}
+        for name in sorted(set(names or ()) - known):
             self._report("workspace", self.root, f"no package {name} below this folder{hint(name, self.paths)}")
-        wanted = sorted(self.paths) if names is None else sorted(set(names) & set(self.paths))
+        wanted = sorted(self.paths if names is None else set(names) & known)
         queue, seen = list(wanted), set(wanted)
         while queue:
-            name = queue.pop()
-            self.find(name)
-            manifest = self.manifest(name)
-            evaluator = self.evaluators.get(name)
-            more = [*(manifest.depends if manifest else ()), *(evaluator.draft.found_packages if evaluator else ())]
-            for other in more:
-                if other in self.paths and other not in seen:
+            for other in self._needs(queue.pop()):
+                if other in known and other not in seen:
                     seen.add(other)
                     queue.append(other)
         return self._workspace(frozenset(wanted))
+
+    def _needs(self, name: str) -> Iterable[str]:
+        """Read a package; what it needs."""
+        if name not in self.paths:
+            package, problems = installed_package(self.underlay.packages[name])
+            self.diagnostics.extend(problems)
+            self.installed.extend([package] if package else [])
+            return package.depends if package else ()
+        self.find(name)
+        manifest = self.manifest(name)
+        evaluator = self.evaluators.get(name)
+        return (*(manifest.depends if manifest else ()), *(evaluator.draft.found_packages if evaluator else ()))
 
     def _report(self, kind: str, path: Path, message: str) -> None:
         self.diagnostics.append(Diagnostic(kind, path, 1, 1, message))
@@ -202,4 +219,5 @@ class _Discovery:
                 packages.append(package)
                 self.diagnostics.extend(problems)
         unique = sorted(set(self.diagnostics), key=lambda d: (str(d.path), d.line, d.column, d.kind, d.message))
-        return Workspace(self.root, tuple(packages), tuple(unique), selected)
+        packages = sorted([*packages, *self.installed], key=lambda package: package.name)
+        return Workspace(self.root, tuple(packages), tuple(unique), selected, underlay=self.underlay)

@@ -6,19 +6,13 @@ import re
 from pathlib import Path
 from weakref import WeakKeyDictionary
 
-from rosarch.extractor.workspace.model import LIBRARY_KINDS, ROS1, ROS2, Package, Target, Workspace
-
-_LIST = Path(__file__).parents[1] / "cxx" / "headers" / "packages.txt"
-_BROUGHT = frozenset(
-    (name, middleware)
-    for name, *only in (line.split() for line in _LIST.read_text(encoding="utf-8").splitlines() if line and not line.startswith("#"))
-    for middleware in only or (ROS1, ROS2)
-)
+from rosarch.extractor.declared import IN_CXX
+from rosarch.extractor.workspace.model import LIBRARY_KINDS, Package, Target, Workspace
 
 
 def is_brought(package: Package) -> bool:
     """Whether rosarch brings the declarations of a package, and knows what it does: as it is for the ROS that this one is for."""
-    return (package.name, package.middleware) in _BROUGHT
+    return (package.name, package.middleware) in IN_CXX
 
 
 class _Index:

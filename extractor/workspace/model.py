@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rosarch.base.diagnostics import Diagnostic
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 from rosarch.extractor.workspace.installs import Install, Unsure
 
 ROS1 = "ros1"
@@ -106,7 +107,7 @@ class EntryPoint:
 
 @dataclass(frozen=True)
 class Package:
-    """One package with all that its manifest and CMake files say."""
+    """One package with all that its manifest and CMake files say; of one that is `installed`, all that was found where it lies."""
 
     name: str
     path: Path
@@ -133,6 +134,7 @@ class Package:
     installs: tuple[Install, ...] = ()
     unsure: tuple[Unsure, ...] = ()
     python_packages: tuple[str, ...] | None = None
+    installed: bool = False
 
     @property
     def middleware(self) -> str:
@@ -149,7 +151,8 @@ class Package:
 class Workspace:
     """Packages below `root`. `selected` are the packages asked for; the others are there because those need them.
 
-    Headers that no include path leads to are `searched` in all folders below the root, and scripts in those of their package.
+    Those that are installed lie in the `underlay`, which has none of those below the root. Headers that no include path leads to are
+    `searched` in all folders below the root, and scripts in those of their package.
     """
 
     root: Path
@@ -157,6 +160,7 @@ class Workspace:
     diagnostics: tuple[Diagnostic, ...] = ()
     selected: frozenset[str] = field(default_factory=frozenset)
     searched: bool = True
+    underlay: Underlay = NOTHING_INSTALLED
 
     def package(self, name: str) -> Package | None:
         """The package called `name`."""

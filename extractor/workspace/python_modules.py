@@ -11,6 +11,7 @@ from pathlib import Path
 
 from rosarch.base.files import read_file
 from rosarch.extractor.python_syntax import absolute_name, import_call, parse_python
+from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 
 MAX_MODULES = 2000
 _IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(\.*)([\w.]*)[ \t]+import[ \t]+\(?([\w, \t*]+)|import[ \t]+([\w., \t]+))", re.MULTILINE)
@@ -39,14 +40,22 @@ class Outline:
 
 
 class Modules:
-    """Reads modules, each once."""
+    """Reads modules, each once: those of the workspace, then those of installed packages."""
 
-    def __init__(self) -> None:
+    def __init__(self, underlay: Underlay = NOTHING_INSTALLED) -> None:
+        self._underlay = underlay
+        self._installed: dict[str, Path | None] = {}
         self._outlines: dict[Path, Outline] = {}
         self._files: dict[tuple[str, Path], Path | None] = {}
 
     def find(self, name: str, roots: Sequence[Path]) -> Path | None:
-        """The file of a module."""
+        """The file of a module; what is no name of one leads nowhere."""
+        if "/" in name or not all(name.split(".")):
+            return None
+        own = self._own(name, roots)
+        return self._of_underlay(name) if own is None and self._own(name.partition(".")[0], roots) is None else own
+
+    def _own(self, name: str, roots: Sequence[Path]) -> Path | None:
         return next((found for root in roots if (found := self._below(name, root)) is not None), None)
 
     def closure(self, file: Path, module: str, roots: Sequence[Path]) -> tuple[tuple[tuple[str, Path], ...], frozenset[str]]:
@@ -84,6 +93,11 @@ class Modules:
         if path not in self._outlines:
             self._outlines[path] = _outline(_text(path))
         return self._outlines[path]
+
+    def _of_underlay(self, name: str) -> Path | None:
+        if name not in self._installed:
+            self._installed[name] = self._underlay.module(name)
+        return self._installed[name]
 
     def _below(self, name: str, root: Path) -> Path | None:
         key = (name, root)

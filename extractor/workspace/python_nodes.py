@@ -24,7 +24,7 @@ _NO_SCRIPTS = frozenset({"test", "tests", "launch", "cfg", "build", "devel", "in
 
 def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[Component]:
     """The Python nodes of the selected packages. `problems` lists entry points without a module."""
-    modules = Modules()
+    modules = Modules(workspace.underlay)
     named = [plugin for package in workspace.packages for plugin in (*declared_classes(package), *described_classes(package))]
     shared = [root for package in workspace.packages for root in _roots(package)]
     for package in workspace.packages:
@@ -38,6 +38,8 @@ def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[C
 
 def _roots(package: Package) -> tuple[Path, ...]:
     """The folders that modules of a package are imported from: a description of plug-ins says where theirs are."""
+    if package.installed:
+        return ()  # its modules lie elsewhere
     below = (package.path / plugin.library for plugin in package.plugins if plugin.in_python)
     told = tuple(dict.fromkeys((*package.python_roots, *(path for path in below if os.path.isdir(path)))))
     return told if told or not package.build_type.startswith("ament") else (package.path,)
@@ -57,7 +59,7 @@ def _of_entry_points(package: Package, roots: tuple[Path, ...], modules: Modules
 def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules, *, searched: bool) -> Iterator[Component]:
     """Installed scripts, and where nothing need be installed to be run, those that lie in the package."""
     scripts = {program.path: program.name for program in package.programs if program.path.suffix == ".py" or _has_shebang(program.path)}
-    if searched and package.build_type == "catkin":
+    if searched and package.build_type == "catkin" and not package.installed:
         scripts = {path: path.name for path in _scripts_below(package.path)} | scripts
     names: dict[Path, list[str]] = {}
     for path in sorted(scripts, key=lambda path: (path.is_symlink(), path)):
@@ -117,7 +119,7 @@ def _uses_ros(start: PythonEntry, modules: Modules) -> bool:
 def _component(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Component:
     imported, _ = modules.closure(start.file, start.module, start.roots)
     sources = tuple(dict.fromkeys(path for _, path in imported))
-    own = tuple(path for path in sources if path.is_relative_to(package.path))
+    own = tuple(path for path in sources if path == start.file or path.is_relative_to(package.path))
     return Component(
         name=file_name(name),
         package=package.name,
