@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rosarch.base.files import read_file
 from rosarch.extractor.launch.eval_functions import TooLarge, size_of
 from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, bounded, choice, tests_of, truth
 from rosarch.extractor.launch.model import LaunchError, PackageNamed, Place, Reference
 from rosarch.extractor.launch.state import State
-from rosarch.extractor.launch.unknowns import is_known, may_be
+from rosarch.extractor.launch.unknowns import cleaned, is_known, may_be
 from rosarch.extractor.launch_ros2.agenda import Agenda
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.interpreter import Interpreter
@@ -170,7 +172,7 @@ class World:
         return path if self.state.unknowns.is_open(path) else self.state.files.located(path)
 
     def module_source(self, name: str, beside: str) -> tuple[str, str] | None:
-        """File and text of a module of the workspace, of the folder of the launch file, or of those that rosarch knows."""
+        """File and text of a module: of the workspace, of the launch file's folder, of an installed package, or one that rosarch knows."""
         words = name.split(".")
         folder = self.state.files.packages.find(words[0])
         for root in [os.path.dirname(beside), *([folder, os.path.join(folder, "src")] if folder else [])]:
@@ -181,6 +183,10 @@ class World:
                         return path, self.state.files.read_text(path)
                     except LaunchError:
                         continue
+        module = self.state.files.packages.underlay.module(name)
+        if module is not None and name not in _KNOWN_NAMES:
+            with suppress(OSError):
+                return str(module), cleaned(read_file(module).decode(errors="replace"))
         return (name, (_KNOWN / f"{name}.txt").read_text(encoding="utf-8")) if name in _KNOWN_NAMES else None
 
     def here(self, place: Place) -> None:

@@ -60,9 +60,10 @@ class Base : public rclcpp::Node {
 """
 LIDAR_LAUNCH = """from launch import LaunchDescription
 from launch_ros.actions import Node
+from lidar_driver.names import PROGRAM
 def generate_launch_description():
     return LaunchDescription([
-        Node(package="lidar_driver", executable="scan", name="scan"),
+        Node(package="lidar_driver", executable=PROGRAM, name="scan"),
         Node(package="lidar_driver", executable="filter", name="filter"),
     ])
 """
@@ -88,7 +89,7 @@ def installed(prefix: Path, files: Mapping[str, str | bytes] | None = None) -> N
             f"{SITE}/lidar_driver-1.0.0-py3.10.egg-info/entry_points.txt": "[console_scripts]\nscan = lidar_driver.node:main\n",
             f"{SITE}/lidar_driver/__init__.py": "",
             f"{SITE}/lidar_driver/node.py": SCAN,
-            f"{SITE}/lidar_driver/names.py": "TOPIC = 'level'\n",
+            f"{SITE}/lidar_driver/names.py": "TOPIC = 'level'\nPROGRAM = 'scan'\n",
             "include/lidar_driver/lidar_driver/base.hpp": BASE,
             **(files or {}),
         },
@@ -182,7 +183,7 @@ def test_a_package_of_the_workspace_hides_an_installed_one(rosarch: Callable, ro
         {
             "package.xml": MANIFEST.format(name="lidar_driver", depends=""),
             "CMakeLists.txt": "project(lidar_driver)\ninstall(DIRECTORY launch DESTINATION share/lidar_driver)\n",
-            "launch/lidar.launch.py": LIDAR_LAUNCH.replace('"filter"', '"other"'),
+            "launch/lidar.launch.py": LIDAR_LAUNCH.replace('"filter"', '"other"').replace("=PROGRAM", '="scan"'),
         },
     )
     nodes, edges = graph(rosarch, *UNDERLAY)
@@ -257,6 +258,7 @@ def test_a_change_of_what_is_installed(rosarch: Callable, robot: Path, change: C
 @pytest.mark.slow
 def test_a_hostile_prefix_is_harmless(rosarch: Callable, robot: Path, tmp_path: Path) -> None:
     secret = tmp_path / "secret"
+    write(Path("opt"), {"share/lidar_driver/launch/lidar.launch.py": LIDAR_LAUNCH.replace("=PROGRAM", '="scan"')})
     write(
         secret, {"package.xml": MANIFEST.format(name="secret", depends=""), "key.msg": "int32 the_secret\n", "key.py": "the_secret = 1\n"}
     )
