@@ -119,12 +119,21 @@ class NodeStart:
 
     @property
     def own_remaps(self) -> tuple[Remap, ...]:
-        """The remappings that hold for it: not those for other nodes of its process, and of several for one name the first."""
-        found: dict[tuple[str, tuple[Condition, ...]], Remap] = {}
-        for remap in self.remaps:
-            if remap.node in (None, self.name or self.called) and not remap.source.startswith("__"):
-                found.setdefault((remap.source, remap.conditions), remap)
-        return tuple(found.values())
+        """The remappings that hold for it: of several for one name the first."""
+        found: list[Remap] = []
+        settled: set[str] = set()
+        for remap in self.given_remaps:
+            if remap.source not in settled:
+                found.append(remap)
+            if not remap.conditions:
+                settled.add(remap.source)
+        return tuple(found)
+
+    @property
+    def given_remaps(self) -> tuple[Remap, ...]:
+        """The remappings that it is given: not those for other nodes of its process."""
+        own = (None, self.name or self.called)
+        return tuple(remap for remap in self.remaps if remap.node in own and not remap.source.startswith("__"))
 
 
 @dataclass(frozen=True)

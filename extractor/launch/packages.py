@@ -21,6 +21,7 @@ from rosarch.extractor.package_names import IGNORE_MARKERS, NO_PACKAGES, quick_n
 from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
+_COLCON_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE")
 _WORD = re.compile(r"[\w.+-]+")
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _LINE_COMMENT = re.compile(r"#.*")
@@ -39,6 +40,7 @@ class PackagePath:
     def __init__(self, folders: Sequence[Path | str], underlay: Underlay = NOTHING_INSTALLED) -> None:
         self.folders = tuple(os.path.abspath(folder) for folder in folders)
         self._underlay = underlay
+        self._left_out: dict[str, bool] = {}
         self._names: dict[str, frozenset[str]] = {}
         self._paths: dict[str, dict[str, list[str]]] = {}
         self._made: dict[str, frozenset[str]] = {}
@@ -58,10 +60,18 @@ class PackagePath:
         """The packages of the folders."""
         found: dict[str, str] = {}
         roots = tuple(os.path.realpath(folder).rstrip("/") + "/" for folder in self.folders)
-        for folder in self.folders:
-            for name, path in _packages_below(folder, roots):
-                found.setdefault(name, path)
+        everything = [package for folder in self.folders for package in _packages_below(folder, roots)]
+        for name, path in sorted(everything, key=lambda package: self.is_left_out(package[1])):
+            found.setdefault(name, path)
         return found
+
+    def is_left_out(self, folder: str) -> bool:
+        """Whether a package is in a folder that colcon does not build."""
+        if folder not in self._left_out:
+            marked = any(os.path.exists(f"{folder}/{marker}") for marker in _COLCON_MARKERS)
+            top = folder in self.folders or folder == "/"
+            self._left_out[folder] = marked or (not top and self.is_left_out(os.path.dirname(folder)))
+        return self._left_out[folder]
 
     def find(self, name: str) -> str | None:
         """The folder of package `name`."""

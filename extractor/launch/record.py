@@ -45,7 +45,7 @@ def _node(node: NodeStart) -> dict[str, Any]:
         "type": node.type,
         "name": node.name,
         "namespace": node.namespace,
-        "remap": [[remap.source, remap.target] for remap in node.own_remaps],
+        "remap": [[remap.source, remap.target] for remap in node.given_remaps],
         "args": node.args,
         "respawn": node.respawn,
         "required": node.required,

@@ -16,7 +16,7 @@ from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.registry import NATIVES
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import NOTHING, Bound, Either, Function, Instance, Made, Native, Unknown
+from rosarch.extractor.launch_ros2.values import NOTHING, Bound, Either, Function, Instance, Made, Native, Unknown, is_derived
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -178,11 +178,14 @@ def _events(world: World, made: Made, context: Context) -> None:
     if not isinstance(handler, Made) or handler.kind == "OnShutdown":
         return
     outcomes = [handler.arguments[name] for name in _HANDLED if name in handler.arguments]
+    place = world.state.here
 
     def handle() -> None:
         for outcome in outcomes:
             if isinstance(outcome, (Function, Bound)):
                 outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
+            if outcome == [] and is_derived(handler.kind, "OnActionEventBase"):  # which asks it as if it were a function
+                world.state.report(LaunchError("python", "AttributeError", f"{handler.kind} has nothing to start"), place=place)
             visit(world, outcome, context)
 
     world.agenda.register(handler, context, handle)
@@ -281,7 +284,7 @@ def _remap(world: World, made: Made, context: Context) -> None:
 def _parameter(world: World, made: Made, context: Context) -> None:
     name = "use_sim_time" if made.kind == "SetUseSimTime" else perform(world, made.get("name"), context)
     kept = tuple(given for given in context.params if given.name != name or context.conditions)
-    context.params = (*kept, Given(made.arguments.get("value"), world.state.here, context.conditions, name=name))
+    context.params = (*kept, Given(made.arguments.get("value"), world.state.here, context.conditions, name=name, shared=True))
 
 
 @carries_out("SetParametersFromFile")

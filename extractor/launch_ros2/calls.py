@@ -210,6 +210,14 @@ class Calls(Expressions):
             self.misunderstood(Place(source[0], getattr(error, "lineno", None) or 1), f"module {name} not read to its end: {error}")
             return Module(name, self.modules.get(name))
 
+    def module_of_file(self, path: str) -> Any:
+        """The module that a file is, run by itself."""
+        try:
+            return Module(path, self.run_module(path, path, self.world.state.files.read_text(self.world.located(path))))
+        except LaunchError as error:
+            self.world.state.report_unread(error)
+            return NOTHING
+
     def run_module(self, name: str, file: str, text: str, *, is_launch_file: bool = False) -> ModuleFrame:
         """The names of a module after it has run."""
         raise NotImplementedError
@@ -376,6 +384,8 @@ class Calls(Expressions):
         """`owner[key] = value`."""
         if isinstance(owner, dict) and is_certain(key):
             owner[key] = self.guarded(value, owner.get(key, NOTHING))
+        elif isinstance(owner, dict):
+            self.widen(owner)
         elif isinstance(owner, list) and isinstance(key, int) and -len(owner) <= key < len(owner):
             owner[key] = self.guarded(value, owner[key])
         elif isinstance(owner, Native) and owner.name == "os.environ":

@@ -18,7 +18,9 @@ MAX_PARTS = 100_000
 
 
 class Decisions:
-    """Truth, comparisons and conditions of values that may be unknown."""
+    """Truth, comparisons and conditions of values that may be unknown. `widened` are maps that may have more keys."""
+
+    widened: dict[int, Any]
 
     def place(self, node: ast.AST, frame: Frame) -> Place:
         """Where a piece of source is."""
@@ -27,6 +29,14 @@ class Decisions:
     def unknown(self, node: ast.expr, frame: Frame, reason: str = "") -> Unknown:
         """The value of an expression that cannot be determined."""
         return Unknown(source_of(node), self.place(node, frame), reason)
+
+    def widen(self, owner: Any) -> None:
+        """Note that a map has been given something that is not known: it may have any other key, too."""
+        self.widened[id(owner)] = owner
+
+    def is_widened(self, owner: Any) -> bool:
+        """Whether a map may have keys that are not known."""
+        return id(owner) in self.widened
 
     def truth(self, value: Any) -> bool | None:
         """Whether a value counts as true; None when that is not known."""
@@ -68,7 +78,7 @@ class Decisions:
         if isinstance(operation, (ast.Eq, ast.NotEq)) and isinstance(left, str) and left == right:
             return isinstance(operation, ast.Eq)
         if isinstance(operation, (ast.In, ast.NotIn)) and isinstance(right, dict) and is_certain(left):
-            return (left in right) is isinstance(operation, ast.In)
+            return None if left not in right and self.is_widened(right) else (left in right) is isinstance(operation, ast.In)
         if not (is_certain(left) and is_certain(right)):
             return None
         return bool(COMPARE[type(operation)](left, right))

@@ -57,6 +57,7 @@ class Expressions(Decisions):
     def __init__(self) -> None:
         self.steps = 0
         self.path: list[Condition] = []
+        self.widened: dict[int, Any] = {}
         self._method: dict[type[ast.AST], Callable[[Any, Frame], Any] | None] = {}
 
     def method_for(self, node: ast.expr | ast.stmt) -> Callable[[Any, Frame], Any] | None:
@@ -272,6 +273,8 @@ class Expressions(Decisions):
         try:
             found = value[key]
         except (LookupError, TypeError) as error:
+            if self.is_widened(value):
+                return self.unknown(node, frame)
             raise Raised(type(error).__name__, str(error), self.place(node, frame)) from None
         return self.unknown(node, frame) if found is NOTHING else found
 

@@ -16,6 +16,7 @@ from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.decisions import is_certain
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHODS
+from rosarch.extractor.launch_ros2.parameters import yaml_value
 from rosarch.extractor.launch_ros2.registry import NATIVES, native
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import (
@@ -28,6 +29,7 @@ from rosarch.extractor.launch_ros2.values import (
     Installed,
     Instance,
     Made,
+    Module,
     Native,
     PathText,
     TextFile,
@@ -134,9 +136,19 @@ def _update(run: Calls, owner: dict[Any, Any], *more: Any, **named: Any) -> None
     if more and more[0] is None:
         raise Raised("TypeError", "'NoneType' object is not iterable")
     other = more[0] if more else None
-    pairs = other if isinstance(other, (list, tuple)) else other.items() if isinstance(other, dict) else ()
+    if isinstance(other, (list, tuple, dict)):
+        pairs = other if isinstance(other, (list, tuple)) else other.items()
+    else:
+        pairs = ()
+        run.widen(owner)
     for key, value in (*pairs, *named.items()):
         run.set_item(owner, key, value)
+
+
+def _get(run: Calls, owner: dict[Any, Any], key: Any, default: Any = None) -> Any:
+    if key not in owner and run.is_widened(owner):
+        return NOTHING
+    return owner.get(key, default)
 
 
 def _setdefault(run: Calls, owner: dict[Any, Any], key: Any, default: Any = None) -> Any:
@@ -156,7 +168,7 @@ def _copy(_run: Calls, owner: Any) -> Any:
 _LIST: dict[str, _Call] = {"append": _append, "extend": _extend, "insert": _insert, "pop": _pop, "copy": _copy}
 _LIST["sort"] = lambda _run, owner, **_named: owner.sort() if is_certain(owner) else None
 _LIST["reverse"] = lambda _run, owner: owner.reverse()
-_DICT: dict[str, _Call] = {"update": _update, "setdefault": _setdefault, "pop": _pop, "copy": _copy}
+_DICT: dict[str, _Call] = {"get": _get, "update": _update, "setdefault": _setdefault, "pop": _pop, "copy": _copy}
 _SET: dict[str, _Call] = {"add": lambda _run, owner, item: owner.add(item), "copy": _copy}
 
 
@@ -228,11 +240,43 @@ def _normalize(_run: Calls, substitutions: Any) -> Any:
     return list(substitutions) if isinstance(substitutions, (list, tuple)) else [substitutions]
 
 
+@native("launch.utilities.type_utils.get_typed_value", "launch.utilities.type_utils.coerce_to_type")
+def _typed_value(_run: Calls, value: Any, kind: Any = None, **_named: Any) -> Any:
+    """A text as a value of a type: by the rules of YAML, but numbers by Python's own."""
+    if not isinstance(value, str) or not is_known(value):
+        return NOTHING
+    kind = _TYPES.get(kind.name) if isinstance(kind, Native) else kind
+    if kind is str or (kind is None and not value):
+        return value
+    if kind in (int, float):
+        return kind(value)
+    found = yaml_value({"1": "true", "0": "false"}.get(value, value) if kind is bool else value)
+    if kind is bool and not isinstance(found, bool):
+        raise Raised("ValueError", f"Cannot convert value '{value}' to 'bool'")
+    return found if kind in (None, bool) else NOTHING
+
+
+@native("launch.launch_description_sources.load_python_launch_file_as_module")
+def _module_of(run: Calls, path: Any) -> Any:
+    return run.module_of_file(path) if isinstance(path, str) and is_known(path) else NOTHING
+
+
+@native("launch.launch_description_sources.get_launch_description_from_python_launch_file")
+def _description_of(run: Calls, path: Any) -> Any:
+    module = _module_of(run, path)
+    function = module.frame.variables.get("generate_launch_description") if isinstance(module, Module) and module.frame else None
+    return run.apply(function, [], {}) if isinstance(function, (Function, Bound)) else NOTHING
+
+
 @native("launch.LaunchContext")
 def _launch_context(run: Calls, **_named: Any) -> Any:
     return Context(run.world.state.here.path, outside=run.world.environment)
 
 
+for _name in ("load_python_launch_file_as_module", "get_launch_description_from_python_launch_file"):
+    NATIVES[f"launch.launch_description_sources.python_launch_file_utilities.{_name}"] = NATIVES[
+        f"launch.launch_description_sources.{_name}"
+    ]
 NATIVES["launch.launch_context.LaunchContext"] = NATIVES["launch.LaunchContext"]
 
 
@@ -326,7 +370,12 @@ def _map(run: Calls, function: Any, items: Any) -> Any:
 
 @native("getattr")
 def _getattr(run: Calls, owner: Any, name: Any, *default: Any) -> Any:
-    found = attribute(run, owner, name) if isinstance(name, str) else NOTHING
+    if isinstance(owner, Module) and isinstance(name, str):
+        found = NOTHING if owner.frame is None else owner.frame.variables.get(name, NOTHING)
+    elif isinstance(owner, Instance) and isinstance(name, str) and name not in owner.attributes:
+        found = run.member_of(owner, name)
+    else:
+        found = attribute(run, owner, name) if isinstance(name, str) else NOTHING
     return default[0] if found is NOTHING and default else found
 
 

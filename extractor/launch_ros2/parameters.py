@@ -11,6 +11,7 @@ from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.params_files import ALL, ParamsFile, chosen, leaves, matches, params_file
+from rosarch.extractor.launch_ros2.rcl_values import shown, written
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown
 
@@ -55,7 +56,8 @@ def settings(world: World, given: Given, name: str | None, context: Context) -> 
     """What one entry of a list of parameters sets for the node of this (absolute) name; without a name, for any node."""
     value = given.value
     if given.name is not None:
-        found = _flat(given.name, evaluated(world, value, context), given)
+        shared = given.shared and not given.loaded
+        found = _flat(given.name, shown(evaluated(world, value, context)) if shared else evaluated(world, value, context), given)
         yield from (replace(setting, nodes=given.node or ALL) for setting in found)
     elif isinstance(value, Mapping):
         yield from _of_map(world, value, given, context)
@@ -77,7 +79,12 @@ def _of_map(world: World, value: Mapping[Any, Any], given: Given, context: Conte
         if isinstance(item, Mapping):
             yield from _of_map(world, item, given, context, f"{name}.")
         elif item is not NOTHING:
-            yield Setting(name, evaluated(world, item, context), given.place, given.conditions)
+            yield Setting(name, _arriving(evaluated(world, item, context), given), given.place, given.conditions)
+
+
+def _arriving(value: Any, given: Given) -> Any:
+    """A value as a node gets it: by a file that is written for it, unless it is loaded."""
+    return value if given.loaded else written(value)
 
 
 def _of_parameter(world: World, prefix: str, made: Made, given: Given, context: Context) -> Iterator[Setting]:
@@ -86,8 +93,8 @@ def _of_parameter(world: World, prefix: str, made: Made, given: Given, context: 
         for inner in made.arguments["parameters"]:
             yield from _of_parameter(world, f"{name}.", inner, given, context)
     else:
-        place = Given(given.value, made.place, given.conditions)
-        yield from _flat(name, evaluated(world, made.arguments.get("value"), context), place)
+        value = _arriving(evaluated(world, made.arguments.get("value"), context), given)
+        yield from _flat(name, value, Given(given.value, made.place, given.conditions))
 
 
 def _flat(name: str, value: Any, given: Given) -> Iterator[Setting]:
@@ -154,8 +161,7 @@ def _of_file(world: World, value: Any, given: Given, name: str | None, context: 
         return
     world.here(given.place)
     try:
-        file = params_file(world, path, context if substituted else None)
-        file = file.for_loaded() if given.loaded else file
+        file = params_file(world, path, context if substituted else None, loaded=given.loaded)
         wanted = chosen(file.sections, given.node or name)
     except LaunchError as error:
         # a node is started without a file that is not there; what reads files itself ends launch

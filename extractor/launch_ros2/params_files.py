@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import yaml
@@ -20,6 +20,7 @@ from rosarch.extractor.launch.model import LaunchError, Place
 from rosarch.extractor.launch.state import YAML_COST
 from rosarch.extractor.launch.yaml_values import KeyLines, RepeatedKeysLoader, YamlError
 from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.rcl_values import SCALARS, RclLoader
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.texts import parsed
 
@@ -32,12 +33,6 @@ ALL = "/**"
 """The pattern of all nodes."""
 _TEXT = "tag:yaml.org,2002:str"
 _PARSER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-_SCALARS = (  # as rcl determines the types of plain scalars
-    ("Booleans", re.compile(r"y|Y|yes|Yes|YES|n|N|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF")),
-    ("integers", re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)")),
-    ("doubles", re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")),
-    ("doubles", re.compile(r"[-+]?(inf(inity)?|nan|0x[0-9a-f]*\.?[0-9a-f]*(p[-+]?[0-9]+)?)", re.IGNORECASE)),  # what strtod of C reads, too
-)
 
 
 @dataclass(frozen=True)
@@ -59,24 +54,16 @@ class Refusal:
 
 @dataclass(frozen=True)
 class ParamsFile:
-    """A file of parameters: its sections, the lines of its keys, what a node rejects; `unknown` is a text that is open as a whole.
-
-    `plain` is what a file without sections says for whatever launch_ros reads it for.
-    """
+    """A file of parameters: its sections, the lines of its keys, what a node rejects; `unknown` is a text that is open as a whole."""
 
     sections: tuple[Section, ...]
     lines: KeyLines
     refusal: Refusal | None
     unknown: str | None = None
-    plain: tuple[Section, ...] = ()
-
-    def for_loaded(self) -> ParamsFile:
-        """The file as it is for a class that is loaded into a container."""
-        return replace(self, sections=self.sections or self.plain, refusal=None)
 
 
-def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
-    """A file of parameters; with a context, substitutions in its text are performed.
+def params_file(world: World, path: str, context: Context | None, *, loaded: bool = False) -> ParamsFile:
+    """A file of parameters; with a context, substitutions in its text are performed. For a class that is `loaded`, launch_ros reads it.
 
     Raises:
         LaunchError: it cannot be read, or is no YAML.
@@ -84,18 +71,27 @@ def params_file(world: World, path: str, context: Context | None) -> ParamsFile:
     text = world.source_of(path)
     if context is not None and "$(" in text:
         text = perform(world, parsed(text, Place(path, 1)), context)
-    if text not in world.parameter_texts:
+    if (text, loaded) not in world.parameter_texts:
         world.state.spend(YAML_COST * len(text))
         try:
-            data, lines = world.state.files.yaml(text, RepeatedKeysLoader)
+            data, lines = world.state.files.yaml(text, RepeatedKeysLoader if loaded else RclLoader)
         except YamlError as error:
             raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
         found = tuple(_sections("", data, ())) if isinstance(data, dict) else ()
+        if loaded:
+            found = _for_loaded(found, data)
         is_open = world.state.unknowns.is_open
         unknown = data if isinstance(data, str) and is_open(data) else None
-        plain = (Section(ALL, data, ()),) if isinstance(data, dict) else ()
-        world.parameter_texts[text] = ParamsFile(found, lines, None if is_open(text) else refused(text), unknown, plain)
-    return world.parameter_texts[text]
+        refusal = None if loaded or is_open(text) else refused(text)
+        world.parameter_texts[text, loaded] = ParamsFile(found, lines, refusal, unknown)
+    return world.parameter_texts[text, loaded]
+
+
+def _for_loaded(sections: tuple[Section, ...], data: Any) -> tuple[Section, ...]:
+    """The sections that launch_ros takes: it knows no wildcard but that for all nodes; a file without any section is for all."""
+    if sections:
+        return tuple(section for section in sections if section.pattern == ALL or "*" not in section.pattern)
+    return (Section(ALL, data, ()),) if isinstance(data, dict) else ()
 
 
 def _sections(outer: str, data: Mapping[Any, Any], keys: tuple[str, ...]) -> Iterator[Section]:
@@ -234,7 +230,7 @@ def _list(events: Iterator[yaml.Event], key: yaml.ScalarEvent) -> None:
 def _type(event: yaml.ScalarEvent) -> str:
     if event.style in ("'", '"') or event.tag == _TEXT:
         return "texts"
-    return next((name for name, form in _SCALARS if form.fullmatch(event.value)), "texts")
+    return next((name for name, _, form in SCALARS if form.fullmatch(event.value)), "texts")
 
 
 def _pairs(events: Iterator[yaml.Event]) -> Iterator[tuple[yaml.ScalarEvent, Any]]:

@@ -24,8 +24,9 @@ from rosarch.extractor.launch.model import (
 from rosarch.extractor.launch.names import canonical, ns_join
 from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined
 from rosarch.extractor.launch_ros2.context import Context, Given
-from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, settings, yaml_value
+from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
+from rosarch.extractor.launch_ros2.rcl_values import read
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import Either, Instance, Made, Unknown, Written
 
@@ -219,16 +220,13 @@ def _inferred(world: World, params: list[Given], namespace: str, known: tuple[st
 
 def _for_node(remaps: Iterable[Remap], name: str | None, context: Context) -> Iterator[Remap]:
     """The remappings of a node: `node:from` is for the node of that name only. One without a name has those for any node."""
-    seen: set[tuple[str, str]] = set()
     for remap in remaps:
         node, source = _prefixed(remap.source)
         if name and ((node and node != name) or source.startswith("__")):
             continue
         conditions = tuple(one for one in remap.conditions if one not in context.conditions)
         own = None if name else node or None
-        if ("", source) not in seen and (own or "", source) not in seen:  # the first rule that fits counts
-            yield Remap(canonical(_private(source)), canonical(_private(remap.target)), remap.place, conditions, own)
-            seen.update([(own or "", source)] if not conditions else [])
+        yield Remap(canonical(_private(source)), canonical(_private(remap.target)), remap.place, conditions, own)
 
 
 def _prefixed(source: str) -> tuple[str, str]:
@@ -332,7 +330,7 @@ def _ros_arguments(world: World, words: list[str]) -> RosArguments:
         elif word in ("-p", "--param") and rest:
             source, _, value = rest.pop(0).partition(":=")
             node, name = _prefixed(source)
-            found.params.append(Given(yaml_value(value), world.state.here, name=name, node=f"/{node}" if node else None))
+            found.params.append(Given(read(value), world.state.here, name=name, node=f"/{node}" if node else None))
         elif word == "--params-file" and rest:
             found.params.append(Given(rest.pop(0), world.state.here))
     return found

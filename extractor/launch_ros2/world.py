@@ -41,7 +41,7 @@ class World:
         self.agenda = Agenda(self)
         self.written: dict[str, str] = {}
         self.described: dict[str, tuple[SimulatorPlugin, ...]] = {}
-        self.parameter_texts: dict[str, ParamsFile] = {}
+        self.parameter_texts: dict[tuple[str, bool], ParamsFile] = {}
         self.performed: dict[tuple[int, frozenset[tuple[str, str]]], tuple[Any, str]] = {}
         self.references: list[Reference] = []
         self.read: dict[tuple[str, Place], None] = {}
@@ -95,6 +95,8 @@ class World:
         if folder is not None:
             if needed:
                 self.references.append(PackageNamed(package, folder, state.here))
+            if needed and state.files.packages.is_left_out(folder):
+                state.report(LaunchError("left-out", package, f"package `{package}` is not built: COLCON_IGNORE leaves it out"))
             return folder
         if needed:
             state.report(LaunchError("package", package, f"package `{package}` is not on the package path"))

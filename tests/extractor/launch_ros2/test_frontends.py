@@ -62,7 +62,7 @@ def test_yaml(tmp_path: Path) -> None:
     assert problems(found, tmp_path) == []
     assert names(found) == ["/g/n", "/o"]
     assert [(remap.source, remap.target) for remap in found.nodes[0].remaps] == [("x", "y")]
-    assert params(found) == {"/g/n/k": 3, "/g/n/list": [1, 2], "/o/z": "n"}
+    assert params(found) == {"/g/n/k": 3, "/g/n/list": [1, 2], "/o/z": False}  # rcl reads n as no
 
 
 @pytest.mark.parametrize(

@@ -157,3 +157,97 @@ def test_commands_that_fail_and_that_print(tmp_path: Path, command: str, given: 
     found = composed(tmp_path, {"main.launch.py": main, "x.txt": "some text"})
     assert (found.refusal.message if found.refusal else None) == said
     assert said is not None or params(found) == {"/n/text": given}
+
+
+@pytest.mark.parametrize(
+    ("text", "in_file", "given"),
+    [
+        ("1e5", 100000.0, 100000.0), ("y", True, True), ("off", False, "off"), ("+5", 5, "+5"), ("010", 8, "010"), ("089", 89.0, 89.0), ("0x1p3", 8.0, 8.0),
+        ("0o10", "0o10", "0o10"), ("1_000", "1_000", "1_000"), ("~", "~", "~"), ("inf", float("inf"), float("inf")), ("-.inf", float("-inf"), "-.inf"),
+        (".5", 0.5, ".5"), ("1:30", "1:30", "1:30"), ("2020-01-01", "2020-01-01", "2020-01-01"), ("9223372036854775808", 2.0**63, "9223372036854775808"),
+        ("!!float 5", 5, "!!float 5"), ("!!str 5", "5", "!!str 5"), ('!!int "5"', "5", '!!int "5"'), ("tRUE", "tRUE", "tRUE"),
+    ],
+)  # fmt: skip
+def test_values_as_nodes_read_them(tmp_path: Path, text: str, in_file: object, given: object) -> None:
+    """As rcl of Kilted gave them to a node: by a file, on the command line, and from a map in the launch file."""
+    path = "os.path.join(get_package_share_directory('here'), 'p.yaml')"
+    entities = f"""node('f', parameters=[{path}]), node('a', arguments=['--ros-args', '-p', {"k:=" + text!r}]), node('d', parameters=[{{'k': {text!r}}}]),
+      LoadComposableNodes(target_container='c', composable_node_descriptions=[ComposableNode(package='here', plugin='P', name='c', parameters=[{{'k': {text!r}}}])])"""
+    files = {"launch/main.launch.py": HEAD + _ends(entities), "p.yaml": f"/**:\n  ros__parameters:\n    k: {text}\n"}
+    found = params(composed(tmp_path, files))
+    expected = {"/f/k": in_file, "/a/k": in_file, "/d/k": given, "/c/k": text}
+    assert (found, [*map(type, found.values())]) == (expected, [*map(type, expected.values())])
+
+
+@pytest.mark.parametrize(
+    ("value", "process", "loaded"),
+    [("'true'", True, "true"), ("5", 5, 5), ("[1, 2]", "(1, 2)", [1, 2]), ("['a']", "('a',)", ["a"]), ("LaunchConfiguration('n')", 12, 12)],
+)
+def test_parameters_for_all_nodes(tmp_path: Path, value: str, process: object, loaded: object) -> None:
+    component = "ComposableNode(package='here', plugin='P', name='c')"
+    entities = (
+        f"SetParameter('k', {value}), node('n'), LoadComposableNodes(target_container='box', composable_node_descriptions=[{component}])"
+    )
+    assert params(described(tmp_path, entities, "", {"n": "12"})) == {"/n/k": process, "/c/k": loaded}
+
+
+def test_wildcards_in_files_for_classes_in_containers(tmp_path: Path) -> None:
+    text = "/**:\n  ros__parameters: {a: 1, 1: x}\n/*:\n  ros__parameters: {b: 2}\n/ns/c:\n  ros__parameters: {d: 3}\n/**/c:\n  ros__parameters: {e: 4}\n"
+    path = "os.path.join(get_package_share_directory('here'), 'p.yaml')"
+    box = f"ComposableNode(package='here', plugin='P', name='c', namespace='ns', parameters=[{path}])"
+    entities = (
+        f"LoadComposableNodes(target_container='box', composable_node_descriptions=[{box}]), node('c', namespace='ns', parameters=[{path}])"
+    )
+    loaded = params(composed(tmp_path / "a", {"launch/main.launch.py": HEAD + _ends(entities.partition(", node(")[0]), "p.yaml": text}))
+    assert loaded == {"/ns/c/a": 1, "/ns/c/1": "x", "/ns/c/d": 3}
+    process = params(
+        composed(tmp_path / "b", {"launch/main.launch.py": HEAD + _ends("node(" + entities.partition(", node(")[2]), "p.yaml": text})
+    )
+    assert process == {"/ns/c/a": 1, "/ns/c/1": "x", "/ns/c/d": 3, "/ns/c/e": 4}
+
+
+def test_a_module_that_launch_loads_by_its_path(tmp_path: Path) -> None:
+    text = (
+        HEAD
+        + """from launch.launch_description_sources import load_python_launch_file_as_module
+from launch.utilities.type_utils import get_typed_value
+def setup(context):
+    library = load_python_launch_file_as_module(os.path.join(get_package_share_directory('here'), 'lib', 'names.py'))
+    name, data = getattr(library, 'name_of')(3), {}
+    data.update(elsewhere)
+    more = {'first': data['first'], 'second': data.get('second'), 'third': 'third' in data}
+    return [node(name) if get_typed_value(LaunchConfiguration('on').perform(context), bool) else node('other'), node('m', parameters=[more])]
+"""
+        + _ends("OpaqueFunction(function=setup)")
+    )
+    found = composed(
+        tmp_path, {"launch/main.launch.py": text, "lib/names.py": "def name_of(number):\n    return f'n{number}'\n"}, {"on": "1"}
+    )
+    assert names(found) == ["/n3", "/m"]
+    assert problems(found, tmp_path) == []
+    assert params(found) == {"/m/first": "$(data['first'])", "/m/second": "$(data.get('second'))", "/m/third": "$('third' in data)"}
+
+
+def test_remappings_of_one_name_are_all_given_and_the_first_holds(tmp_path: Path) -> None:
+    found = described(tmp_path, "SetRemap('a', 'x'), node('n', remappings=[('a', 'y'), ('b', 'z')])")
+    (node,) = found.nodes
+    assert [(remap.source, remap.target) for remap in node.given_remaps] == [("a", "x"), ("a", "y"), ("b", "z")]
+    assert [(remap.source, remap.target) for remap in node.own_remaps] == [("a", "x"), ("b", "z")]
+
+
+def test_a_handler_that_has_nothing_to_start(tmp_path: Path) -> None:
+    for started in (True, False):
+        first = f"first = node('first', condition=IfCondition('{started}'))"
+        found = described(tmp_path / str(started), "first, RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[]))", first)
+        assert [problem.message for problem in found.problems] == ["OnProcessExit has nothing to start"] * started
+
+
+def test_a_package_that_colcon_leaves_out_is_not_there(tmp_path: Path) -> None:
+    files = {"../old/package.xml": MANIFEST.format("old"), "../old/COLCON_IGNORE": "", "../old/p.yaml": "/**:\n  ros__parameters: {a: 1}\n"}
+    main = HEAD + _ends("node('n', parameters=[PathJoinSubstitution([FindPackageShare('old'), 'p.yaml'])])")
+    found = composed(tmp_path, {"main.launch.py": main, **files})
+    assert [problem.message for problem in found.problems] == ["package `old` is not built: COLCON_IGNORE leaves it out"]
+    assert params(found) == {"/n/a": 1}
+    (tmp_path / "z_new").mkdir()
+    (tmp_path / "z_new" / "package.xml").write_text(MANIFEST.format("old"))
+    assert "no such file" in composed(tmp_path, {"main.launch.py": main, **files}).problems[0].message

@@ -87,7 +87,7 @@ def test_an_undecided_branch_gives_both_alternatives(tmp_path: Path) -> None:
     before = """ld = LaunchDescription()
 which = 'x'
 if os.environ['MODEL'] == 'a':
-    which = 'y'
+    which = 'z'
     ld.add_action(node('only_a'))
 else:
     ld.add_action(node('other'))
@@ -99,11 +99,11 @@ return ld"""
         "/other unless os.environ['MODEL'] == 'a'".replace("unless", "unless"),
         "/both",
     ]
-    assert params(found) == {"/both/p": "$(os.environ['MODEL'] == 'a' ? y : x)", "/both/model": "m_$(env MODEL)"}
+    assert params(found) == {"/both/p": "$(os.environ['MODEL'] == 'a' ? z : x)", "/both/model": "m_$(env MODEL)"}
     assert problems(found, tmp_path)[0] == "launch/main.launch.py:21:8: environment variable `MODEL` is not set"
     known = described(tmp_path, "", before, environment={"MODEL": "a"})
     assert names(known) == ["/only_a", "/both"]
-    assert params(known) == {"/both/p": "y", "/both/model": "m_a"}
+    assert params(known) == {"/both/p": "z", "/both/model": "m_a"}
 
 
 def test_whether_a_variable_is_set(tmp_path: Path) -> None:
