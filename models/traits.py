@@ -109,6 +109,7 @@ TRAITS = {
     "runs_too_little": ("place", "text"),
     "sleeps_for_ever": ("place",),
     "plugin_named": ("place", "text", "text", "text"),
+    "misused": ("place", "text", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     "keeps_value_of": ("text", "text"),
     "names_number": ("text", "text"),
