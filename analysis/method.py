@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from rosarch.base.cache import hash_of
 from rosarch.extractor.settings import DEFAULT, Progress, Settings
+from rosarch.library.reading import library_files
 from rosarch.rule_programs.choice import SHIPPED, RuleSet
 
 if TYPE_CHECKING:
@@ -53,5 +54,5 @@ def rules_hash(rules: RuleSet) -> str:
 
 def library_hash(folders: Sequence[Path]) -> str:
     """A hash of the files of libraries."""
-    files = [path for folder in folders for path in sorted(folder.rglob("*.json")) if os.path.isfile(path)]
+    files = [path for folder in folders for path in library_files(folder) if os.path.isfile(path)]
     return hash_of([part for path in files for part in (str(path), path.read_bytes())])

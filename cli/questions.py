@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, fields, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_type_hints
@@ -74,8 +74,11 @@ class ReadingOptions:
     def method(self, rules: RuleSet, library: Sequence[Path] = ()) -> Method:
         """By what components and systems are analysed; some commands have `rules` that differ from those of the options."""
         from rosarch.analysis.method import Method
+        from rosarch.library import prefixes
 
-        return Method(rules, self.engine.value, self.sources(), library)
+        sources = self.sources()
+        underlay = replace(sources.underlay, libraries=prefixes(library))
+        return Method(rules, self.engine.value, replace(sources, underlay=underlay), library)
 
     def analysis(self, rules: RuleSet, folder: Path, packages: Sequence[str] | None, component: str | None = None) -> Analysis:
         """The models of the components in a folder, by these rules; see `load_analysis`."""

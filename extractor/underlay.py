@@ -34,10 +34,11 @@ _SETUP = ("setup.sh", "local_setup.sh")
 
 @dataclass(frozen=True)
 class Installed:
-    """A package of a prefix."""
+    """A package of a prefix. Of one in a library there is the share folder alone, for the version `ros` of ROS."""
 
     name: str
     prefix: str
+    ros: int | None = None
 
     @property
     def share(self) -> str:
@@ -80,10 +81,14 @@ class Installed:
 
 @dataclass(frozen=True)
 class Underlay:
-    """Prefixes; of two packages of one name the first counts, and none of those that are `hidden`, which the workspace has."""
+    """Prefixes; of two packages of one name the first counts, and none of those that are `hidden`, which the workspace has.
+
+    Last come those of libraries, for a version of ROS each, which hold files of packages that are not installed.
+    """
 
     prefixes: tuple[str, ...] = ()
     hidden: frozenset[str] = frozenset()
+    libraries: tuple[tuple[str, int], ...] = ()
 
     @classmethod
     def of(cls, folders: Iterable[str | Path]) -> Underlay:
@@ -94,15 +99,24 @@ class Underlay:
         """The same, without the packages of a workspace."""
         return replace(self, hidden=self.hidden | frozenset(names))
 
+    def of_ros(self, version: int) -> Underlay:
+        """The same, without libraries for another version of ROS."""
+        return replace(self, libraries=tuple(one for one in self.libraries if one[1] == version))
+
     @cached_property
     def packages(self) -> Mapping[str, Installed]:
         """The packages, by their names."""
         found: dict[str, Installed] = {}
-        for prefix in self.prefixes:
+        for prefix, ros in (*((prefix, None) for prefix in self.prefixes), *self.libraries):
             for name in _packages_in(prefix):
                 if name not in self.hidden:
-                    found.setdefault(name, Installed(name, prefix))
+                    found.setdefault(name, Installed(name, prefix, ros))
         return found
+
+    @property
+    def count(self) -> int:
+        """How many packages are installed."""
+        return sum(package.ros is None for package in self.packages.values())
 
     def key(self) -> list[str]:
         """What distinguishes it from others, but for the contents of packages."""
@@ -111,8 +125,8 @@ class Underlay:
     @cached_property
     def folders(self) -> tuple[str, ...]:
         """The folders that may be read."""
-        below = (f"{prefix}/{part}" for prefix in self.prefixes for part in _PARTS)
-        return tuple(folder for folder in below if os.path.isdir(folder))
+        below = [f"{prefix}/{part}" for prefix in self.prefixes for part in _PARTS]
+        return tuple(folder for folder in (*below, *(f"{prefix}/share" for prefix, _ in self.libraries)) if os.path.isdir(folder))
 
     @property
     def share_folders(self) -> tuple[str, ...]:
@@ -131,7 +145,7 @@ class Underlay:
     def lacks(self, package: str, program: str) -> bool:
         """Whether a package is installed, and this program of it is not."""
         found = self.packages.get(package)
-        return found is not None and program == file_name(program) and not found.runs(program)
+        return found is not None and found.ros is None and program == file_name(program) and not found.runs(program)
 
     def module(self, name: str) -> Path | None:
         """The file of a module of Python of a package, but for what is made of interfaces, and what rosarch has declarations of."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rosarch.library.layers import merged
 from rosarch.library.model import LibraryComponent, LibraryParameter, LibraryPort
-from rosarch.library.reading import read_folder
+from rosarch.library.reading import SHARE, library_files, read_folder
 
 if TYPE_CHECKING:
     from rosarch.base.diagnostics import Diagnostic
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["Library", "LibraryComponent", "LibraryParameter", "LibraryPort", "components", "find", "load"]
 
 _SHIPPED = Path(__file__).parent
+_SYSTEMS = _SHIPPED / "systems"
 
 
 @dataclass(frozen=True)
@@ -69,9 +71,15 @@ def _load(folders: tuple[Path, ...], _stamp: tuple[tuple[str, int, int], ...]) -
     return Library(tuple(merged(files)), tuple(problem for _, problems in read for problem in problems))
 
 
+def prefixes(folders: Sequence[Path] = ()) -> tuple[tuple[str, int], ...]:
+    """Where the library has files of packages, the users' own `folders` first: prefixes, each for a version of ROS."""
+    found = ((os.path.abspath(folder / f"ros{version}"), version) for folder in (*folders, _SYSTEMS) for version in (1, 2))
+    return tuple((prefix, version) for prefix, version in found if os.path.isdir(os.path.join(prefix, SHARE)))
+
+
 def load(folders: Sequence[Path] = ()) -> Library:
     """The library that comes with rosarch, with the users' own `folders` before it; read once in a process, as long as no file changes."""
-    files = [path.absolute() for folder in folders for path in sorted(folder.rglob("*.json"))]
+    files = [path.absolute() for folder in folders for path in library_files(folder)]
     return _load(tuple(folders), tuple((str(path), stat.st_mtime_ns, stat.st_size) for path in files for stat in (path.lstat(),)))
 
 

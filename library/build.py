@@ -10,7 +10,8 @@ from typing import Any
 
 from rosarch.base.files import path_below
 from rosarch.base.whole import write_whole
-from rosarch.library.model import GENERATED
+from rosarch.extractor.workspace.model import PYTHON_NODE
+from rosarch.library.model import GENERATED, Source
 from rosarch.library.reading import COMPONENT_KINDS
 from rosarch.models import formula
 from rosarch.models.component import MANAGED, ComponentModel, Parameter, Port, default_value
@@ -19,24 +20,29 @@ UNKNOWN = "?"
 _ONE_NAME = re.compile(r"(?P<not>!|not )?(?P<name>[A-Za-z_][\w.]*)")
 
 
-def library_documents(models: Iterable[ComponentModel], origin: str, revision: str) -> dict[str, dict[str, Any]]:
+def library_documents(models: Iterable[ComponentModel], source: Source) -> dict[str, dict[str, Any]]:
     """A document per package that has components."""
     packages: dict[str, list[dict[str, Any]]] = {}
     versions: dict[str, set[int]] = {}
-    for model in sorted(models, key=lambda model: (model.package, _name(model))):
+    for model in sorted((one for one in models if not one.executable), key=lambda model: (model.package, _name(model))):
         document = component_document(model)
         says_something = model.kind != "plugin" or "ports" in document or "params" in document
         if _kind(model) in COMPONENT_KINDS and says_something:
             found = packages.setdefault(model.package, [])
             found.append(document)
-            # a class that is loaded into containers, and the programs that run it alone
-            found += [{**document, "component": name, "kind": "node"} for name in model.executables if _kind(model) != "node"]
+            # the other names of a program; of a class that is loaded into containers, the programs that run it alone
+            found += [{**document, "component": name, "kind": "node"} for name in model.executables if name != _name(model)]
             known = versions.setdefault(model.package, set())
             if model.middleware:
                 known.add(2 if "ROS 2" in model.middleware else 1)
-    head = {"origin": origin, "revision": revision}
+    head = {"origin": source.origin, "revision": source.revision}
+    more = {"distributions": list(source.distributions)} if source.distributions else {}
+    together = sorted(set().union(*versions.values())) or [1]  # packages without nodes of their own are for the ROS of the others
     return {
-        package: {"package": package, **head, "ros": sorted(versions[package]) or [1], "made": GENERATED, "components": found}
+        package: {
+            **{"package": package, **head, "ros": sorted(versions[package]) or together, **more},
+            **{"made": GENERATED, "components": found},
+        }
         for package, found in packages.items()
     }
 
@@ -45,7 +51,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
     """One component: without source lines and callbacks, and without what is not known, which `open` lists."""
     ports = [port for port in model.ports if UNKNOWN not in port.name or _parameter(port)]
     accesses = [*model.params, *model.reconfigurable]
-    params = [parameter for parameter in accesses if UNKNOWN not in parameter.name]
+    params = [parameter for parameter in accesses if parameter.name and UNKNOWN not in parameter.name]
     silent = not model.loads and all(port.implicit for port in ports)
     lost_ports = len(ports) < len(model.ports) or UNKNOWN in model.loads or silent
     lost_params = len(params) < len(accesses)
@@ -63,7 +69,9 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
 
 
 def _kind(model: ComponentModel) -> str:
-    """What kind of component it is; whether others manage its life is not said."""
+    """What kind of component it is; whether others manage its life, and which language it is in, is not said."""
+    if model.kind == PYTHON_NODE:
+        return "node"
     if model.kind != MANAGED:
         return model.kind
     return "component" if model.plugin else "node"

@@ -85,6 +85,7 @@ def _build(file: LibraryFile, document: Document, made: str) -> LibraryComponent
         revision=file.revision,
         made=made,
         ros=file.ros,
+        distributions=file.distributions,
         path=Path(file.path),
         **fields,
     )

@@ -14,6 +14,15 @@ from typing import Any
 GENERATED, BY_HAND = "generated", "by hand"
 
 
+@dataclass(frozen=True)
+class Source:
+    """Where packages come from, and the distributions of ROS that this revision is for."""
+
+    origin: str
+    revision: str
+    distributions: tuple[str, ...] = ()
+
+
 def _given(row: LibraryPort | LibraryParameter) -> dict[str, Any]:
     """The fields that say something; a name that only a launch file gives is `?`."""
     said = {
@@ -57,7 +66,7 @@ class LibraryParameter:
 class LibraryComponent:
     """A node, nodelet, plug-in or plug-in of gazebo. `path` is the file that its base was read from.
 
-    It is of the versions of ROS in `ros`, of any where that is empty.
+    It is of the versions of ROS in `ros`, of any where that is empty; its sources are those of the `distributions`.
     """
 
     package: str
@@ -77,6 +86,7 @@ class LibraryComponent:
     revision: str = ""
     made: str = BY_HAND
     ros: tuple[int, ...] = ()
+    distributions: tuple[str, ...] = ()
     path: Path = Path()
 
     @property
@@ -104,6 +114,7 @@ class LibraryComponent:
             "origin": self.origin,
             "revision": self.revision,
             "ros": list(self.ros),
+            "distributions": list(self.distributions),
             "made": self.made,
         }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -20,6 +21,8 @@ PORT_KINDS = (
     "dynamic_reconfigure_server",
 )  # fmt: skip
 OPERATIONS = ("read", "write", "has", "delete", "declare")
+SHARE = "share"
+"""The folder of a library that has the files of packages."""
 BRACES = re.compile(r"\{([^{}]*)\}")
 
 Document = dict[str, Any]
@@ -37,12 +40,22 @@ class LibraryFile:
     made: str
     components: tuple[Document, ...]
     ros: tuple[int, ...] = ()
+    distributions: tuple[str, ...] = ()
+
+
+def library_files(folder: Path) -> list[Path]:
+    """The files of JSON below a folder, but for those of packages, which are data for other readers."""
+    found = []
+    for here, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if name != SHARE]
+        found += [Path(here, name) for name in names if name.endswith(".json")]
+    return sorted(found)
 
 
 def read_folder(folder: Path) -> tuple[tuple[LibraryFile, ...], tuple[Diagnostic, ...]]:
     """The files below a folder, and what is wrong with the others."""
     files, problems = [], []
-    for path in sorted(folder.rglob("*.json")):
+    for path in library_files(folder):
         found = read_library_file(path)
         if isinstance(found, LibraryFile):
             files.append(found)
@@ -69,7 +82,9 @@ def read_library_file(path: Path) -> LibraryFile | Diagnostic:
     if wrong is not None:
         return _problem(path, wrong)
     return LibraryFile(
-        path, data["package"], data["origin"], data["revision"], data["made"], tuple(data["components"]), tuple(data.get("ros", ()))
+        path,
+        *(data[key] for key in ("package", "origin", "revision", "made")),
+        *(tuple(data.get(key, ())) for key in ("components", "ros", "distributions")),
     )
 
 
@@ -155,7 +170,8 @@ def _list(value: Any) -> str | None:
 
 
 _FILE: Mapping[str, Check] = {
-    "package": _text, "origin": _text, "revision": _text, "ros": _versions, "made": _one_of((GENERATED, BY_HAND)), "components": _list,
+    "package": _text, "origin": _text, "revision": _text, "ros": _versions, "distributions": _texts,
+    "made": _one_of((GENERATED, BY_HAND)), "components": _list,
 }  # fmt: skip
 _COMPONENT: Mapping[str, Check] = {
     "component": _text, "kind": _one_of(COMPONENT_KINDS), "node_name": _text, "base": _text, "loads": _texts, "open": _open,
@@ -185,7 +201,7 @@ def _fields(data: Any, where: str, known: Mapping[str, Check], required: Iterabl
 
 
 def _file_problems(data: Any) -> Iterator[str]:
-    yield from _fields(data, "file", _FILE, [key for key in _FILE if key != "ros"])
+    yield from _fields(data, "file", _FILE, [key for key in _FILE if key not in ("ros", "distributions")])
     seen = set()
     for number, component in enumerate(data["components"]):
         yield from _fields(component, f"components[{number}]", _COMPONENT, ("component", "kind"))

@@ -45,7 +45,7 @@ def findings_schema() -> Any:
 
 def _underlay(setting: Setting) -> dict[str, Any]:
     prefixes = setting.underlay.prefixes
-    return {"underlay": {"prefixes": list(prefixes), "packages": len(setting.underlay.packages)}} if prefixes else {}
+    return {"underlay": {"prefixes": list(prefixes), "packages": setting.underlay.count}} if prefixes else {}
 
 
 def _finding(finding: Finding) -> dict[str, Any]:

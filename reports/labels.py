@@ -80,4 +80,4 @@ def underlay_text(underlay: Underlay) -> str:
         return ""
     first = ", ".join(map(printable, underlay.prefixes[:_MOST]))
     more = f" and {len(underlay.prefixes) - _MOST} more" if len(underlay.prefixes) > _MOST else ""
-    return f"; with {counted(len(underlay.packages), 'package')} installed below {first}{more}"
+    return f"; with {counted(underlay.count, 'package')} installed below {first}{more}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -40,9 +41,10 @@ def launch(
     verbose: Verbose = False,
 ) -> None:
     """List the nodes that launch files start, with names, remappings and parameters, without running anything."""
+    from rosarch.library import prefixes
     from rosarch.reports import launch_table
 
-    around = Surroundings(package_path, environment, installed(underlays, none=no_underlay))
+    around = Surroundings(package_path, environment, replace(installed(underlays, none=no_underlay), libraries=prefixes()))
     if is_folder(words):
         compositions = compose_folder(words, around)
         refused = any(composition.refusal for composition in compositions.values())

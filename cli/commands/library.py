@@ -15,7 +15,9 @@ from rosarch.cli.questions import ReadingOptions, asks
 from rosarch.cli.terminal import emit, show_diagnostics
 
 if TYPE_CHECKING:
+    from rosarch.base.diagnostics import Diagnostic
     from rosarch.library import Library
+    from rosarch.library.model import Source
 
 app = typer.Typer(help="List, show and build interfaces of components whose source is missing.", no_args_is_help=False)
 
@@ -66,9 +68,20 @@ def build(
         typer.Option("--out", "-o", parser=path_argument, metavar="FOLDER", help="Where to write a file per package.", show_default=False),
     ],
     packages: Packages = None,
+    distributions: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--distribution", metavar="NAME", help="A distribution of ROS that has this revision; may be repeated.", show_default=False
+        ),
+    ] = None,
+    files: Annotated[
+        bool,
+        typer.Option("--files", help="Also keep what others include of the packages: launch files, parameters, interfaces, descriptions."),
+    ] = False,
 ) -> None:
     """Write library files for the packages below DIR, from their sources."""
     from rosarch.library.build import library_documents, write_library
+    from rosarch.library.model import Source
 
     for option, text in (("--origin", origin), ("--revision", revision)):
         if not text.strip():
@@ -76,10 +89,26 @@ def build(
     check_output(out)
     analysis = reading.analysis(reading.rules(), folder, packages)
     chosen = [model for model in analysis.models if not packages or model.package in packages]
+    source = Source(origin, revision, tuple(distributions or ()))
+    diagnostics = analysis.diagnostics
     with output_folder(out) as written:
-        paths = write_library(library_documents(chosen, origin, revision), written)
-    show_diagnostics(analysis.diagnostics, reading.verbose)
+        paths = write_library(library_documents(chosen, source), written)
+        if files:
+            kept, problems = _systems(folder, packages, source, written)
+            paths, diagnostics = (*paths, *kept), (*diagnostics, *problems)
+    show_diagnostics(diagnostics, reading.verbose)
     emit("".join(f"{out / path.relative_to(written)}\n" for path in paths))
+
+
+def _systems(folder: Path, packages: list[str] | None, source: Source, out: Path) -> tuple[list[Path], list[Diagnostic]]:
+    """Write what others include of the packages below a folder."""
+    from rosarch.base.boundary import confined
+    from rosarch.extractor.workspace import discover
+    from rosarch.library.files import write_files
+
+    with confined([folder]):
+        workspace = discover(folder, packages or None)
+        return write_files([one for one in workspace.packages if one.name in workspace.selected], folder, source, out)
 
 
 def _library(folders: list[Path] | None) -> Library:

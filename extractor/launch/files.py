@@ -26,6 +26,8 @@ from rosarch.extractor.launch.xml_reader import read_launch
 from rosarch.extractor.launch.yaml_values import KeyLines, Loader, RosparamLoader, load_yaml_lines
 
 MAX_MATCHES = 1000
+DESCRIBED = ".json"
+"""What the name of a launch file ends with where its description takes its place."""
 _Parsed = TypeVar("_Parsed")
 
 
@@ -35,6 +37,7 @@ class Files:
     def __init__(self, packages: PackagePath, folder: str | None = None) -> None:
         self.packages = packages
         self.folder = folder or os.getcwd()
+        self._of_ros: dict[int, Files] = {}
         self._roots: set[str] | None = None
         self._beside: set[str] = set()
         self._packages_of: dict[str, str] = {}
@@ -43,6 +46,13 @@ class Files:
         self._documents: dict[tuple[str, object], Any] = {}
         self._references: dict[str, tuple[Reference, ...]] = {}
         self._values: dict[tuple[str, type[Loader]], tuple[Any, KeyLines]] = {}
+
+    def of_ros(self, version: int) -> Files:
+        """Reads files for launch files of a version of ROS."""
+        packages = self.packages.of_ros(version)
+        if packages is self.packages:
+            return self
+        return self._of_ros.setdefault(version, Files(packages, self.folder))
 
     def allow_named(self, arguments: Mapping[str, str]) -> None:
         """Let the files be read that the user names by the values of launch arguments."""
@@ -72,10 +82,15 @@ class Files:
         return os.path.isfile(full)
 
     def located(self, path: str) -> str:
-        """Where a file is in the sources that is installed at `path`: packages may install it from elsewhere in their folder."""
+        """Where a file is in the sources that is installed at `path`: packages may install it from elsewhere in their folder.
+
+        Of a launch file of Python there may be the description alone that it makes.
+        """
         folder = None if self.is_file(path) else self.packages.of_file(path)
         if folder is None:
             return path
+        if self.is_file(described := f"{path}{DESCRIBED}"):
+            return described
         words = os.path.relpath(path, folder).split(os.sep)[-2:]
         found = list(self.packages.paths_in(folder).get(words[-1], ()))
         if len(found) > 1:

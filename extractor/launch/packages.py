@@ -55,6 +55,15 @@ class PackagePath:
         """What is installed of packages that none of the folders has."""
         return self._underlay.without(self.own)
 
+    def of_ros(self, version: int) -> PackagePath:
+        """The same packages, without those of libraries for another version of ROS."""
+        underlay = self._underlay.of_ros(version)
+        if underlay == self._underlay:
+            return self
+        found = PackagePath(self.folders, underlay)
+        found.own, found._names, found._paths, found._made = self.own, self._names, self._paths, self._made
+        return found
+
     @cached_property
     def own(self) -> dict[str, str]:
         """The packages of the folders."""

@@ -37,11 +37,11 @@ def compose(
         if version is None:
             composed = _left_behind(group)
         elif version == 1:
-            composed = compose_ros1(list(group), arguments, files=files, environment=environment, namespace=namespace)
+            composed = compose_ros1(list(group), arguments, files=files.of_ros(1), environment=environment, namespace=namespace)
         else:
             from rosarch.extractor.launch_ros2.compose import compose_ros2
 
-            composed = compose_ros2(list(group), arguments, files=files, environment=environment, namespace=namespace)
+            composed = compose_ros2(list(group), arguments, files=files.of_ros(2), environment=environment, namespace=namespace)
         compositions.append(composed)
     return compositions[0] if len(compositions) == 1 else _joined(compositions)
 

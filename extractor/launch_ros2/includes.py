@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.base.xml_reader import XmlError
 from rosarch.extractor.launch.compose import MAX_INCLUDE_DEPTH, MAX_INCLUDES
+from rosarch.extractor.launch.files import DESCRIBED
 from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError, Place
 from rosarch.extractor.launch.state import Exhausted
 from rosarch.extractor.launch.yaml_values import YamlError
 from rosarch.extractor.launch_ros2.actions import carries_out, must_be_passed, visit
 from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.described import description
 from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
 from rosarch.extractor.launch_ros2.frontend import Entity, actions_of
 from rosarch.extractor.launch_ros2.frontend_xml import read_xml
@@ -120,12 +122,16 @@ def read(world: World, file: str, depth: int = 0) -> Any:
         state.report(LaunchError("cycle", file, f"includes nested more than {MAX_INCLUDE_DEPTH} deep"))
         return None
     try:
-        found = _python(world, file) if file.endswith(".py") else _frontend(world, file)
+        found = _reader(file)(world, file)
     except LaunchError as error:
         state.report_unread(error)
         return None
     state.read.setdefault(file)
     return found
+
+
+def _reader(file: str) -> Callable[[World, str], Any]:
+    return description if file.endswith(f".py{DESCRIBED}") else _python if file.endswith(".py") else _frontend
 
 
 def _frontend(world: World, file: str) -> Any:

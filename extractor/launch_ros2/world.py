@@ -17,7 +17,7 @@ from rosarch.extractor.launch.unknowns import cleaned, is_known, may_be
 from rosarch.extractor.launch_ros2.agenda import Agenda
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.interpreter import Interpreter
-from rosarch.extractor.launch_ros2.values import Either, PathText, Unknown, installed
+from rosarch.extractor.launch_ros2.values import Class, Either, Function, PathText, Unknown, installed
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 if TYPE_CHECKING:
@@ -194,3 +194,14 @@ class World:
     def here(self, place: Place) -> None:
         """Make `place` the one that reports are about."""
         self.state.here = place
+
+
+def known_class(found: Class) -> str | None:
+    """The helper package that a class is of whose source rosarch has."""
+    modules = {member.frame.module.name for member in found.members.values() if isinstance(member, Function)}
+    return next(iter(modules & _KNOWN_NAMES), None)
+
+
+def has_known_modules(package: str) -> bool:
+    """Whether rosarch has the source of a helper package's modules."""
+    return any(name.partition(".")[0] == package for name in _KNOWN_NAMES)

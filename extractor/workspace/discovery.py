@@ -102,6 +102,9 @@ class _Discovery:
         if set(names or ()) - set(self.paths):
             self._locate_ignored(set(names or ()))
         self.underlay = self.underlay.without(self.paths)
+        used = set(map(self._ros, self.paths.values())) if self.underlay.libraries else set()
+        if len(used) == 1:
+            self.underlay = self.underlay.of_ros(*used)
         known = {*self.paths, *self.underlay.packages}
         for name in sorted(set(names or ()) - known):
             self._report("workspace", self.root, f"no package {name} below this folder{hint(name, self.paths)}")
@@ -161,14 +164,16 @@ class _Discovery:
         return self.manifests.get(name)
 
     def _distro(self, manifest: str) -> str:
-        """The distribution whose conditions a manifest is read with; one that names no ROS 1 tool is for ROS 2."""
-        if self.options.ros_distro:
-            return self.options.ros_distro
+        """The distribution whose conditions a manifest is read with."""
+        return self.options.ros_distro or (DEFAULT_DISTRO if self._ros(manifest) == 1 else DEFAULT_AMENT_DISTRO)
+
+    def _ros(self, manifest: str) -> int:
+        """The version of ROS that a manifest is for: one that names no tool of ROS 1 is for ROS 2."""
         try:
             text = read_file(manifest)
         except OSError:
-            return DEFAULT_DISTRO  # reported where it is parsed
-        return DEFAULT_DISTRO if b"catkin" in text or b"ament" not in text else DEFAULT_AMENT_DISTRO
+            return 1  # reported where it is parsed
+        return 1 if b"catkin" in text or b"ament" not in text else 2
 
     def path(self, name: str) -> str | None:
         """The folder of a workspace package."""

@@ -73,8 +73,10 @@ def _components(found: Installed, manifest: Manifest) -> Iterator[PluginClass]:
 
 
 def _interfaces(found: Installed, kind: str) -> Iterator[Path]:
-    folder = f"{found.share}/{kind}"
-    yield from (Path(folder, name) for name in names_in(folder) if name.endswith(f".{kind}"))
+    """The interfaces of a kind: those in the folder of its name, and where the index says that they are."""
+    listed = (line.strip() for line in found.resource("rosidl_interfaces").splitlines())
+    paths = dict.fromkeys([*(f"{kind}/{name}" for name in names_in(f"{found.share}/{kind}")), *listed])
+    yield from (Path(found.share, path) for path in paths if path.endswith(f".{kind}") and ".." not in path.split("/"))
 
 
 def _is_script(path: str) -> bool:

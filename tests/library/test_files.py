@@ -1,134 +1,129 @@
-"""The shipped files, and the form of library files."""
+"""Files of packages in a library: what others include, as data, found and read like what is installed."""
 
 from __future__ import annotations
 
 import json
-import re
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
-from jsonschema import Draft202012Validator
+import yaml
 
-from rosarch.library import components, find, load
-from rosarch.library.build import document_text
-from rosarch.library.reading import LibraryFile, read_library_file
-from rosarch.reports.library import library_schema
+from rosarch.extractor.launch import Composition, Files, PackagePath, compose
+from rosarch.extractor.underlay import Underlay
+from rosarch.library import prefixes
+from tests.extractor.ros2_launch_builder import HEAD
+from tests.extractor.workspace_builder import write
 
-ROOT = Path(__file__).resolve().parents[2]
-SHIPPED = sorted((ROOT / "library").rglob("*.json"))
-EXAMPLE = re.search(r"```json\n(.*?)```", (ROOT / "docs" / "library.md").read_text(), re.DOTALL)
+MANIFEST = """<package format="3"><name>{}</name><version>1.2.3</version><description>d</description><maintainer email="a@b.org">a</maintainer>
+<license>Apache-2.0</license><depend>other</depend><export><build_type>ament_cmake</build_type></export></package>"""
+LAUNCH = f"""# a comment
+{HEAD}
+from nav2_common.launch import RewrittenYaml
 
-FILE: dict[str, Any] = {"package": "p", "origin": "o", "revision": "r", "made": "by hand", "components": []}
-NODE: dict[str, Any] = {"component": "n", "kind": "node"}
-
-
-def of(**component: Any) -> dict[str, Any]:
-    return {**FILE, "components": [{**NODE, **component}]}
-
-
-def port(**fields: Any) -> dict[str, Any]:
-    return of(ports=[{"kind": "publisher", "name": "a", **fields}])
-
-
-def test_the_schema_is_a_schema() -> None:
-    Draft202012Validator.check_schema(library_schema())
-
-
-@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: f"{path.parent.name}-{path.stem}")
-def test_shipped_files_are_as_they_should_be(path: Path) -> None:
-    found = read_library_file(path)
-    assert isinstance(found, LibraryFile), found
-    data = json.loads(path.read_text())
-    Draft202012Validator(library_schema()).validate(data)
-    assert path.stem == found.package
-    assert found.made == ("by hand" if path.parent.name.endswith("by_hand") else "generated")
-    assert found.ros == ((2,) if path.parent.name.startswith("ros2_") else (1,))
-    assert found.origin.startswith("https://")
-    if found.made == "generated":
-        assert path.read_text() == document_text(data), "not as `rosarch library build` writes it"
-
-
-def test_no_shipped_file_is_left_out() -> None:
-    assert load().problems == ()
-    assert len(list(components())) > 50
-
-
-def test_the_example_of_the_documentation_is_valid(tmp_path: Path) -> None:
-    assert EXAMPLE
-    path = tmp_path / "demo.json"
-    path.write_text(EXAMPLE.group(1))
-    assert isinstance(read_library_file(path), LibraryFile)
-    Draft202012Validator(library_schema()).validate(json.loads(EXAMPLE.group(1)))
+def generate_launch_description():
+    share = get_package_share_directory("base")
+    elsewhere = os.path.join(get_package_share_directory("other"), "x.launch.py")
+    rewritten = RewrittenYaml(LaunchConfiguration("params"), param_rewrites={{"speed": LaunchConfiguration("speed")}}, convert_types=True)
+    return LaunchDescription([
+        DeclareLaunchArgument("params", default_value=os.path.join(share, "config", "base.yaml"), description="what it is for"),
+        DeclareLaunchArgument("speed", default_value=os.environ["SPEED"]),
+        DeclareLaunchArgument("other", default_value="false", choices=["true", "false"]),
+        GroupAction([
+            PushRosNamespace("robot"),
+            Node(package="base", executable="drive", name="drive", parameters=[rewritten, {{"list": [1, 2.5, True]}}], remappings=[("a", "b")]),
+        ], condition=UnlessCondition(LaunchConfiguration("other"))),
+        IncludeLaunchDescription(PythonLaunchDescriptionSource(elsewhere), condition=IfCondition(LaunchConfiguration("other"))),
+        OpaqueFunction(function=lambda context: [Node(package="base", executable="late")]),
+    ])
+"""
+FILES = {
+    "package.xml": MANIFEST.format("base"),
+    "CMakeLists.txt": "project(base)\n",
+    "launch/base.launch.py": LAUNCH,
+    "launch/more.launch.xml": '<launch>\n  <!-- a comment -->\n  <include file="$(find-pkg-share base)/launch/base.launch.py"/>\n</launch>\n',
+    "launch/made.launch.py.in": "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([])  # @X@\n",
+    "launch/wrong.launch.py": "def generate_launch_description(): return 1\n",
+    "config/base.yaml": "# a comment\n/**:\n  ros__parameters: {speed: 1.0, frame: base}\n",
+    "msg/Level.msg": '# a comment\nint32 value  # the value\nstring NAME = "a # b"\n',
+    "urdf/base.xacro": '<robot xmlns:xacro="http://ros.org/wiki/xacro" name="r"><!-- a comment --><xacro:property name="x" value="1"/></robot>\n',
+    "src/drive.cpp": "// code\n",
+    "scripts/tool.py": "import rclpy\n",
+    "test/test.launch.py": LAUNCH,
+    "maps/map.yaml": "image: map.png\n",
+}
 
 
-WRONG = [
-    ([], "file: must be an object"),
-    ({**FILE, "origin": 3}, "file: `origin` must be a text that is not empty"),
-    ({**FILE, "revison": "1"}, "file: unknown field `revison`, did you mean `revision`?"),
-    ({key: value for key, value in FILE.items() if key != "revision"}, "file: `revision` is missing"),
-    ({**FILE, "made": "magic"}, 'file: `made` "magic" is none of generated, by hand'),
-    ({**FILE, "components": {}}, "file: `components` must be a list"),
-    ({**FILE, "components": [3]}, "components[0]: must be an object"),
-    ({**FILE, "components": [{"component": "n"}]}, "components[0]: `kind` is missing"),
-    ({**FILE, "components": [NODE, NODE]}, "components[1]: n is there twice"),
-    (of(kind="nod"), 'components[0]: `kind` "nod" is none of node, nodelet, component, plugin, gazebo_plugin, did you mean `node`?'),
-    (of(open="yes"), 'components[0]: `open` must be true, false, "ports" or "params"'),
-    (of(options=[1]), "components[0]: `options` must be a list of texts"),
-    (of(elements={"topic": 1}), "components[0]: `elements` must map names of elements to their default text, or to null"),
-    (port(kind="publsher"), 'n: ports[0]: `kind` "publsher" is none of publisher, subscriber, service_server, service_client, action_server, '
-     "action_client, tf_broadcaster, tf_listener, dynamic_reconfigure_server, did you mean `publisher`?"),
-    (port(kind=[]), "n: ports[0]: `kind` [] is none of publisher, subscriber, service_server, service_client, action_server, "
-     "action_client, tf_broadcaster, tf_listener, dynamic_reconfigure_server"),
-    (of(ports=[{"kind": "publisher"}]), "n: ports[0]: nothing names it: give `name`, `from_param`, `from_arg` or `param_pattern`"),
-    (port(queue=True), "n: ports[0]: `queue` must be a whole number of 0 or more"),
-    (port(from_arg=0), "n: ports[0]: `from_arg` must be a whole number of 1 or more"),
-    (port(rest=True), "n: ports[0]: `rest` needs `from_arg`"),
-    (port(latched="yes"), "n: ports[0]: `latched` must be true or false"),
-    (port(if_arg={"x": "y"}), 'n: ports[0]: `if_arg` must map numbers of arguments to regular expressions, as in {"1": "messages"}'),
-    (port(param_pattern="~(a"), "n: ports[0]: `param_pattern` is no regular expression (missing ), unterminated subpattern at position 1)"),
-    (port(name="{x}"), "n: ports[0]: {x} is no number of an argument"),
-    (of(kind="gazebo_plugin", elements={"topicName": "a"}, ports=[{"kind": "publisher", "name": "{topicNam}"}]),
-     "n: ports[0]: `topicNam` is none of the component's `elements`, did you mean `topicName`?"),
-    (of(params=[{"op": "read"}]), "n: params[0]: needs either `name` or `pattern`"),
-    (of(params=[{"name": "~x", "default": {}}]), "n: params[0]: `default` must be a single value"),
-]  # fmt: skip
+@pytest.fixture
+def library(tmp_path: Path, rosarch: Callable, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of a library of one package, beside the workspace `robot` that uses it."""
+    monkeypatch.chdir(tmp_path)
+    write(tmp_path / "src/base", FILES)
+    options = ("--origin", "https://example.com/base.git", "--revision", "1.2", "--distribution", "humble", "--files", "-o", "library")
+    done = rosarch("library", "build", "src", *options, "-v")
+    assert done.code == 0, done.err
+    assert "wrong.launch.py:1:1: left out: generate_launch_description returns no description" in done.err
+    return tmp_path / "library"
 
 
-@pytest.mark.parametrize(("data", "message"), WRONG, ids=lambda value: value[:40] if isinstance(value, str) else "")
-def test_what_is_wrong_is_said(tmp_path: Path, data: Any, message: str) -> None:
-    path = tmp_path / "p.json"
-    path.write_text(json.dumps(data))
-    assert str(read_library_file(path)) == f"{path}:1:1: {message}"
+def test_what_is_kept_is_data_and_says_where_it_is_from(library: Path) -> None:
+    share = library / "ros2/share/base"
+    kept = {path.relative_to(share).as_posix() for path in share.rglob("*") if path.is_file()}
+    launch = {"launch/base.launch.py.json", "launch/made.launch.py.json", "launch/more.launch.xml"}
+    assert kept == {"package.xml", "origin.yaml", *launch, "config/base.yaml", "msg/Level.msg", "urdf/base.xacro"}
+    texts = [(share / name).read_text() for name in kept]
+    assert not any(word in text for text in texts for word in ("a comment", "def ", "import", "what it is for", str(library.parent)))
+    assert yaml.safe_load((share / "origin.yaml").read_text()) == {
+        **{"package": "base", "version": "1.2.3", "licence": ["Apache-2.0"], "ros": 2},
+        **{"origin": "https://example.com/base.git", "revision": "1.2", "distributions": ["humble"]},
+    }
+    assert (share / "msg/Level.msg").read_text() == 'int32 value\nstring NAME = "a # b"\n'
+    assert "http://www.ros.org/wiki/xacro" in (share / "urdf/base.xacro").read_text()
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        (b'{"package":\n  oops}', "2:3: broken JSON: expecting value"),
-        (b'"\xff"', "1:1: is not UTF-8"),
-        (b"[" * 100_000, "1:1: is nested too deeply"),
-        (b'{"package": NaN}', "1:1: broken JSON: NaN is no number of JSON"),
-    ],
-)
-def test_files_that_are_no_json(tmp_path: Path, text: bytes, message: str) -> None:
-    path = tmp_path / "p.json"
-    path.write_bytes(text)
-    assert str(read_library_file(path)) == f"{path}:{message}"
+def test_a_description_starts_what_its_launch_file_starts(library: Path) -> None:
+    def composed(path: PackagePath, **arguments: str) -> Composition:
+        folder = Path(path.packages["base"])
+        file = Files(path).located(str(folder / "launch/base.launch.py"))
+        return compose([file], arguments, files=Files(path), environment={"SPEED": "2.5"})
+
+    def starts(found: Composition) -> list[tuple[object, ...]]:
+        return [(node.full_name, node.package, node.type, [(r.source, r.target) for r in node.remaps]) for node in found.nodes]
+
+    library_path = PackagePath([], Underlay(libraries=prefixes([library])))
+    sources = composed(PackagePath([library.parent / "src"]), speed="3.5")
+    described = composed(library_path, speed="3.5")
+    settings = [(one.name, one.value) for one in described.params]
+    assert starts(described) == starts(sources)[:1] == [("/robot/drive", "base", "drive", [("a", "b")])]
+    assert settings == [(one.name, one.value) for one in sources.params]
+    assert ("/robot/drive/speed", 3.5) in settings
+    assert [problem.message for problem in described.problems] == ["what `function` starts is not known"]
+    assert [include.text for include in composed(library_path, speed="1", other="true").includes] == ["$(find-pkg-share other)/x.launch.py"]
 
 
-def test_names_that_only_a_launch_file_tells() -> None:
-    relay = find("topic_tools", "relay")
-    assert relay and [(p.kind, p.from_arg, p.name) for p in relay.ports] == [("subscriber", 1, None), ("publisher", 2, "{1}_relay")]
-    ekf = find("robot_localization", "ekf_localization_node")
-    assert ekf and ekf.made == "generated, completed by hand"
-    patterns = {p.param_pattern: p.type for p in ekf.ports if p.param_pattern}
-    assert patterns["~imu[0-9]+"] == "sensor_msgs/Imu" and patterns["~odom[0-9]+"] == "nav_msgs/Odometry"
-    assert ("publisher", "odometry/filtered") in {(p.kind, p.name) for p in ekf.ports}
+def test_a_workspace_includes_what_the_library_has(library: Path, rosarch: Callable) -> None:
+    include = '<launch><include file="$(find-pkg-share base)/launch/more.launch.xml"/></launch>\n'
+    write(Path("robot"), {"package.xml": MANIFEST.format("robot"), "launch/main.launch.xml": include, "CMakeLists.txt": "project(robot)\n"})
+
+    def nodes(*options: str) -> list[str]:
+        done = rosarch("show", "graph", "robot", "--format", "json", *options)
+        return [node["name"] for system in json.loads(done.out) for node in system["nodes"]]
+
+    assert nodes("--library", "library") == ["/robot/drive"]
+    assert nodes() == []
+    done = rosarch("check", "robot", "--library", "library", "--format", "json")
+    found = json.loads(done.out)
+    assert "underlay" not in found
+    assert not any(str(library) in finding["file"] for finding in found["findings"])
+    write(Path("robot"), {"package.xml": MANIFEST.format("robot").replace("ament_cmake", "catkin")})
+    write(Path("robot"), {"launch/main.launch.xml": include.replace("find-pkg-share", "find")})
+    assert nodes("--library", "library") == []  # what is for ROS 2 is not for ROS 1
 
 
-def test_plugins_are_found_without_a_package() -> None:
-    debayer = find(None, "image_proc/debayer")
-    assert debayer and debayer == find("image_proc", "image_proc/debayer")
-    assert ("subscriber", "image_raw", "sensor_msgs/Image") in {(p.kind, p.name, p.type) for p in debayer.ports}
-    assert find("image_proc", "image_proc/debayr") is None
+def test_what_is_no_description_is_rejected(tmp_path: Path) -> None:
+    path = PackagePath([tmp_path])
+    write(tmp_path / "base", {"package.xml": MANIFEST.format("base")})
+    for text in ("", "[]", "{", '{"launch_description": {"is": "Exit", "line": 1}}', '{"launch_description": ' + "[" * 100_000):
+        write(tmp_path / "base", {"launch/x.launch.py.json": text})
+        found = compose([str(tmp_path / "base/launch/x.launch.py.json")], {}, files=Files(path), environment={})
+        assert [problem.message for problem in found.problems] == ["x.launch.py.json is no description of a launch"], text[:50]
