@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import sys
 from collections import defaultdict
 from dataclasses import dataclass, field
@@ -201,7 +202,11 @@ class Body:
         return expr
 
 
+_QUOTED = re.compile(r"'(?:\\.|[^'\\])*'|\"([^\"'\\]*)\"")
+
+
 def _folded(written: bytes) -> str:
-    """On one line: what joins lines in the source is left out."""
+    """On one line, with one kind of quotes, so that equal texts are written alike: what joins lines in the source is left out."""
     joined = written.replace(b"\\\r\n", b" ").replace(b"\\\n", b" ")
-    return " ".join(joined.decode("utf-8", "replace").split())
+    text = " ".join(joined.decode("utf-8", "replace").split())
+    return _QUOTED.sub(lambda quoted: quoted[0] if quoted[1] is None else f"'{quoted[1]}'", text)
