@@ -209,6 +209,25 @@ def _member(body: Body, node: ast.Attribute, classes: Sequence[Class]) -> str:
     return use(body, node, body.facts.unknown_member(node.attr), owner)
 
 
+def call_setters(body: Body, target: ast.expr, value: str) -> bool:
+    """Record that an assignment of `value` to a property calls the setter; whether `target` is one that has a setter."""
+    if not isinstance(target, ast.Attribute):
+        return False
+    objects = [value for value in by_name(body.inference.values(target.value, body.scope)) if isinstance(value, InstanceValue)]
+    members = [each.cls.find(target.attr) for each in objects]
+    setters = [member.setter for member in members if isinstance(member, Function) and member.setter is not None]
+    if not setters:
+        return False
+    expr = body.node(target, "call")
+    body.facts.add("call", expr, target.attr)
+    body.facts.add("call_receiver", expr, lower(body, target.value))
+    body.facts.add("call_argument", expr, 0, value)
+    for setter in setters:
+        body.facts.add("call_function", expr, body.facts.function(setter))
+    body.flow.evaluate(expr)
+    return True
+
+
 def _subscript(body: Body, node: ast.expr) -> str:
     assert isinstance(node, ast.Subscript)
     value, index = lower(body, node.value), lower(body, node.slice)

@@ -113,7 +113,7 @@ class Function:
     """A function with a body in the workspace, a declared one (of a stub), or one that is only known by name (no `node`).
 
     `of_class` says that its first parameter is the class; `is_factory`, that it is a `__new__` that makes no object of its class;
-    `is_context`, that what it yields is what `with` gives.
+    `is_context`, that what it yields is what `with` gives. `setter` is what an assignment to a property calls.
     """
 
     identifier: str
@@ -126,6 +126,7 @@ class Function:
     parameters: list[Variable] = field(default_factory=list)
     receiver: str = ""
     is_property: bool = False
+    setter: Function | None = None
     of_class: bool = False
     is_factory: bool = False
     is_context: bool = False

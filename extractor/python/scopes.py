@@ -135,6 +135,9 @@ class _Binder:
         accessor = any(_decorator(decorator).endswith((".setter", ".deleter")) for decorator in node.decorator_list)
         if not accessor and not any(_decorator(decorator).endswith("overload") for decorator in node.decorator_list):
             self.scope.names[name] = function
+        getter = self.scope.names.get(name)
+        if isinstance(getter, Function) and any(_decorator(decorator).endswith(".setter") for decorator in node.decorator_list):
+            getter.setter = function
         for default in [*node.args.defaults, *node.args.kw_defaults, *node.decorator_list]:
             if default is not None:
                 for expression in _within(default):

@@ -24,18 +24,27 @@ def lower_statements(body: Body, nodes: Sequence[ast.stmt]) -> None:
 
 
 def assign(body: Body, target: ast.expr, value: str, node: ast.AST, whole: ast.expr | None = None) -> None:
-    """`target` is given `value`; its parts get parts of it, which are written as the `whole` is."""
-    from rosarch.extractor.python.expressions import literal, lower
+    """`target` is given `value`; its parts get parts of it, which are written as elements of the `whole`."""
+    from rosarch.extractor.python.expressions import call_setters, literal, lower
 
     if isinstance(target, (ast.Tuple, ast.List)):
         for index, part in enumerate(target.elts):
             element = body.operator(part, "[]", value, literal(body, part, index))
             if whole is not None:
-                body.written(element, whole)
-            assign(body, part.value if isinstance(part, ast.Starred) else part, element, part, whole)
+                body.facts.add("expr_text", element, f"{_operand_text(body, whole)}[{index}]")
+            assign(body, part.value if isinstance(part, ast.Starred) else part, element, part)
+        return
+    if call_setters(body, target, value):
         return
     place = lower(body, target, text=True)
     body.flow.evaluate(body.operator(node, "=", place, value))
+
+
+def _operand_text(body: Body, node: ast.expr) -> str:
+    """The text of an expression as an operand, in brackets where it needs them."""
+    text = body.text(node)
+    alone = isinstance(node, (ast.Name, ast.Attribute, ast.Call, ast.Subscript, ast.Constant)) or text.startswith(("(", "["))
+    return text if alone else f"({text})"
 
 
 def _assign(body: Body, node: ast.Assign) -> None:
@@ -44,7 +53,8 @@ def _assign(body: Body, node: ast.Assign) -> None:
     target = node.targets[0]
     if len(node.targets) == 1 and isinstance(target, (ast.Tuple, ast.List)) and isinstance(node.value, (ast.Tuple, ast.List)):
         parts = node.value.elts
-        if len(parts) == len(target.elts) and not any(isinstance(part, ast.Starred) for part in (*parts, *target.elts)):
+        starred = any(isinstance(part, ast.Starred) for part in (*parts, *target.elts))
+        if len(parts) == len(target.elts) and not starred and not _exchanges(target.elts, parts):
             values = [lower(body, part, text=True) for part in parts]
             for part, value in zip(target.elts, values, strict=True):
                 assign(body, part, value, part)
@@ -54,6 +64,16 @@ def _assign(body: Body, node: ast.Assign) -> None:
         return
     for target in node.targets:
         assign(body, target, value, node, node.value)
+
+
+def _exchanges(targets: Sequence[ast.expr], values: Sequence[ast.expr]) -> bool:
+    """Whether a value reads what a target before it is given: `a, b = b, a` is no assignment after the other."""
+    written: set[str] = set()
+    for target, value in zip(targets, values, strict=True):
+        if written and any(isinstance(part, ast.expr) and ast.unparse(part) in written for part in ast.walk(value)):
+            return True
+        written.add(ast.unparse(target))
+    return False
 
 
 def _declares(body: Body, target: ast.expr, value: str, node: ast.stmt) -> bool:

@@ -180,3 +180,30 @@ def test_modules_that_import_each_other_and_themselves(tmp_path: Path) -> None:
         tmp_path, "from other import *\nfrom main import *\nf()\nclass A(A): pass\n", other="from main import *\nfrom other import *\n"
     )
     assert problems == [] and ("main::A", "main::A") not in rows.get("class_base", ())
+
+
+def test_an_assignment_to_a_property_calls_its_setter(tmp_path: Path) -> None:
+    source = (
+        "class A:\n    @property\n    def level(self):\n        return 1\n    @level.setter\n    def level(self, value):\n"
+        "        self.x = value\n    def f(self):\n        self.level = 5\n"
+    )
+    rows, _ = extract(tmp_path, source)
+    assert callees(rows)["9"] == {"main::A::level"}
+    texts = dict(rows["expr_text"])
+    assert {(index, texts[value]) for call, index, value in rows["call_argument"] if str(call).split(":")[1] == "9"} == {(0, "5")}
+    assert not [expr for expr, sign in rows["operator"] if sign == "=" and str(expr).split(":")[1] == "9"]
+
+
+def test_parts_of_what_is_unpacked_are_told_apart(tmp_path: Path) -> None:
+    rows, _ = extract(tmp_path, "a = b = c = d = 0\na, b = f()\nc, d = 1, 2\nc, d = d, c\n")
+    texts, parts = dict(rows["expr_text"]), {(expr, index): part for expr, index, part in rows["operand"]}
+    given = [
+        (texts[parts[expr, 0]], texts[parts[expr, 1]]) for expr, sign in rows["operator"] if sign == "=" and str(expr).split(":")[1] != "1"
+    ]
+    assert set(given) == {("a", "f()[0]"), ("b", "f()[1]"), ("c", "1"), ("d", "2"), ("c", "(d, c)[0]"), ("d", "(d, c)[1]")}
+
+
+def test_texts_are_written_with_one_kind_of_quotes(tmp_path: Path) -> None:
+    rows, _ = extract(tmp_path, 'print(f("x"), f(\'x\'), f("it\'s"))\n')
+    texts = {text for _, text in rows["expr_text"]}
+    assert {"f('x')", 'f("it\'s")'} <= texts and 'f("x")' not in texts
