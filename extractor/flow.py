@@ -68,6 +68,11 @@ class Flow:
         if expr not in self.current.exprs[-1:]:
             self.current.exprs.append(expr)
 
+    @property
+    def guarded(self) -> bool:
+        """Whether what is evaluated now stands in a try block with handlers."""
+        return any(handlers for handlers, _ in self._handlers)
+
     def read(self, expr: str) -> None:
         """Record that the variable named by `expr` is read (or named as a target) now."""
         self.current.exprs.append(expr)

@@ -231,7 +231,10 @@ def call_setters(body: Body, target: ast.expr, value: str) -> bool:
 def _subscript(body: Body, node: ast.expr) -> str:
     assert isinstance(node, ast.Subscript)
     value, index = lower(body, node.value), lower(body, node.slice)
-    return body.operator(node, "[]", value, index)
+    expr = body.operator(node, "[]", value, index)
+    if body.flow.guarded and isinstance(node.ctx, ast.Load):
+        body.flow.evaluate(expr)  # there may be no such element
+    return expr
 
 
 def _slice(body: Body, node: ast.Slice) -> str:

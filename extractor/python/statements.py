@@ -319,6 +319,18 @@ def _raise(body: Body, node: ast.Raise) -> None:
     body.flow.throw()
 
 
+def _assert(body: Body, node: ast.Assert) -> None:
+    """`if not test: raise AssertionError`."""
+    from rosarch.extractor.python.expressions import lower
+
+    holds, fails = body.flow.branch(lower(body, node.test, text=True))
+    body.flow.start(fails)
+    operands = [lower(body, node.msg)] if node.msg is not None else []
+    body.flow.evaluate(body.operator(node, "throw", *operands, form="throw"))
+    body.flow.throw()
+    body.flow.start(holds)
+
+
 def _match(body: Body, node: ast.Match) -> None:
     """One case after the other is asked for."""
     from rosarch.extractor.python.expressions import lower
@@ -370,6 +382,7 @@ _STATEMENTS: dict[type[ast.stmt], Callable[..., None]] = {
     ast.Try: _try,
     ast.Return: _return,
     ast.Raise: _raise,
+    ast.Assert: _assert,
     ast.Match: _match,
     ast.FunctionDef: definitions.lower_definition,
     ast.AsyncFunctionDef: definitions.lower_definition,

@@ -383,9 +383,13 @@ def generate_launch_description():
 """
 
 
+ANEW = ECHO.replace("if (prefix_", 'get_parameter("prefix", prefix_);\n      if (prefix_')
+
+
 @pytest.mark.slow
-def test_a_text_decides_what_a_callback_does(tmp_path: Path) -> None:
-    files = {"package.xml": SOURCES_MANIFEST, "CMakeLists.txt": SOURCES_CMAKE, "src/grid.cpp": ECHO, "main.launch.py": ECHOES}
+@pytest.mark.parametrize(("source", "expected"), [(ECHO, {"/loud": [True], "/quiet": []}), (ANEW, {"/loud": [False], "/quiet": [False]})])
+def test_a_text_decides_what_a_callback_does_unless_it_is_read_anew(tmp_path: Path, source: str, expected: dict[str, list[bool]]) -> None:
+    files = {"package.xml": SOURCES_MANIFEST, "CMakeLists.txt": SOURCES_CMAKE, "src/grid.cpp": source, "main.launch.py": ECHOES}
     for name, text in files.items():
         (tmp_path / "grid" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "grid" / name).write_text(text)
@@ -393,4 +397,4 @@ def test_a_text_decides_what_a_callback_does(tmp_path: Path) -> None:
     analysis = analyze_systems(tmp_path, given([parse_request("grid/main.launch.py")], where), Method(sources=Settings(jobs=1)))
     models = {model.title: model for model in analysis.models}
     found = {node.name: [reaction.must for reaction in models[node.component].behavior.reactive] for node in analysis.systems[0].nodes}
-    assert found == {"/loud": [True], "/quiet": []}
+    assert found == expected

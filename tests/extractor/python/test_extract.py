@@ -207,3 +207,13 @@ def test_texts_are_written_with_one_kind_of_quotes(tmp_path: Path) -> None:
     rows, _ = extract(tmp_path, 'print(f("x"), f(\'x\'), f("it\'s"))\n')
     texts = {text for _, text in rows["expr_text"]}
     assert {"f('x')", 'f("it\'s")'} <= texts and 'f("x")' not in texts
+
+
+def test_an_assertion_raises_and_elements_may_be_absent(tmp_path: Path) -> None:
+    rows, _ = extract(
+        tmp_path, "def f(d, k):\n    assert k > 0, 'k'\n    try:\n        d[k]\n    except KeyError:\n        return 1\n    return 2\n"
+    )
+    assert {str(expr).split(":")[1] for expr, sign in rows["operator"] if sign == "throw"} == {"2"}
+    element = next(expr for expr, sign in rows["operator"] if sign == "[]")
+    block = next(block for block, _, expr in rows["block_expr"] if expr == element)
+    assert "exception" in {label for start, _, label in rows["block_edge"] if start == block}
