@@ -48,6 +48,8 @@ TRAITS = {
     "out_of_line": ("place", "place"),
     "several_orders": ("place", "place"),
     "perhaps_always": ("port", "port"),
+    "rejects_goals": ("port",),
+    "sleeps_for_each": ("port", "text", "text"),
     "synchronised": ("port", "port"),
     "waits_for": ("place", "port"),
     "provides_after": ("port", "place"),
