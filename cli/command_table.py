@@ -29,6 +29,7 @@ COMMANDS = {
     "probe": "probe",
     "doctor": "doctor",
     "ask": "ask",
+    "why-silent": "why_silent",
     "query": "query",
     "explain": "explain",
     "why-not": "explain:why_not",
@@ -58,6 +59,8 @@ SUMMARIES = {
     "probe": "Run one node, send it the messages of its model, and report which reactions and transitions it really has.",
     "doctor": "Report what was replaced, missing, unresolved or slow in the packages below DIR, and what to do about it.",
     "ask": "Answer a QUESTION about the systems that launch files below DIR start: which message can, or must, cause which, and how often.",
+    "why-silent": "Say why nothing arrives on TOPIC in the systems that launch files below DIR start: the chain back to the first broken"
+    " link.",
     "query": "List the rows that match QUERY, for each node and nodelet below DIR.",
     "explain": "Print the proof of ROW: the rules and rows it depends on, down to the source lines.",
     "why-not": "Show, for every rule that could derive ROW, how far it gets and what is missing, with the nearest rows that exist.",
