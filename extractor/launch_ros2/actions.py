@@ -27,7 +27,7 @@ _SILENT = frozenset(
     {
         *("LogInfo", "Shutdown", "UnregisterEventHandler", "ReadyToTest", "SetROSLogDir"),
         # groups do this; by hand it is next to never done
-        *("PushLaunchConfigurations", "PopLaunchConfigurations", "PushEnvironment", "PopEnvironment", "ResetEnvironment"),
+        *("PushLaunchConfigurations", "PopLaunchConfigurations", "PushEnvironment", "PopEnvironment"),
     }
 )
 
@@ -131,6 +131,8 @@ def _group(world: World, made: Made, context: Context) -> None:
         return
     with context.scoped():
         own = _performed(world, given, context)
+        if forwarding is False:
+            context.environment = {}
         _put(context, own, alone=forwarding is False)
         visit(world, made.get("actions"), context)
 
@@ -138,8 +140,13 @@ def _group(world: World, made: Made, context: Context) -> None:
 def _put(context: Context, configurations: Mapping[str, str], *, alone: bool) -> None:
     """Set configurations, `alone` in the place of all others: of these, one whose name is not known may be any."""
     if alone and all(map(is_known, configurations)):
-        context.configurations.clear()
+        context.clear()
     context.put(configurations)
+
+
+@carries_out("ResetEnvironment")
+def _reset_environment(_world: World, _made: Made, context: Context) -> None:
+    context.environment.clear()
 
 
 def _performed(world: World, given: Any, context: Context) -> dict[str, str]:
@@ -277,21 +284,27 @@ def joined(outer: str, inner: str) -> str:
 def _remap(world: World, made: Made, context: Context) -> None:
     remap = Remap(perform(world, made.get("src"), context), perform(world, made.get("dst"), context), world.state.here, context.conditions)
     world.state.remaps.append(remap)
-    context.remaps = (*context.remaps, remap)
+    context.add_remap(remap)
 
 
-@carries_out("SetParameter", "SetUseSimTime")
+@carries_out("SetParameter")
 def _parameter(world: World, made: Made, context: Context) -> None:
-    name = "use_sim_time" if made.kind == "SetUseSimTime" else perform(world, made.get("name"), context)
-    kept = tuple(given for given in context.params if given.name != name or context.conditions)
-    context.params = (*kept, Given(made.arguments.get("value"), world.state.here, context.conditions, name=name, shared=True))
+    name = perform(world, made.get("name"), context)
+    context.add_params(Given(made.arguments.get("value"), world.state.here, context.conditions, name=name, shared=True))
+
+
+@carries_out("SetUseSimTime")
+def _sim_time(_world: World, made: Made, _context: Context) -> None:
+    """The clock of launch's own node; no other gets the parameter."""
+    if not isinstance(made.arguments.get("value"), (Unknown, Either)) and made.arguments.get("value") is not True:
+        raise LaunchError("parameter", "use_sim_time", "SetUseSimTime fails unless its value is the Boolean True")
 
 
 @carries_out("SetParametersFromFile")
 def _parameters(world: World, made: Made, context: Context) -> None:
     node = made.get("node_name")
     name = None if node is None else perform(world, node, context)
-    context.params = (*context.params, Given(made.get("filename"), world.state.here, context.conditions, node=name, shared=True))
+    context.add_params(Given(made.get("filename"), world.state.here, context.conditions, node=name, shared=True))
 
 
 @carries_out("OpaqueFunction")

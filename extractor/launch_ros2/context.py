@@ -56,6 +56,8 @@ class Moment:
 class Context:
     """The state of launch. What a group keeps to itself is put back when the group ends; an included file changes its includer's.
 
+    Remappings and parameters for all nodes are lists that groups share, as in launch: what a group adds to one of before stays.
+
     `origins` are those of configurations that are arguments; `environment` is what differs from the environment `outside`, with None for a
     variable that was unset.
     """
@@ -66,8 +68,8 @@ class Context:
     outside: Mapping[str, str] = field(default_factory=dict)
     environment: dict[str, str | None] = field(default_factory=dict)
     namespace: str = ""
-    remaps: tuple[Remap, ...] = ()
-    params: tuple[Given, ...] = ()
+    remaps: list[Remap] = field(default_factory=list)
+    params: list[Given] = field(default_factory=list)
     conditions: tuple[Condition, ...] = ()
     held: tuple[Condition, ...] = ()
     lines: tuple[Place, ...] = ()
@@ -82,6 +84,19 @@ class Context:
     def allows(self, condition: Condition) -> bool:
         """Whether something under this condition, too, may be there."""
         return not exclusive(self.conditions, (condition,))
+
+    def add_remap(self, remap: Remap) -> None:
+        """Give a remapping to all nodes that follow."""
+        self.remaps = _extended(self.remaps, remap)
+
+    def add_params(self, given: Given) -> None:
+        """Give parameters to all nodes that follow."""
+        self.params = _extended(self.params, given)
+
+    def clear(self) -> None:
+        """Forget all configurations, of which namespace, remappings and parameters for all nodes are some."""
+        self.configurations.clear()
+        self.namespace, self.remaps, self.params = "", [], []
 
     def put(self, values: Mapping[str, str]) -> None:
         """Set configurations, for all that follows."""
@@ -159,3 +174,11 @@ class Context:
             yield
         finally:
             self.file, self.lines = kept
+
+
+def _extended(items: list[Any], item: Any) -> list[Any]:
+    """A list with one more item: the same list, unless there was none."""
+    if not items:
+        return [item]
+    items.append(item)
+    return items

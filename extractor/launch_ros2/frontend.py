@@ -17,12 +17,13 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Entity:
-    """An element: its name, attributes (texts; in YAML also numbers and lists) and children, and where it is."""
+    """An element: its name, attributes and children, and where it is. Those of YAML are `typed`: numbers are no texts."""
 
     name: str
     attributes: dict[str, Any]
     place: Place
     children: list[Entity] = field(default_factory=list)
+    typed: bool = False
 
     def named(self, *names: str) -> list[Entity]:
         """The children of these names."""
@@ -94,14 +95,7 @@ def _condition(child: Entity) -> Made | None:
 
 def text(child: Entity, name: str) -> Any:
     """The substitutions of an attribute; None when it is not there."""
-    found = child.attributes.get(name)
-    if found is None:
-        return None
-    return parsed(found if isinstance(found, str) else _plain(found), child.place)
-
-
-def _plain(value: Any) -> str:
-    return str(value).lower() if isinstance(value, bool) else str(value)
+    return parsed(raw(child, name), child.place) if name in child.attributes else None
 
 
 def required(child: Entity, *names: str) -> Any:
@@ -131,7 +125,10 @@ def raw(child: Entity, name: str) -> str:
     """The text of an attribute that must be there, as it is written."""
     if name not in child.attributes:
         raise LaunchError("attribute", name, f"<{child.name}> has no attribute `{name}`")
-    return _plain(child.attributes[name])
+    found = child.attributes[name]
+    if not isinstance(found, str):
+        raise LaunchError("attribute", name, f"the attribute `{name}` of <{child.name}> must be a text")
+    return found
 
 
 @element("arg")
@@ -171,12 +168,13 @@ def _remap(_world: World, child: Entity) -> Made:
 
 @element("set_parameter")
 def _set_parameter(_world: World, child: Entity) -> Made:
-    return made(child, "SetParameter", name=required(child, "name"), value=value_of(child))
+    value = Made("ParameterValue", {"value": required(child, "value"), "value_type": "auto"}, child.place)
+    return made(child, "SetParameter", name=required(child, "name"), value=value)
 
 
 @element("set_use_sim_time")
 def _sim_time(_world: World, child: Entity) -> Made:
-    return made(child, "SetUseSimTime", value=value_of(child))
+    return made(child, "SetUseSimTime", value=required(child, "value"))
 
 
 @element("set_parameters_from_file")
@@ -209,7 +207,9 @@ def _reset(_world: World, child: Entity) -> Made:
 
 @element("timer", "ros_timer")
 def _timer(world: World, child: Entity) -> Made:
-    return made(child, "TimerAction", period=required(child, "period"), actions=actions_of(world, child))
+    found = child.attributes.get("period")
+    period = str(found) if isinstance(found, float) else required(child, "period")
+    return made(child, "TimerAction", period=period, actions=actions_of(world, child))
 
 
 @element("for_each")
@@ -273,6 +273,7 @@ def _composable(parent: Entity) -> list[Made]:
     found = []
     for child in parent.named("composable_node"):
         one = made(child, "ComposableNode", package=required(child, "pkg"), plugin=required(child, "plugin"), **_of_node(child))
+        required(child, "name")
         one.arguments["condition"] = _condition(child)
         found.append(one)
     return found
@@ -285,7 +286,7 @@ def _param(child: Entity) -> Made:
     inner = child.named("param")
     if inner:
         return made(child, "ParameterGroup", name=required(child, "name"), parameters=[_param(one) for one in inner])
-    return made(child, "Parameter", name=required(child, "name"), value=value_of(child))
+    return made(child, "ParameterEntry", name=required(child, "name"), value=value_of(child))
 
 
 def value_of(child: Entity) -> Any:
@@ -294,7 +295,7 @@ def value_of(child: Entity) -> Any:
     kind = child.attributes.get("type", "auto")
     if found is None:
         raise LaunchError("attribute", "value", f"<{child.name}> has no attribute `value`")
-    if not isinstance(found, str):
+    if not isinstance(found, str) or (child.typed and "$(" not in found):
         return found
     separator = child.attributes.get("value-sep")
     if separator:

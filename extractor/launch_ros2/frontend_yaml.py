@@ -48,7 +48,7 @@ class _Elements:
 
     def element(self, name: str, mark: yaml.Mark, node: yaml.Node, depth: int) -> Entity:
         """An element called `name`, which is at `mark`."""
-        entity = Entity(name, {}, Place(self.path, mark.line + 1, mark.column + 1))
+        entity = Entity(name, {}, Place(self.path, mark.line + 1, mark.column + 1), typed=True)
         if isinstance(node, yaml.SequenceNode):
             entity.children.extend(self.of_list(node, depth))
         for key, value in node.value if isinstance(node, yaml.MappingNode) else ():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -52,6 +52,38 @@ class Read:
     file: ParamsFile
 
 
+_MAPS = ("ParameterEntry", "ParameterGroup")
+"""What the elements of XML and YAML are that give a parameter: as in Python, maps."""
+
+
+def is_map(value: Any) -> bool:
+    """Whether a node is given a map, for which launch_ros writes a file."""
+    return isinstance(value, Mapping) or (isinstance(value, Made) and value.kind in _MAPS)
+
+
+def in_order_of_rcl(found: Iterable[Setting | Unread | Read]) -> Iterator[Setting | Unread | Read]:
+    """What a process is given, in the order in which rcl has it override each other: all for one key, in the place of the first.
+
+    Of values with several types for one key, the first type of rcl's list counts, as it keeps one of each.
+    """
+    groups: dict[str, list[Setting | Unread | Read]] = {}
+    for one in found:
+        groups.setdefault(one.nodes if isinstance(one, Setting) else "", []).append(one)
+    for group in groups.values():
+        yield from sorted(group, key=_rank, reverse=True)
+
+
+def _rank(found: Setting | Unread | Read) -> int:
+    """The place of a value's type in rcl's list; the first for what has no value."""
+    value = found.value if isinstance(found, Setting) else None
+    several = isinstance(value, list)
+    kind = type(value[0]) if several and value else type(value)
+    return (_TYPES.index(kind) if kind in _TYPES else len(_TYPES)) + len(_TYPES) * several
+
+
+_TYPES = (bool, int, float, str)
+
+
 def settings(world: World, given: Given, name: str | None, context: Context) -> Iterator[Setting | Unread | Read]:
     """What one entry of a list of parameters sets for the node of this (absolute) name; without a name, for any node."""
     value = given.value
@@ -65,7 +97,7 @@ def settings(world: World, given: Given, name: str | None, context: Context) -> 
         for condition, one in value.alternatives():
             if one is not NOTHING:
                 yield from settings(world, Given(one, given.place, (*given.conditions, condition)), name, context)
-    elif isinstance(value, Made) and value.kind in ("Parameter", "ParameterGroup"):
+    elif isinstance(value, Made) and value.kind in ("Parameter", *_MAPS):
         yield from _of_parameter(world, "", value, given, context)
     elif isinstance(value, Unknown):
         yield Unread(world.as_text(value), given.place)
@@ -79,7 +111,8 @@ def _of_map(world: World, value: Mapping[Any, Any], given: Given, context: Conte
         if isinstance(item, Mapping):
             yield from _of_map(world, item, given, context, f"{name}.")
         elif item is not NOTHING:
-            yield Setting(name, _arriving(evaluated(world, item, context), given), given.place, given.conditions)
+            value = _arriving(evaluated(world, item, context), given)
+            yield Setting(name, value, given.place, given.conditions, nodes=given.node or ALL)
 
 
 def _arriving(value: Any, given: Given) -> Any:
@@ -94,7 +127,7 @@ def _of_parameter(world: World, prefix: str, made: Made, given: Given, context: 
             yield from _of_parameter(world, f"{name}.", inner, given, context)
     else:
         value = _arriving(evaluated(world, made.arguments.get("value"), context), given)
-        yield from _flat(name, value, Given(given.value, made.place, given.conditions))
+        yield from _flat(name, value, Given(given.value, made.place, given.conditions, node=given.node))
 
 
 def _flat(name: str, value: Any, given: Given) -> Iterator[Setting]:
@@ -102,7 +135,7 @@ def _flat(name: str, value: Any, given: Given) -> Iterator[Setting]:
         for key, item in value.items():
             yield from _flat(f"{name}.{key}", item, given)
     else:
-        yield Setting(name, value, given.place, given.conditions)
+        yield Setting(name, value, given.place, given.conditions, nodes=given.node or ALL)
 
 
 def evaluated(world: World, value: Any, context: Context) -> Any:

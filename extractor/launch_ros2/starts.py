@@ -24,7 +24,7 @@ from rosarch.extractor.launch.model import (
 from rosarch.extractor.launch.names import canonical, ns_join
 from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined
 from rosarch.extractor.launch_ros2.context import Context, Given
-from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, settings
+from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
 from rosarch.extractor.launch_ros2.rcl_values import read
 from rosarch.extractor.launch_ros2.substitutions import perform
@@ -84,12 +84,12 @@ def start_node(world: World, made: Made, context: Context) -> NodeStart:
     """Start a node as a process."""
     given = _ros_arguments(world, _words(world, made, context))
     package, executable = perform(world, made.get("package"), context), perform(world, made.get("executable", "node_executable"), context)
-    name = perform(world, made.get("name", "node_name"), context) or given.name
+    name = given.name or perform(world, made.get("name", "node_name"), context) or None
     namespace = joined(context.namespace, perform(world, made.get("namespace", "node_namespace"), context))
     namespace = joined("", given.namespace) if given.namespace is not None else namespace
-    remaps = [*context.remaps, *_remaps(world, made, context), *given.remaps]
+    remaps = [*given.remaps, *context.remaps, *_remaps(world, made, context)]  # as they stand on the command line
     _refer(world, package, executable, made.place)
-    params = [*context.params, *_given(made), *given.params]
+    params = [*given.params, *context.params, *_given(made)]
     return _start(world, made, context, (package, executable, name, namespace), remaps, params, " ".join(map(shlex.quote, given.plain)))
 
 
@@ -159,28 +159,35 @@ def _start(
         called=called,
         container=container,
     )
-    started = _with_parameters(world, started, params, context)
+    specified = name is not None and (namespace != "" or made.get("namespace", "node_namespace") is not None)
+    started = _with_parameters(world, started, params, context, specified=specified)
     world.state.add_node(started, fatal=False, anew=context.anew)
     return started
 
 
-def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], context: Context) -> NodeStart:
-    """The node, whose parameters are set; it keeps what is given to its process, for other nodes that it makes."""
+def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], context: Context, *, specified: bool) -> NodeStart:
+    """The node, whose parameters are set; it keeps what is given to its process, for other nodes that it makes.
+
+    Maps are written for the node alone when its name and namespace are `specified`, else for all of its process.
+    """
     kept: list[ProcessSetting] = []
     files: dict[str, ParamsGiven] = {}
-    for given in params:
-        for found in settings(world, replace(given, loaded=started.container is not None), None, context):
-            if isinstance(found, Read):
-                files[found.path] = _sections(found)
-                continue
-            setting = _setting(world, found, context)
-            if isinstance(found, Unread):
-                kept.append(ProcessSetting(ALL, setting, read=False))
-                world.state.unread.append(replace(setting, name=started.full_name))
-                continue
-            kept.append(ProcessSetting(found.nodes, setting))
-            if found.is_for(started.full_name):
-                world.state.set_param(replace(setting, name=f"{started.full_name}/{setting.name}"))
+    loaded = started.container is not None
+    own = started.full_name if specified and not loaded else None
+    given_all = (replace(given, loaded=loaded, node=given.node or (own if is_map(given.value) else None)) for given in params)
+    everything = [found for given in given_all for found in settings(world, given, None, context)]
+    for found in everything if loaded else in_order_of_rcl(everything):
+        if isinstance(found, Read):
+            files[found.path] = _sections(found)
+            continue
+        setting = _setting(world, found, context)
+        if isinstance(found, Unread):
+            kept.append(ProcessSetting(ALL, setting, read=False))
+            world.state.unread.append(replace(setting, name=started.full_name))
+            continue
+        kept.append(ProcessSetting(found.nodes, setting))
+        if found.is_for(started.full_name):
+            world.state.set_param(replace(setting, name=f"{started.full_name}/{setting.name}"))
     process = tuple(kept) if started.container is None else ()
     return replace(started, params_files=tuple(files.values()), given=() if started.name else tuple(kept), process=process)
 

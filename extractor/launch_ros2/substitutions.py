@@ -94,6 +94,8 @@ def _configuration(world: World, made: Made, context: Context) -> str:
     world.references.append(ArgumentUsed(name, world.state.here))
     if name in context.configurations:
         return context.configurations[name]
+    if name == "ros_namespace" and context.namespace:
+        return context.namespace
     if "default" in made.arguments and made.arguments["default"] is not None:
         return perform(world, made.arguments["default"], context)
     if not _is_open(world, name):

@@ -248,7 +248,7 @@ def test_parameters_for_all_nodes(tmp_path: Path) -> None:
     )
     yaml = "/**:\n  ros__parameters: {all: 1, any: 2}\na/n:\n  ros__parameters: {exact: 3}\na:\n  m: {ros__parameters: {no: 4}}\n/*/n:\n  ros__parameters: {star: 5}\n/*:\n  ros__parameters: {no: 6}\n"
     found = composed(tmp_path, {"main.launch.py": main, "p.yaml": yaml})
-    own = {"use_sim_time": True, "all": 3, "any": 2, "exact": 3, "star": 5, "s": "text", "own": "1"}
+    own = {"all": 3, "any": 2, "exact": 3, "star": 5, "s": "text", "own": "1"}
     assert params(found) == {f"/a/n/{name}": value for name, value in own.items()}
     written = {setting.name: setting.written for setting in found.params}
     assert (written["/a/n/exact"], written["/a/n/s"]) != (None, None)

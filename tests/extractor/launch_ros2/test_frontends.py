@@ -25,7 +25,7 @@ def test_xml(tmp_path: Path) -> None:
 <include file="$(dirname)/other.xml"><arg name="z" value="$(var b)"/></include>
 <node_container pkg="rclcpp_components" exec="component_container" name="box" namespace="">
   <composable_node pkg="here" plugin="here::One" name="one"><param name="p" value="v"/></composable_node></node_container>
-<load_composable_node target="/box"><composable_node pkg="here" plugin="here::Two" unless="true"/></load_composable_node>
+<load_composable_node target="/box"><composable_node pkg="here" plugin="here::Two" name="two" unless="true"/></load_composable_node>
 <executable cmd="ros2 run here tool"/><node pkg="here" exec="run" name="$(anon x)"/>"""
     other = '<launch><arg name="z"/><node pkg="here" exec="run" name="o"><param name="z" value="$(var z)"/></node></launch>'
     found = xml(tmp_path, content, other_xml=other, p_yaml="/g/n:\n  ros__parameters: {f: 2.5}\n")
@@ -33,7 +33,7 @@ def test_xml(tmp_path: Path) -> None:
     assert names(found) == ["/g/n", "/o", "/box", "/one", "/tool", "/$(anon x)"]
     (first, *_rest) = found.nodes
     assert first.args == "-d 'a b'"
-    assert [(remap.source, remap.target) for remap in first.remaps] == [("x", "y"), ("~in", "/out"), ("c", "d")]
+    assert [(remap.source, remap.target) for remap in first.remaps] == [("c", "d"), ("x", "y"), ("~in", "/out")]
     assert params(found) == {"/g/n/b": 2, "/g/n/s": "1", "/g/n/f": 2.5, "/g/n/deep.er": [1, 2], "/o/z": 2, "/one/p": "v"}
 
 
@@ -51,7 +51,7 @@ def test_yaml(tmp_path: Path) -> None:
           - {name: list, value: [1, 2]}
         remap:
           - {from: x, to: y}
-        if: true
+        if: 'true'
 - include:
     file: $(find-pkg-share here)/other.launch.yaml
     arg:

@@ -251,3 +251,73 @@ def test_a_package_that_colcon_leaves_out_is_not_there(tmp_path: Path) -> None:
     (tmp_path / "z_new").mkdir()
     (tmp_path / "z_new" / "package.xml").write_text(MANIFEST.format("old"))
     assert "no such file" in composed(tmp_path, {"main.launch.py": main, **files}).problems[0].message
+
+
+@pytest.mark.parametrize(
+    ("given", "value"),
+    [
+        ("{'p': 1}, ALL", 2), ("OWN, ALL", 2), ("ALL, OWN", 1), ("BOTH", 2), ("STAR, ALL", 2), ("ALL, STAR", 3), ("OWN, STAR", 3), ("STAR, OWN", 1),
+        ("ALL, TEXT", 2), ("{'p': 1}, {'p': 'x'}", 1), ("{'p': 'x'}, {'p': 1}", 1), ("OWN, TEXT", "x"), ("Parameter('p', 7), {'p': 1}", 1),
+        ("{'p': 1}, Parameter('p', 7)", 7), ("OWN, ALL, {'p': 9}", 2), ("ALL, Parameter('p', 'x')", 2),
+    ],
+)  # fmt: skip
+def test_what_overrides_what(tmp_path: Path, given: str, value: object) -> None:
+    """As rcl of Kilted said: keys of files override each other in the order in which they first came; of several types for a key, the first of its list."""
+    files = {
+        "ALL": "/**:\n  ros__parameters: {p: 2}\n",
+        "OWN": "/a/n:\n  ros__parameters: {p: 1}\n",
+        "BOTH": "/a/n:\n  ros__parameters: {p: 1}\n/**:\n  ros__parameters: {p: 2}\n",
+        "STAR": "/*/n:\n  ros__parameters: {p: 3}\n",
+        "TEXT": "/**:\n  ros__parameters: {p: x}\n",
+    }
+    head = (
+        HEAD
+        + "from launch_ros.descriptions import Parameter\n"
+        + "".join(f"{name} = os.path.join(os.path.dirname(__file__), {name!r})\n" for name in files)
+    )
+    found = composed(tmp_path, {"main.launch.py": head + _ends(f"node('n', namespace='a', parameters=[{given}])"), **files})
+    assert params(found) == {"/a/n/p": value}
+
+
+def test_a_group_adds_to_the_parameters_and_remappings_of_before(tmp_path: Path) -> None:
+    """launch copies the map of configurations for a group, not the lists in it."""
+    group = "GroupAction([SetParameter('q', 2), SetRemap('c', 'd')])"
+    assert params(described(tmp_path / "a", f"{group}, node('n')")) == {}
+    found = described(
+        tmp_path / "b", f"SetParameter('p', 1), SetRemap('a', 'b'), {group}, node('n'), GroupAction([node('m')], forwarding=False)"
+    )
+    assert params(found) == {"/n/p": 1, "/n/q": 2}
+    assert [(remap.source, remap.target) for remap in found.nodes[0].remaps] == [("a", "b"), ("c", "d")]
+    assert found.nodes[1].remaps == ()
+
+
+@pytest.mark.parametrize("entity", ["- node: {pkg: here, exec: run, name: 1}", "- node: {pkg: here, exec: run, if: true}", "- arg: {name: a, default: 2.5}",
+                                    "- timer: {period: 1, children: []}", "- set_use_sim_time: {value: 'true'}"])  # fmt: skip
+def test_yaml_has_texts_where_launch_asks_for_texts(tmp_path: Path, entity: str) -> None:
+    assert composed(tmp_path, {"main.launch.yaml": f"launch:\n{entity}\n"}).refusal is not None
+
+
+def test_texts_of_yaml_stay_texts(tmp_path: Path) -> None:
+    param = "[{name: a, value: '1'}, {name: b, value: $(var x)}, {name: c, value: 1}]"
+    text = f"launch:\n- node: {{pkg: here, exec: run, name: n, param: {param}}}\n- set_parameter: {{name: d, value: '2'}}\n- node: {{pkg: here, exec: run, name: m}}\n"
+    found = composed(tmp_path, {"main.launch.yaml": text}, {"x": "1"})
+    assert params(found) == {"/n/a": "1", "/n/b": 1, "/n/c": 1, "/m/d": 2}
+
+
+def test_arguments_of_a_node_stand_first(tmp_path: Path) -> None:
+    words = "['--ros-args', '-r', 'a:=first', '-r', '__node:=m', '-p', 'p:=1']"
+    found = described(tmp_path, f"SetRemap('a', 'second'), SetParameter('p', 2), node('n', arguments={words}, remappings=[('a', 'third')])")
+    (node,) = found.nodes
+    assert (node.name, [remap.target for remap in node.given_remaps]) == ("m", ["first", "second", "third"])
+    assert params(found) == {"/m/p": 2}
+
+
+def test_the_namespace_of_launch_is_a_configuration(tmp_path: Path) -> None:
+    given = "node('n', arguments=[LaunchConfiguration('ros_namespace', default='none')])"
+    found = described(tmp_path, f"{given}, PushRosNamespace('a'), {given}")
+    assert [node.args for node in found.nodes] == ["none", "/a"]
+
+
+def test_use_sim_time_of_launch_is_given_to_no_node(tmp_path: Path) -> None:
+    assert params(described(tmp_path / "a", "SetUseSimTime(True), node('n')")) == {}
+    assert described(tmp_path / "b", "SetUseSimTime(False)").refusal is not None
