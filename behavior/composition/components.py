@@ -109,6 +109,28 @@ class Component:
         return found
 
     @cached_property
+    def repeats(self) -> Mapping[tuple[str, str], int]:
+        """How many messages go through a port (the second) each time that a trigger makes the component send there, where it is certain."""
+        most = {(input_, port): text for input_, port, text in self._traits("answers_most")}
+        least = {(input_, port): text for input_, port, text in self._traits("answers_least")}
+        for place, port, text in self._traits("round_sends"):
+            most |= {(trigger, port): text for trigger in self.rates if trigger.partition(" ")[2] in ("", place)}
+        for place, port, text in self._traits("round_least"):
+            least |= {(trigger, port): text for trigger in self.rates if trigger.partition(" ")[2] in ("", place)}
+        return {ends: int(text) for ends, text in most.items() if text.isdecimal() and least.get(ends) == text}
+
+    @cached_property
+    def asleep(self) -> Mapping[str, float]:
+        """For how many seconds what arrives at a port makes its callback sleep."""
+        return {port: seconds for port, *amount in self._traits("sleeps_for_each") if (seconds := _seconds(*amount)) is not None}
+
+    @cached_property
+    def gaps(self) -> Mapping[str, tuple[str, float]]:
+        """For each port whose messages are let through some seconds after the last one: where it sends then, and the seconds."""
+        found = {input_: (port, _seconds(*amount)) for input_, port, *amount in self._traits("least_gap")}
+        return {input_: (port, seconds) for input_, (port, seconds) in found.items() if seconds is not None}
+
+    @cached_property
     def unsteady(self) -> Mapping[str, str]:
         """The triggers of timers and timed loops that need not run as long as the node does, each with a reason."""
         found: dict[str, str] = {}
@@ -192,6 +214,14 @@ class Component:
     def members(self) -> frozenset[str]:
         """The last names of all variables that the document knows."""
         return frozenset(row["name"].rsplit("::", 1)[-1] for row in _variables(self.document))
+
+
+def _seconds(amount: str, per_second: str) -> float | None:
+    """A time in seconds; None when it is no number."""
+    try:
+        return float(amount) / float(per_second)
+    except (ValueError, ZeroDivisionError):
+        return None
 
 
 LIFECYCLE = "lifecycle"

@@ -27,6 +27,9 @@ from rosarch.models.machine.logic import BOOLEAN, Subject
 Waits = Generator[simpy.Event, object, None]
 MOST_EVENTS = 1_000_000
 DEFAULT_EXECUTION = 0.001  # seconds
+_INSTANT = 1e-9  # seconds, by which sums of times are inexact
+_MOST_LOTS = 50
+_NOTHING = Effect({}, {}, {}, (), ())
 
 
 class TooManyEventsError(Exception):
@@ -47,7 +50,7 @@ class _Node:
     """A node at work.
 
     What waits for it, by port; whose turn it is, in their order, and what has arrived and gets its turn when a loop serves it; what it
-    last received through each port.
+    last received through each port, which ports have something for the next set of messages, and when it last sent through a port.
     """
 
     name: str
@@ -57,6 +60,8 @@ class _Node:
     turns: deque[str] = field(default_factory=deque)
     arrived: list[str] = field(default_factory=list)
     latest: dict[str, Message] = field(default_factory=dict)
+    gathered: set[str] = field(default_factory=set)
+    sent: dict[str, float] = field(default_factory=dict)
     wake: simpy.Event | None = None
 
 
@@ -163,12 +168,38 @@ class _Run:
                 yield node.wake
             trigger = node.turns.popleft()
             message = self._taken(node, trigger)
-            effect = react(node.component.steps.get(trigger, ()), node.values, partial(self._chosen, node, message))
+            effect = self._reaction(node, trigger, message) if self._complete(node, trigger) else _NOTHING
             start = self.environment.now
-            seconds = self._duration(node.name, message.topic if message else "")
+            seconds = self._duration(node.name, message.topic if message else "") + node.component.asleep.get(trigger, 0.0)
             if seconds:
                 yield self.environment.timeout(seconds)
             self._finish(node, trigger, message, effect, start)
+
+    def _complete(self, node: _Node, trigger: str) -> bool:
+        """Whether what arrived completes a set of messages that are passed together, or needs no others."""
+        others = node.component.together.get(trigger)
+        if not others:
+            return True
+        node.gathered.add(trigger)
+        if not others <= node.gathered:
+            return False
+        node.gathered -= others | {trigger}
+        return True
+
+    def _reaction(self, node: _Node, trigger: str, message: Message | None) -> Effect:
+        """What comes of it; where time since the last message decides, the lots that are drawn are those that agree with it."""
+        steps, choose = node.component.steps.get(trigger, ()), partial(self._chosen, node, message)
+        port, gap = node.component.gaps.get(trigger, ("", 0.0))
+        guessed = self.record.guessed.copy()
+        effect = react(steps, node.values, choose)
+        if port:
+            due = self.environment.now - node.sent.get(port, -gap) >= gap - _INSTANT
+            for _ in range(_MOST_LOTS):
+                if (port in effect.sent) == due:
+                    self.record.guessed = guessed
+                    break
+                effect = react(steps, node.values, choose)
+        return effect
 
     def _taken(self, node: _Node, trigger: str) -> Message | None:
         if trigger not in node.waiting:
@@ -207,7 +238,8 @@ class _Run:
         if message:
             self.record.handled(node.name, now, message.origins)
         for port in effect.sent:
-            for topic in self.system.outlet((node.name, port)):
+            node.sent[port] = start
+            for topic in self.system.outlet((node.name, port)) * node.component.repeats.get((trigger, port), 1):
                 self._record(Event(now, "sent", node.name, topic.name, ", ".join(f"{n}" for n, _ in topic.receivers)))
                 self._deliver(Message(topic.name, self._origins(node, message, (node.name, port), topic.name)))
 

@@ -24,6 +24,7 @@ TESTS = Path(__file__).parents[2]
 PROPERTIES = sorted((TESTS / "behavior" / "verification" / "systems").glob("*.yml"))
 RATES = cases_in(TESTS / "rules" / "systems" / "topic_rates.dl")
 DURATION = 10.0
+TIMED = ("least_gap", "sleeps_for_each", "round_always")
 
 
 @pytest.mark.parametrize("path", PROPERTIES, ids=lambda path: path.stem)
@@ -79,21 +80,23 @@ def document(component: str, rows: Mapping[str, Any], places: Mapping[str, Place
             {"input": source, "output": sink, "must": how == "always", "when": None if how == "always" else "isFar()", "at": ["node.cpp:9"]}
             for source, sink, how in rows["interface_reacts"] if source in inputs_
         ],
+        "traits": {
+            name: [[str(places.get(value, value)) for value in values] for own, *values in rows[f"interface_{name}"] if own == component]
+            for name in TIMED
+        },
     }  # fmt: skip
 
 
 def unlike(system: System, rows: Mapping[str, Any], given: Mapping[str, float]) -> set[str]:
     """Topics on which other messages are sent than the rules count, and what comes of these.
 
-    Users say otherwise than the senders do; a program without behaviour sends; a filter hands on each message by itself, as does what lets
-    through only what comes a while after the last.
+    Users say otherwise than the senders do; a program without behaviour sends; a filter hands on each message by itself.
     """
     synchronised = {port for _, port, _ in rows["interface_synchronised"]}
-    apart = {(inlet, outlet) for _, inlet, outlet, *_ in rows["interface_least_gap"]}
     found = {topic.name for topic in system.topics.values() if topic.name in given and topic.senders}
     found |= {topic.name for topic in system.topics.values() if topic.name not in given and topic.outside not in ((), (ENVIRONMENT,))}
     reactions = [
-        (inlet.name, outlet.name, source in synchronised or (source, sink) in apart)
+        (inlet.name, outlet.name, source in synchronised)
         for node, component in system.nodes.items()
         for source, sink, _ in rows["interface_reacts"]
         if source in component.queues and (inlet := system.inlet((node, source)))

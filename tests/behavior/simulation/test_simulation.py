@@ -222,3 +222,44 @@ def test_scenarios_with_mistakes(scenario: str, message: str) -> None:
     with pytest.raises(ScenarioError) as error:
         read_scenario(scenario, "s.yml", system_of({"relay": gate("p1")}))
     assert str(error.value) == message
+
+
+def simulated(nodes: dict[str, Any]) -> Record:
+    """A run whose figures the test itself knows."""
+    return simulate(system_of(nodes), read_scenario("{}", "s.yml", system_of(nodes)), seed=1, duration=10.0)
+
+
+@pytest.mark.parametrize(
+    ("traits", "expected"),
+    [
+        ({"answers_most": [["p1", "p2", "3"]], "answers_least": [["p1", "p2", "3"]]}, 300),
+        ({"answers_most": [["p1", "p2", "3"]]}, 100),
+        ({"sleeps_for_each": [["p1", "200", "1000"]]}, 50),
+    ],
+)
+def test_a_relay_sends_as_many_as_its_source_says(traits: dict[str, Any], expected: int) -> None:
+    record = simulated({"source": loop("/a", 10.0), "relay": relay("/a", "/b", queue=1, traits=traits)})
+    assert number(record, "/b") == pytest.approx(expected, abs=4)
+
+
+def test_a_round_of_a_loop_sends_as_many_as_its_source_says() -> None:
+    round_ = ["loop.cpp:9", "p1"]
+    traits = {"round_sends": [[*round_, "2"]], "round_least": [[*round_, "2"]], "round_always": [round_]}
+    assert number(simulated({"source": loop("/a", 10.0, traits=traits)}), "/a") == pytest.approx(200, abs=2)
+
+
+def test_what_is_let_through_after_a_time_comes_no_more_often() -> None:
+    throttle = relay("/a", "/b", when="now - last_ < period_", traits={"least_gap": [["p1", "p2", "500", "1000"]]})
+    record = simulated({"source": loop("/a", 10.0), "throttle": throttle})
+    assert number(record, "/b") == pytest.approx(20, abs=1)
+    assert not record.guessed
+
+
+def test_messages_that_are_passed_together_are_awaited() -> None:
+    pair = {
+        "ports": [port("p1", "subscriber", "/a"), port("p2", "subscriber", "/b"), port("p3", "publisher", "/c")],
+        "reactive": [{"input": input_, "output": "p3", "must": True, "when": None, "at": ["pair.cpp:9"]} for input_ in ("p1", "p2")],
+        "traits": {"synchronised": [["p1", "p2"], ["p2", "p1"]]},
+    }
+    record = simulated({"one": loop("/a", 10.0), "other": loop("/b", 30.0), "pair": pair})
+    assert number(record, "/c") == pytest.approx(100, abs=2)
