@@ -110,7 +110,8 @@ class Writer:
     def text(self, depth: int = 0) -> Text:
         """Any text."""
         found = self.word() if self.often(45) else [self.part(depth)]
-        return [*found, Part("text", text=self.rng.choice(("_", "/", "s"))), self.part(2)] if self.often(15) else found
+        between = "/" if found[0].kind in ("find", "dirname") else self.rng.choice(("_", "/", "s"))  # a path ends there
+        return [*found, Part("text", text=between), self.part(2)] if self.often(15) else found
 
     def part(self, depth: int) -> Part:
         kinds = ["var"] * 4 + ["env", "env_default", "find", "dirname", "eval", "command"] + (["if"] if depth < 2 else [])

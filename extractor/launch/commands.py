@@ -6,6 +6,7 @@ Sources: the manual pages of cat(1), echo(1), mkdir(1); rosversion of rospkg.
 from __future__ import annotations
 
 import os
+import re
 import shlex
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,6 +15,7 @@ from rosarch.extractor.launch.files import Files
 from rosarch.extractor.launch.model import LaunchError
 from rosarch.extractor.launch.unknowns import is_known
 
+_ECHO_OPTION = re.compile(r"-[neE]+|--help|--version")
 _SILENT = frozenset({"mkdir", "touch", "true", "sleep"})
 
 
@@ -41,7 +43,7 @@ def output(words: list[str], files: Files, environment: Mapping[str, str]) -> st
     program, *arguments = words
     if not all(map(is_known, words)):
         return None
-    if program == "echo" and not any(word.startswith("-") for word in arguments):
+    if program == "echo" and not any(map(_ECHO_OPTION.fullmatch, arguments)):
         return " ".join(arguments) + "\n"
     if program == "cat" and arguments and not any(word.startswith("-") for word in arguments):
         return "".join(files.read_text(word) for word in arguments)

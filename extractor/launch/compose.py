@@ -301,5 +301,6 @@ def _rendered_node(node: NodeStart, state: State) -> NodeStart:
         test_name=_shown(node.test_name, state),
         called=_shown(node.called, state),
         container=_shown(node.container, state),
+        own_params=tuple(_rendered_param(one, state) for one in node.own_params),
         given=tuple(replace(one, nodes=shown(one.nodes), setting=_rendered_param(one.setting, state)) for one in node.given),
     )

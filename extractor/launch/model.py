@@ -81,9 +81,9 @@ class NodeStart:
 
     `namespace` begins and ends with a slash; `respawn_delay` is in seconds. `ros` is the version of ROS. Where a launch file of ROS 2 does
     not name a node, `called` is what it may be called and `given` what its process sets; with a `container` (its absolute name), `type` is
-    a class that is loaded there. `params_files` are the files of parameters that it is given, `process` is what is set for all nodes of its
-    process. `conditions` are those that cannot be known,
-    `held` those that are known to hold. `first` are the lines of the first node of this name, when this is another one.
+    a class that is loaded there. `params_files` are the files of parameters that it is given, `own_params` is what it is given itself,
+    `process` what is set for all nodes of its process. `conditions` are those that cannot be known, `held` those that are known to
+    hold. `first` are the lines of the first node of this name, when this is another one.
     """
 
     package: str
@@ -111,6 +111,7 @@ class NodeStart:
     given: tuple[ProcessSetting, ...] = ()
     params_files: tuple[ParamsGiven, ...] = ()
     process: tuple[ProcessSetting, ...] = ()
+    own_params: tuple[ParamSetting, ...] = ()
 
     @property
     def full_name(self) -> str:

@@ -171,6 +171,7 @@ def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], 
     Maps are written for the node alone when its name and namespace are `specified`, else for all of its process.
     """
     kept: list[ProcessSetting] = []
+    own_params: list[ParamSetting] = []
     files: dict[str, ParamsGiven] = {}
     loaded = started.container is not None
     own = started.full_name if specified and not loaded else None
@@ -186,10 +187,17 @@ def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], 
             world.state.unread.append(replace(setting, name=started.full_name))
             continue
         kept.append(ProcessSetting(found.nodes, setting))
-        if found.is_for(started.full_name):
-            world.state.set_param(replace(setting, name=f"{started.full_name}/{setting.name}"))
-    process = tuple(kept) if started.container is None else ()
-    return replace(started, params_files=tuple(files.values()), given=() if started.name else tuple(kept), process=process)
+        # launch_ros looks for a node that it loads by its name: one without has what is for all
+        if found.is_for(started.full_name) and (started.name or not loaded or found.nodes == ALL):
+            own_params.append(replace(setting, name=f"{started.full_name}/{setting.name}"))
+            world.state.set_param(own_params[-1])
+    return replace(
+        started,
+        params_files=tuple(files.values()),
+        given=() if started.name else tuple(kept),
+        process=() if loaded else tuple(kept),
+        own_params=tuple(own_params),
+    )
 
 
 def _sections(read: Read) -> ParamsGiven:

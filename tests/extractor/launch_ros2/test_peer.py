@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from ros2_launch_builder import HEAD, MANIFEST, composed, described, names, params, problems
 
+from rosarch.extractor.launch import record
+
 
 def _ends(text: str) -> str:
     return f"def generate_launch_description():\n    return LaunchDescription([{text}])\n"
@@ -321,3 +323,17 @@ def test_the_namespace_of_launch_is_a_configuration(tmp_path: Path) -> None:
 def test_use_sim_time_of_launch_is_given_to_no_node(tmp_path: Path) -> None:
     assert params(described(tmp_path / "a", "SetUseSimTime(True), node('n')")) == {}
     assert described(tmp_path / "b", "SetUseSimTime(False)").refusal is not None
+
+
+def test_nodes_of_one_name_have_their_own_parameters(tmp_path: Path) -> None:
+    nodes = "node('n', parameters=[{'p': 1}]), node('n', parameters=[{'q': 2}]), *[Node(package='here', executable='run', parameters=[{'p': i}]) for i in (3, 4)]"
+    written = record(described(tmp_path, nodes))
+    assert [origin["node"] for origin in written["started_by"]] == ["/n", "/n#2", "/run", "/run#2"]
+    assert written["params"] == {"/n/p": 1, "/n#2/q": 2, "/run/p": 3, "/run#2/p": 4}
+
+
+def test_a_class_without_a_name_has_what_is_for_all(tmp_path: Path) -> None:
+    path = "os.path.join(get_package_share_directory('here'), 'p.yaml')"
+    box = f"LoadComposableNodes(target_container='box', composable_node_descriptions=[ComposableNode(package='here', plugin='Own', parameters=[{path}])])"
+    files = {"launch/main.launch.py": HEAD + _ends(box), "p.yaml": "/**:\n  ros__parameters: {a: 1}\nOwn:\n  ros__parameters: {b: 2}\n"}
+    assert params(composed(tmp_path, files)) == {"/Own/a": 1}
