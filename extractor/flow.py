@@ -70,7 +70,7 @@ class Flow:
 
     @property
     def guarded(self) -> bool:
-        """Whether what is evaluated now stands in a try block with handlers."""
+        """Whether what is evaluated now is in a try block with handlers."""
         return any(handlers for handlers, _ in self._handlers)
 
     def read(self, expr: str) -> None:
