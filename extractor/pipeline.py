@@ -155,7 +155,8 @@ def extract(
             workspace = workspace or _discovered(root, partial(_discover, root, packages, settings), asked, cache)
             interfaces = Interfaces.of(workspace.packages, workspace.root)
         index = UnitIndex.load(cache, asked, rests_on) if cache and rests_on and not rests_on.uncertain else None
-        noticed = [*workspace.diagnostics, *interfaces.diagnostics]
+        told = (*workspace.diagnostics, *interfaces.diagnostics)
+        noticed = [one for one in told if not workspace.underlay.is_of_library(str(one.path))]
         built = programs(workspace)
         extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace), builds=builds(workspace))
         unfinished.push(extraction)  # its temporary files go also when this ends early

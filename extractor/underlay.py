@@ -137,6 +137,10 @@ class Underlay:
         """Whether a path is below one of the prefixes."""
         return path.startswith(tuple(f"{folder}/" for folder in self.folders))
 
+    def is_of_library(self, path: str) -> bool:
+        """Whether a file is one of a library, which nobody needs to hear about: less may be there than its package has."""
+        return path.startswith(tuple(f"{prefix}/" for prefix, _ in self.libraries))
+
     def of_share(self, folder: str) -> Installed | None:
         """The package whose share folder this is."""
         package = self.packages.get(os.path.basename(folder))

@@ -29,9 +29,10 @@ def library_documents(models: Iterable[ComponentModel], source: Source) -> dict[
         says_something = model.kind != "plugin" or "ports" in document or "params" in document
         if _kind(model) in COMPONENT_KINDS and says_something:
             found = packages.setdefault(model.package, [])
-            found.append(document)
-            # the other names of a program; of a class that is loaded into containers, the programs that run it alone
-            found += [{**document, "component": name, "kind": "node"} for name in model.executables if name != _name(model)]
+            # with the other names of a program; of a class that is loaded into containers, with the programs that run it alone
+            others = [{**document, "component": name, "kind": "node"} for name in model.executables if name != _name(model)]
+            known_names = {one["component"] for one in found}
+            found += [one for one in (document, *others) if one["component"] not in known_names]
             known = versions.setdefault(model.package, set())
             if model.middleware:
                 known.add(2 if "ROS 2" in model.middleware else 1)

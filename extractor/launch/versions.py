@@ -12,7 +12,7 @@ from pathlib import Path
 from rosarch.base import tracing
 from rosarch.base.files import read_file
 from rosarch.extractor.launch.compose import compose as compose_ros1
-from rosarch.extractor.launch.files import Files
+from rosarch.extractor.launch.files import DESCRIBED, Files
 from rosarch.extractor.launch.model import Composition, Place, Problem
 from rosarch.extractor.package_names import quick_text
 
@@ -58,7 +58,7 @@ def _joined(compositions: Sequence[Composition]) -> Composition:
 def ros_version(path: Path | str) -> int:
     """The version of ROS that a launch file is for: by its suffix, by its elements and substitutions, else by its package's build tool."""
     path = Path(path)
-    if path.suffix in (".py", ".yaml", ".yml"):
+    if path.suffix in (".py", ".yaml", ".yml", DESCRIBED):
         return 2
     text = _content(path)
     if _ROS2.search(text):

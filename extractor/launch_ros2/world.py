@@ -174,7 +174,9 @@ class World:
         return path if self.state.unknowns.is_open(path) else self.state.files.located(path)
 
     def module_source(self, name: str, beside: str) -> tuple[str, str] | None:
-        """File and text of a module: of the workspace, of the launch file's folder, of an installed package, or one that rosarch knows."""
+        """File and text of a module: one that rosarch knows, of the workspace, of the launch file's folder, of an installed package."""
+        if name in _KNOWN_NAMES:
+            return name, (_KNOWN / f"{name}.txt").read_text(encoding="utf-8")
         words = name.split(".")
         folder = self.state.files.packages.find(words[0])
         for root in [os.path.dirname(beside), *([folder, os.path.join(folder, "src")] if folder else [])]:
@@ -186,10 +188,10 @@ class World:
                     except LaunchError:
                         continue
         module = self.state.files.packages.underlay.module(name)
-        if module is not None and name not in _KNOWN_NAMES:
+        if module is not None:
             with suppress(OSError):
                 return str(module), cleaned(read_file(module).decode(errors="replace"))
-        return (name, (_KNOWN / f"{name}.txt").read_text(encoding="utf-8")) if name in _KNOWN_NAMES else None
+        return None
 
     def here(self, place: Place) -> None:
         """Make `place` the one that reports are about."""

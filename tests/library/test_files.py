@@ -21,6 +21,16 @@ LAUNCH = f"""# a comment
 {HEAD}
 from nav2_common.launch import RewrittenYaml
 
+class Declared(DeclareLaunchArgument):
+    pass
+
+def late(context, package):
+    kind = LaunchConfiguration("kind").perform(context)
+    nodes = [Node(package=package, executable="fast" if kind == "fast" else "slow", name=[kind, "_node"])]
+    if kind in ["fast", "both"]:
+        nodes.append(Node(package=package, executable="second"))
+    return nodes
+
 def generate_launch_description():
     share = get_package_share_directory("base")
     elsewhere = os.path.join(get_package_share_directory("other"), "x.launch.py")
@@ -34,7 +44,8 @@ def generate_launch_description():
             Node(package="base", executable="drive", name="drive", parameters=[rewritten, {{"list": [1, 2.5, True]}}], remappings=[("a", "b")]),
         ], condition=UnlessCondition(LaunchConfiguration("other"))),
         IncludeLaunchDescription(PythonLaunchDescriptionSource(elsewhere), condition=IfCondition(LaunchConfiguration("other"))),
-        OpaqueFunction(function=lambda context: [Node(package="base", executable="late")]),
+        Declared("kind", default_value="none"),
+        OpaqueFunction(function=late, args=["base"], condition=UnlessCondition(LaunchConfiguration("other"))),
     ])
 """
 FILES = {
@@ -91,14 +102,22 @@ def test_a_description_starts_what_its_launch_file_starts(library: Path) -> None
         return [(node.full_name, node.package, node.type, [(r.source, r.target) for r in node.remaps]) for node in found.nodes]
 
     library_path = PackagePath([], Underlay(libraries=prefixes([library])))
-    sources = composed(PackagePath([library.parent / "src"]), speed="3.5")
-    described = composed(library_path, speed="3.5")
-    settings = [(one.name, one.value) for one in described.params]
-    assert starts(described) == starts(sources)[:1] == [("/robot/drive", "base", "drive", [("a", "b")])]
-    assert settings == [(one.name, one.value) for one in sources.params]
-    assert ("/robot/drive/speed", 3.5) in settings
-    assert [problem.message for problem in described.problems] == ["what `function` starts is not known"]
-    assert [include.text for include in composed(library_path, speed="1", other="true").includes] == ["$(find-pkg-share other)/x.launch.py"]
+    sources_path = PackagePath([library.parent / "src"])
+    for arguments, late in (
+        ({"speed": "3.5"}, [("/none_node", "slow")]),
+        ({"kind": "fast"}, [("/fast_node", "fast"), ("/second", "second")]),
+        ({"kind": "both", "speed": "1"}, [("/both_node", "slow"), ("/second", "second")]),
+        ({"other": "true"}, []),
+    ):
+        sources, described = composed(sources_path, **arguments), composed(library_path, **arguments)
+        drive = [("/robot/drive", "base", "drive", [("a", "b")])] if late else []
+        assert starts(described) == starts(sources) == drive + [(name, "base", program, []) for name, program in late], arguments
+        settings = [(one.name, one.value) for one in described.params]
+        assert settings == [(one.name, one.value) for one in sources.params]
+        assert (("/robot/drive/speed", float(arguments.get("speed", 2.5))) in settings) == bool(late)
+        assert not any(problem.kind == "python" for problem in (*described.problems, *sources.problems))
+        assert not any(node.conditions for node in described.nodes)
+        assert [include.text for include in described.includes] == ([] if late else ["$(find-pkg-share other)/x.launch.py"])
 
 
 def test_a_workspace_includes_what_the_library_has(library: Path, rosarch: Callable) -> None:
@@ -109,7 +128,7 @@ def test_a_workspace_includes_what_the_library_has(library: Path, rosarch: Calla
         done = rosarch("show", "graph", "robot", "--format", "json", *options)
         return [node["name"] for system in json.loads(done.out) for node in system["nodes"]]
 
-    assert nodes("--library", "library") == ["/robot/drive"]
+    assert nodes("--library", "library") == ["/none_node", "/robot/drive"]
     assert nodes() == []
     done = rosarch("check", "robot", "--library", "library", "--format", "json")
     found = json.loads(done.out)
