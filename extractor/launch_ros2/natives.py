@@ -15,7 +15,7 @@ from rosarch.extractor.launch_ros2.conditions import holds
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.decisions import is_certain
 from rosarch.extractor.launch_ros2.expressions import Raised
-from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHODS
+from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHODS, xml_of
 from rosarch.extractor.launch_ros2.parameters import yaml_value
 from rosarch.extractor.launch_ros2.registry import NATIVES, native
 from rosarch.extractor.launch_ros2.substitutions import perform
@@ -220,6 +220,7 @@ def _find(run: Calls, owner: Made, package: Any) -> Any:
 _MADE: dict[str, _Call] = {"add_action": _add, "add_entity": _add, "perform": _perform, "evaluate": _evaluate, "find": _find}
 _MADE["_predicate_func"] = _evaluate  # what IfCondition and UnlessCondition evaluate by
 _MADE["get_launch_arguments"] = _arguments
+_MADE["toxml"] = _MADE["toprettyxml"] = lambda run, owner, **_named: xml_of(run, owner) if owner.kind == "XacroDocument" else NOTHING
 _MADE["describe"] = lambda _run, _owner: NOTHING
 
 
@@ -361,11 +362,18 @@ for _name in ("list", "tuple", "set", "sorted", "reversed", "enumerate", "zip", 
     native(_name)(_items_of(_name))
 
 
-@native("map", "filter")
+@native("map")
 def _map(run: Calls, function: Any, items: Any) -> Any:
     if not isinstance(items, (list, tuple)):
         return NOTHING
     return [run.apply(function, [item], {}) if isinstance(function, (Function, Bound, Native)) else function(item) for item in items]
+
+
+@native("filter")
+def _filter(run: Calls, function: Any, items: Any) -> Any:
+    kept = items if function is None else _map(run, function, items)
+    truths = [run.truth(one) for one in kept] if isinstance(kept, (list, tuple)) else [None]
+    return NOTHING if None in truths else [item for item, truth in zip(items, truths, strict=True) if truth]
 
 
 @native("getattr")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import yaml
 
+from rosarch.extractor.launch.descriptions import evaluated
 from rosarch.extractor.launch.formulas import Test
 from rosarch.extractor.launch.model import LaunchError
 from rosarch.extractor.launch.state import PART_COST
@@ -17,6 +18,7 @@ from rosarch.extractor.launch.yaml_values import Loader, YamlError
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.registry import native
 from rosarch.extractor.launch_ros2.values import NOTHING, Either, Installed, Instance, Made, PathText, TextFile, Unknown, installed
+from rosarch.extractor.urdf.command import xacro_call
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.calls import Calls
@@ -185,6 +187,50 @@ def _glob(run: Calls, pattern: Any, **_named: Any) -> Any:
         return NOTHING if text is None or not is_known(text) else run.world.state.files.matching(text)
     except LaunchError:
         return NOTHING
+
+
+# -- xacro --------------------------------------------------------------------------------------------------------------------
+
+
+@native("xacro.process_file")
+def _process_file(run: Calls, path: Any, *_more: Any, mappings: Any = None, **_named: Any) -> Any:
+    """A document that xacro makes of a file, as Python hands it on."""
+    file = _path(path)
+    given = mappings if isinstance(mappings, dict) else {} if mappings is None else None
+    if file is None or given is None or not all(isinstance(one, str) for pair in given.items() for one in pair):
+        return NOTHING
+    return Made("XacroDocument", {"file": file, "mappings": given}, run.world.state.here)
+
+
+@native("xacro.parse")
+def _parse(run: Calls, source: Any, *_more: Any, **_named: Any) -> Any:
+    return _process_file(run, source.name) if isinstance(source, TextFile) else NOTHING
+
+
+@native("xacro.process_doc")
+def _process_doc(_run: Calls, document: Any, *_more: Any, mappings: Any = None, **_named: Any) -> Any:
+    if isinstance(document, Made) and document.kind == "XacroDocument" and isinstance(mappings, dict):
+        document.arguments["mappings"] = mappings
+    return None
+
+
+@native("xacro.process")
+def _process(run: Calls, path: Any, *_more: Any, **named: Any) -> Any:
+    document = _process_file(run, path, **named)
+    return document if document is NOTHING else xml_of(run, document)
+
+
+def xml_of(run: Calls, document: Made) -> Any:
+    """`document.toxml()`: what xacro prints."""
+    words = ["xacro", document.arguments["file"], *(f"{name}:={value}" for name, value in document.arguments["mappings"].items())]
+    call, world = xacro_call(words), run.world
+    if call is None or world.state.unknowns.is_open(call.file) or world.is_made(call.file):
+        return NOTHING
+    printed, plugins = evaluated(world.state, call, installed=True)
+    if printed is None:
+        return NOTHING
+    world.described[printed] = plugins
+    return printed
 
 
 # -- texts as values ----------------------------------------------------------------------------------------------------------

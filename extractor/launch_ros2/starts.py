@@ -321,14 +321,39 @@ def _words(world: World, made: Made, context: Context) -> list[str]:
 
 
 def _words_of(world: World, found: Any, context: Context) -> list[str]:
-    """The words of a command line, or a part of one; in XML and YAML it is one text."""
+    """The words of a command line, or a part of one; in XML and YAML it is one text, where a substitution is within one word."""
     if not (isinstance(found, Made) and found.kind == "Words"):
         return [perform(world, item, context) for item in _as_list(found)]
-    text = perform(world, found.arguments["text"], context)
+    words: list[list[str]] = []
+    word: list[str] = []
+    for part in found.arguments["text"]:
+        if not isinstance(part, str):
+            word.append(perform(world, part, context))
+            continue
+        tokens = _split(part)
+        if word and (not tokens or part[0].isspace()):
+            words.append(word)
+            word = []
+        word += tokens[:1]
+        for token in tokens[1:]:
+            words.append(word)
+            word = [token]
+        if word and part[-1].isspace():
+            words.append(word)
+            word = []
+    return ["".join(parts) for parts in (*words, *([word] if word else []))]
+
+
+def _split(text: str) -> list[str]:
+    """The words of a text between substitutions.
+
+    Raises:
+        LaunchError: a quote is not closed: none reaches over a substitution.
+    """
     try:
         return shlex.split(text)
-    except ValueError:
-        return [text]
+    except ValueError as error:
+        raise LaunchError("arguments", text, f"`{text}`: {str(error).lower()}") from None
 
 
 def _ros_arguments(world: World, words: list[str]) -> RosArguments:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.commands import output, words_of
 from rosarch.extractor.launch.decisions import text_decision
 from rosarch.extractor.launch.descriptions import evaluated
+from rosarch.extractor.launch.eval_functions import MATH
 from rosarch.extractor.launch.evaluation import EvalFailed, Evaluator, UnknownInvolved, Unsupported, is_known_value, no_name
 from rosarch.extractor.launch.formulas import Every, Formula, Not, Some, Test, bounded, equals
 from rosarch.extractor.launch.model import ArgumentUsed, LaunchError
@@ -210,9 +211,9 @@ def _command(world: World, made: Made, context: Context) -> str:
 @performs("PythonExpression")
 def _expression(world: World, made: Made, context: Context) -> str:
     text = perform(world, made.get("expression"), context)
-    evaluator = Evaluator if "\\" in text else _WithUnknowns  # an escape could pose as an unknown
+    evaluator = _Expression if "\\" in text else _WithUnknowns  # an escape could pose as an unknown
     try:
-        value = evaluator(no_name, {}).evaluate(text)
+        value = evaluator(no_name, {"math": _math}).evaluate(text)
     except EvalFailed as error:
         if _is_open(world, text):  # the unknown may be a part of the expression itself
             return _undecided(world, text)
@@ -227,11 +228,25 @@ def _expression(world: World, made: Made, context: Context) -> str:
 def _undecided(world: World, text: str) -> str:
     mark, truths = _mark(world, f"$(eval {_rendered(world, text)})", text), world.state.unknowns.truths
     if mark not in truths:
-        truths[mark] = text_decision(text, lambda lookup: _WithUnknowns(lookup, {}))
+        truths[mark] = text_decision(text, lambda lookup: _WithUnknowns(lookup, {"math": _math}))
     return mark
 
 
-class _WithUnknowns(Evaluator):
+def _math() -> None:
+    """What stands for the module math in expressions."""
+
+
+class _Expression(Evaluator):
+    """Evaluates expressions that may use the module math, whose functions are names there, too."""
+
+    def attribute(self, value: Any, name: str) -> Any:
+        return MATH[name] if value is _math and name in MATH else super().attribute(value, name)
+
+    def method(self, value: Any, name: str) -> Callable[..., Any]:
+        return MATH[name] if value is _math and name in MATH else super().method(value, name)
+
+
+class _WithUnknowns(_Expression):
     """Evaluates expressions whose texts may have unknown parts."""
 
     def _constant(self, node: ast.Constant) -> Any:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import pytest
-from ros2_launch_builder import HEAD, MANIFEST, composed, described, names, params, problems
+from ros2_launch_builder import HEAD, MANIFEST, composed, described, names, params, problems, xml
 
 from rosarch.extractor.launch import record
 
@@ -337,3 +338,44 @@ def test_a_class_without_a_name_has_what_is_for_all(tmp_path: Path) -> None:
     box = f"LoadComposableNodes(target_container='box', composable_node_descriptions=[ComposableNode(package='here', plugin='Own', parameters=[{path}])])"
     files = {"launch/main.launch.py": HEAD + _ends(box), "p.yaml": "/**:\n  ros__parameters: {a: 1}\nOwn:\n  ros__parameters: {b: 2}\n"}
     assert params(composed(tmp_path, files)) == {"/Own/a": 1}
+
+
+def test_words_of_a_command_line_in_xml(tmp_path: Path) -> None:
+    """Quotes are read between substitutions; what a substitution comes to is within one word."""
+    args = "-a 'u v' $(var p)w $(var q)$(var p) x$(var e) last"
+    found = xml(tmp_path / "a", f'<node pkg="here" exec="run" name="n" args="{args}"/>', {"p": "1 2", "q": "3", "e": ""})
+    assert shlex.split(found.nodes[0].args) == ["-a", "u v", "1 2w", "31 2", "x", "last"]
+    refusal = xml(tmp_path / "b", """<node pkg="here" exec="run" name="n" args="'$(var p) b'"/>""", {"p": "1"}).refusal
+    assert refusal is not None
+    assert refusal.message == "`'`: no closing quotation"
+
+
+def test_expressions_with_the_module_math(tmp_path: Path) -> None:
+    found = described(
+        tmp_path, "node('n', arguments=[PythonExpression(['math.floor(2.7) + floor(1.5)'], ['math']), PythonExpression('math.pi > 3')])"
+    )
+    assert found.nodes[0].args == "3 True"
+
+
+def test_filter_keeps_items(tmp_path: Path) -> None:
+    names_given = "filter(lambda name: name != 'b', ['a', 'b', 'c'])"
+    assert names(described(tmp_path, f"*[node(name) for name in {names_given}], *map(node, filter(None, ['', 'd']))")) == ["/a", "/c", "/d"]
+
+
+def test_xacro_as_a_module(tmp_path: Path) -> None:
+    before = """import xacro
+path = os.path.join(get_package_share_directory('here'), 'r.xacro')
+document = xacro.parse(open(path))
+xacro.process_doc(document, mappings={'w': '3'})
+made = [xacro.process_file(path).toxml(), xacro.process_file(path, mappings={'w': '2'}).toprettyxml(indent='  '), document.toxml()]"""
+    robot = '<robot xmlns:xacro="http://ros.org/wiki/xacro" name="r"><xacro:arg name="w" default="1"/><link name="l$(arg w)"/></robot>'
+    body = "\n".join(f"    {line}" for line in before.splitlines())
+    given = "node('n', parameters=[{str(at): one for at, one in enumerate(made)}])"
+    text = f"{HEAD}def generate_launch_description():\n{body}\n    return LaunchDescription([{given}])\n"
+    found = composed(tmp_path, {"launch/main.launch.py": text, "r.xacro": robot})
+    assert ['<link name="l' in str(value) and str(value).partition('<link name="l')[2][0] for value in params(found).values()] == [
+        "1",
+        "2",
+        "3",
+    ]
+    assert problems(found, tmp_path) == []
