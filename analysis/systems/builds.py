@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from rosarch.analysis.systems.build_defects import defects
 from rosarch.base.files import path_text, read_file
 from rosarch.extractor.launch.facts import path_below
 from rosarch.extractor.launch.model import ComponentNamed, Composition, FileMeant, ProgramNamed
@@ -24,6 +25,8 @@ def build_rows(composition: Composition, builds: Sequence[Built], root: Path) ->
     top = os.path.abspath(root)
     for package in builds:
         _plugins(rows, top, package)
+    for name, defect in defects(composition, builds):
+        rows["build_defect"].add((_place(rows, top, defect.path, defect.line), name, defect.kind, defect.about))
     for named in composition.references:
         if isinstance(named, ProgramNamed):
             for package in (one for one in builds if one.name == named.package):

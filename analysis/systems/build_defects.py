@@ -1,0 +1,147 @@
+"""Defects of packages that show in their build files, scripts and interfaces alone, as rows of `rules/schema/build.dl`."""
+
+from __future__ import annotations
+
+import configparser
+import os
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from rosarch.base.files import read_file
+from rosarch.extractor.launch.model import Composition, ProgramNamed
+from rosarch.extractor.package_names import NO_PACKAGES, quick_text
+from rosarch.extractor.workspace.built import INSTALLED_FIRST, Built, package_of
+
+_GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
+_COMMENT = re.compile(r"#[^\n]*")
+_INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
+_FIELD = re.compile(r"[ \t]*[\w/]+(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
+_FIELD_NAME = re.compile(r"[a-z](?:_?[a-z0-9])*")
+_KINDS = ("msg", "srv", "action")
+
+
+@dataclass(frozen=True)
+class Defect:
+    """What is wrong at `line` of `path`: `kind` names it, `about` what it concerns."""
+
+    path: Path
+    line: int
+    kind: str
+    about: str
+
+
+def defects(composition: Composition, builds: Sequence[Built]) -> Iterator[tuple[str, Defect]]:
+    """The defects of packages, each with the name of its package, as far as a composition has to do with them."""
+    for package in builds:
+        yield from ((package.name, one) for one in of_interfaces(package))
+    programs = {(named.package, named.type) for named in composition.references if isinstance(named, ProgramNamed)}
+    for name, program in sorted(programs):
+        for package in (one for one in builds if one.name == name):
+            yield from ((name, one) for one in _of_script(package, program))
+            yield from ((name, one) for one in _of_setup(package, program))
+    if composition.ros == 2:
+        yield from _of_launch_files(composition, builds)
+
+
+@lru_cache(maxsize=256)
+def of_interfaces(package: Built) -> tuple[Defect, ...]:
+    """What keeps the interfaces of a package of ROS 2 from being generated."""
+    cmake = package.folder / "CMakeLists.txt"
+    text = _COMMENT.sub("", _text(cmake)) if package.build_type == "ament_cmake" else ""
+    found = _GENERATES.search(text)
+    if found is None:
+        return ()
+    line = 1 + text.count("\n", 0, found.start(1))
+    manifest = package.folder / "package.xml"
+    result = []
+    if "rosidl_interface_packages" not in (quick_text(str(manifest)) or "rosidl_interface_packages"):
+        result.append(Defect(manifest, 1, "interface group", ""))
+    for match in re.finditer(r"[^\s\"]+", found[1]):
+        name = match.group().removeprefix("${PROJECT_SOURCE_DIR}/").removeprefix("${CMAKE_CURRENT_SOURCE_DIR}/")
+        if re.fullmatch(_INTERFACE, name) and not os.path.isfile(package.folder / name):
+            result.append(Defect(cmake, line + found[1].count("\n", 0, match.start()), "interface file", name))
+    for kind in _KINDS:
+        for path in sorted((package.folder / kind).glob(f"*.{kind}")):
+            result += _of_interface(package, cmake, line, path, known="${" not in found[1].replace("${PROJECT_NAME}", ""))
+    return tuple(result)
+
+
+def _of_interface(package: Built, cmake: Path, line: int, path: Path, *, known: bool) -> Iterator[Defect]:
+    name = f"{path.parent.name}/{path.name}"
+    if not package.brings(f"share/{package.name}/{name}"):
+        if known and not package.unsure:
+            yield Defect(cmake, line, "interface left out", f"{package.name}/{path.stem}")
+        return
+    for number, written in enumerate(_text(path).splitlines(), 1):
+        field = _FIELD.match(written)
+        if field is not None and not field[2] and not _FIELD_NAME.fullmatch(field[1]):
+            yield Defect(path, number, "field name", field[1])
+
+
+def _of_script(package: Built, program: str) -> Iterator[Defect]:
+    """A script that the system cannot run: its first line names no interpreter, or one that ends in a carriage return."""
+    for path in _files_called(package.folder, program):
+        data = read_file(path) if os.path.isfile(path) else b""
+        first = data.split(b"\n", 1)[0]
+        if not first.startswith(b"#!"):
+            yield Defect(path, 1, "no interpreter", program)
+        elif first.endswith(b"\r"):
+            yield Defect(path, 1, "carriage return", program)
+
+
+@lru_cache(maxsize=1024)
+def _files_called(folder: Path, name: str) -> tuple[Path, ...]:
+    """The scripts of Python of this name in a package."""
+    found = []
+    for here, folders, names in os.walk(folder):
+        folders[:] = [one for one in folders if not one.startswith(".") and one not in NO_PACKAGES and not _is_package(here, one)]
+        if name in names and name.endswith(".py"):
+            found.append(Path(here, name))
+    return tuple(found) if len(found) == 1 else ()
+
+
+def _is_package(folder: str, name: str) -> bool:
+    return os.path.isfile(os.path.join(folder, name, "package.xml"))
+
+
+def _of_setup(package: Built, program: str) -> Iterator[Defect]:
+    """Programs that are installed where nobody looks for them, since `setup.cfg` does not say where."""
+    if package.build_type != "ament_python" or program not in {one.name for one in package.entry_points if one.is_command}:
+        return
+    if "install_scripts" in _text(package.folder / "setup.py"):
+        return
+    config = package.folder / "setup.cfg"
+    reader = configparser.ConfigParser(interpolation=None)
+    try:
+        reader.read_string(_text(config))
+    except configparser.Error:
+        return  # that is reported where it is read
+    given = reader.get("install", "install_scripts", fallback=None) or reader.get("install", "install-scripts", fallback=None)
+    if given is None or given.strip().rstrip("/") != f"$base/lib/{package.name}":
+        line = next((n for n, written in enumerate(_text(config).splitlines(), 1) if re.match(r"install[-_]scripts", written)), 1)
+        yield Defect(config if os.path.isfile(config) else package.folder / "setup.py", line, "programs elsewhere", f"lib/{package.name}")
+
+
+def _of_launch_files(composition: Composition, builds: Sequence[Built]) -> Iterator[tuple[str, Defect]]:
+    """Launch files in a folder of a package from which its build, of which all is known, installs nothing."""
+    told = [one for one in builds if one.build_type in INSTALLED_FIRST and not one.unsure]
+    for file in sorted({node.lines[0].path for node in composition.nodes if node.lines}):
+        package = package_of(file, told)
+        if package is not None and os.path.dirname(file) != str(package.folder):
+            path = os.path.relpath(file, package.folder)
+            folder = os.path.dirname(path)
+            beside = (f"{folder}/{name}" for name in os.listdir(os.path.dirname(file)))
+            share = f"share/{package.name}"
+            if not any(package.brings(f"{share}/{one}") or package.brings(f"{share}/{os.path.basename(one)}") for one in beside):
+                build = "setup.py" if package.build_type == "ament_python" else "CMakeLists.txt"
+                yield package.name, Defect(package.folder / build, 1, "launch file left out", path)
+
+
+def _text(path: Path) -> str:
+    try:
+        return read_file(path).decode(errors="replace")
+    except OSError:
+        return ""
