@@ -61,11 +61,10 @@ def ros_version(path: Path | str) -> int:
     if path.suffix in (".py", ".yaml", ".yml", DESCRIBED):
         return 2
     text = _content(path)
-    if _ROS2.search(text):
-        return 2
-    if _ROS1.search(text):
-        return 1
-    return 2 if _AMENT.search(_manifest_of(path)) else 1
+    new, old = _ROS2.search(text) is not None, _ROS1.search(text) is not None
+    if new != old:
+        return 2 if new else 1
+    return 2 if _AMENT.search(manifest := _manifest_of(path)) or (new and b"catkin" not in manifest) else 1
 
 
 def _version_or_none(path: Path | str) -> int | None:

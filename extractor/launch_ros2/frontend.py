@@ -17,13 +17,14 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Entity:
-    """An element: its name, attributes and children, and where it is. Those of YAML are `typed`: numbers are no texts."""
+    """An element: its name, attributes and children, and where it is. Those of YAML are `typed`: numbers are no texts; `at` are their keys."""
 
     name: str
     attributes: dict[str, Any]
     place: Place
     children: list[Entity] = field(default_factory=list)
     typed: bool = False
+    at: dict[str, Place] = field(default_factory=dict)
 
     def named(self, *names: str) -> list[Entity]:
         """The children of these names."""
@@ -80,7 +81,8 @@ def _report_unexpected(world: World, child: Entity) -> None:
     known = ATTRIBUTES.get(child.name.replace("-", "_"), child.attributes.keys())
     for name, value in child.attributes.items():
         if name not in known and not isinstance(value, (list, dict)):
-            world.state.report(LaunchError("attribute", name, f"<{child.name}> cannot have the attribute `{name}`"), place=child.place)
+            error = LaunchError("attribute", name, f"<{child.name}> cannot have the attribute `{name}`")
+            world.state.report(error, place=child.at.get(name, child.place))
     for inner in child.children:
         if child.name != "group":  # whose children are actions
             _report_unexpected(world, inner)

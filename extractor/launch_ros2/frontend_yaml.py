@@ -60,6 +60,7 @@ class _Elements:
                 entity.children.extend(self.named(key.value, value, depth))
             else:
                 entity.attributes[key.value] = constructed(self.loader, value)
+                entity.at[key.value] = Place(self.path, key.start_mark.line + 1, key.start_mark.column + 1)
         return entity
 
     def named(self, name: str, node: yaml.SequenceNode, depth: int) -> Iterator[Entity]:

@@ -92,6 +92,7 @@ def test_bad_xml(tmp_path: Path, content: str, said: str) -> None:
         ("launch: [", "main.launch.yaml:1:10: while parsing a flow node expected the node content, but found '<stream end>'"),
         ("- a", "main.launch.yaml:1:1: a launch file in YAML is a map with the key `launch`"),
         ("launch:\n- nope: {}\n", "main.launch.yaml:2:3: unknown element <nope> in <launch>"),
+        ("launch:\n- arg:\n    name: a\n    default: b\n    defalt: b\n", "main.launch.yaml:5:5: <arg> cannot have the attribute `defalt`"),
         ("launch:\n- arg: {name: a, default: 2000-99-99}\n", "main.launch.yaml:1:1: month must be in 1..12"),
         ("launch:\n- arg: {name: a, default: !own x}\n", "main.launch.yaml:2:27: could not determine a constructor for the tag '!own'"),
         ("launch:\n- group: &a [group: *a]\n", "main.launch.yaml:1:1: a value that contains itself"),
@@ -124,6 +125,16 @@ def test_the_version_of_ros(tmp_path: Path, name: str, text: str, version: int) 
     if text or name.endswith((".py", ".yaml")):
         (tmp_path / name).write_text(text)
     assert ros_version(tmp_path / name) == version
+
+
+def test_a_launch_file_with_words_of_both_versions_is_for_that_of_its_package(tmp_path: Path) -> None:
+    text = '<launch><node pkg="p" type="a" name="a"/><node pkg="p" exec="b" name="b"/></launch>'
+    (tmp_path / "main.launch").write_text(text)
+    found = []
+    for tool in ("catkin", "ament_cmake", ""):
+        (tmp_path / "package.xml").write_text(f"<package><name>p</name><buildtool_depend>{tool}</buildtool_depend></package>")
+        found.append(ros_version(tmp_path / "main.launch"))
+    assert found == [1, 2, 2]
 
 
 def test_files_that_no_other_includes(tmp_path: Path) -> None:
