@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Entity:
-    """An element: its name, attributes and children, and where it is. Those of YAML are `typed`: numbers are no texts; `at` are their keys."""
+    """An element: its name, attributes and children, and where it is. Those of YAML are `typed`: numbers are no texts; keys are `at`."""
 
     name: str
     attributes: dict[str, Any]
