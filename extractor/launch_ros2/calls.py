@@ -151,6 +151,8 @@ class Calls(Expressions):
     def _of_instance(self, owner: Instance, name: str, node: ast.AST, frame: Frame) -> Any:
         if name in owner.attributes:
             return owner.attributes[name]
+        if owner.made is not None and name.startswith(f"_{owner.made.kind}__"):  # a private attribute of the base class
+            return owner.made.arguments.get(name.partition("__")[2], Unknown(_text_of(node), self.place(node, frame)))
         try:
             found = owner.of.find(name)
         except KeyError:

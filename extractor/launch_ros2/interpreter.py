@@ -134,6 +134,8 @@ class Interpreter(Calls):
             owner = self.value(target.value, frame)
             if isinstance(owner, Instance):
                 owner.attributes[target.attr] = value
+                if owner.made is not None and target.attr.startswith(f"_{owner.made.kind}__"):  # a private attribute of the base class
+                    owner.made.arguments[target.attr.partition("__")[2]] = value
             elif isinstance(owner, Made):
                 owner.arguments[target.attr.strip("_")] = value
         elif isinstance(target, ast.Subscript):

@@ -334,6 +334,9 @@ def _is_of(value: Any, kind: Any) -> bool | None:
     return isinstance(value, kind) if kind in _TYPES.values() else None
 
 
+NATIVES["typing.Text"] = NATIVES["str"]
+
+
 @native("len")
 def _len(_run: Calls, value: Any) -> Any:
     known = isinstance(value, (list, tuple, dict, set, range)) or (isinstance(value, str) and is_known(value))

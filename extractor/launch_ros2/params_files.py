@@ -69,6 +69,7 @@ def params_file(world: World, path: str, context: Context | None, *, loaded: boo
         LaunchError: it cannot be read, or is no YAML.
     """
     text = world.source_of(path)
+    is_open = world.state.unknowns.is_open
     if context is not None and "$(" in text:
         text = perform(world, parsed(text, Place(path, 1)), context)
     if (text, loaded) not in world.parameter_texts:
@@ -76,11 +77,12 @@ def params_file(world: World, path: str, context: Context | None, *, loaded: boo
         try:
             data, lines = world.state.files.yaml(text, RepeatedKeysLoader if loaded else RclLoader)
         except YamlError as error:
-            raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
+            if not is_open(text):
+                raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
+            data, lines = text, {}  # what is not known of it may be what makes it YAML
         found = tuple(_sections("", data, ())) if isinstance(data, dict) else ()
         if loaded:
             found = _for_loaded(found, data)
-        is_open = world.state.unknowns.is_open
         unknown = data if isinstance(data, str) and is_open(data) else None
         refusal = None if loaded or is_open(text) else refused(text)
         world.parameter_texts[text, loaded] = ParamsFile(found, lines, refusal, unknown)

@@ -133,6 +133,70 @@ def test_an_action_that_prepares_something_and_starts_as_its_base_class_does(tmp
     assert (names(found), problems(found, tmp_path)) == (["/first", "/second"], [])
 
 
+def test_an_action_of_the_workspace_that_declares_arguments(tmp_path: Path) -> None:
+    before = """from typing import Text
+class Declared(GroupAction):
+    def __init__(self, source):
+        actions = [DeclareLaunchArgument('source', default_value=source)]
+        if isinstance(source, Text):
+            actions.append(DeclareLaunchArgument('early', default_value='a'))
+        super().__init__(actions=actions, scoped=False)
+    def execute(self, context):
+        self._GroupAction__actions = [*self._GroupAction__actions, DeclareLaunchArgument('late', default_value='b')]
+        return super().execute(context)"""
+    node = "Node(package='p', executable='e', name=[LaunchConfiguration(one) for one in ('source', 'early', 'late')])"
+    found = described(tmp_path, f"Declared('s'), {node}", before)
+    assert (names(found), problems(found, tmp_path)) == (["/sab"], [])
+
+
+def test_a_file_of_parameters_that_is_no_yaml_as_far_as_it_is_known(tmp_path: Path) -> None:
+    before = """import tempfile
+import yaml
+with tempfile.NamedTemporaryFile(mode='w', delete=False) as made:
+    made.write('/**:\\n')
+    made.write(os.environ['MORE'])
+    made.write('\\n  x: 1\\n')"""
+    node = "Node(package='p', executable='e', name='n', parameters=[made.name])"
+    found = described(tmp_path, node, before)
+    assert (names(found), [one for one in problems(found, tmp_path) if "YAML" in one]) == (["/n"], [])
+    written = described(tmp_path, node, before.replace("os.environ['MORE']", "'}'"))
+    assert [one for one in problems(written, tmp_path) if "YAML" in one]
+
+
+def test_arguments_of_unknown_names(tmp_path: Path) -> None:
+    before = """import re
+found = {}
+for line in ('a: b', 'c: d'):
+    word = re.match('(.*): (.*)', line)
+    if word:
+        found[word.group(1)] = word.group(2)
+declared = [DeclareLaunchArgument(name, default_value=str(value)) for name, value in found.items()]"""
+    found = described(tmp_path, "*declared, node(LaunchConfiguration('a'))", before)
+    assert (names(found), problems(found, tmp_path)) == (["/$(var a)"], [])
+    assert problems(described(tmp_path, "node(LaunchConfiguration('a'))", "declared = []"), tmp_path) != []
+
+
+def test_of_which_kind_a_value_is(tmp_path: Path) -> None:
+    before = """import launch
+from absent import Other
+class Base: pass
+class Derived(Base): pass
+given = LaunchConfiguration('x')
+ld = LaunchDescription()
+for name, found in (
+    ('substitution', isinstance(given, launch.Substitution)),
+    ('action', isinstance(given, launch.Action)),
+    ('base', isinstance(Derived(), Base)),
+    ('text', isinstance('x', str)),
+):
+    if found:
+        ld.add_action(node(name))
+if isinstance('x', Other):
+    ld.add_action(node('perhaps'))
+return ld"""
+    assert names(described(tmp_path, "", before)) == ["/substitution", "/base", "/text", "/perhaps if isinstance('x', Other)"]
+
+
 def test_nodes_that_are_started_again_when_a_process_has_ended(tmp_path: Path) -> None:
     before = """def nodes(*_event):
     return [node('first')]
