@@ -45,7 +45,7 @@ def _is_print(node: ast.AST) -> bool:
 
 
 class _Names:
-    """The variables that stand for a configuration (`text` when for its text), of those that are assigned once."""
+    """The variables that stand for a configuration (`text` when for its text), of those that are assigned once, and are no arguments."""
 
     def __init__(self, outer: dict[str, tuple[str, bool]], body: list[ast.stmt], arguments: ast.arguments | None = None) -> None:
         nodes = list(_within(body))
@@ -54,7 +54,7 @@ class _Names:
         self.values = {name: value for name, value in outer.items() if name not in made and name not in given}
         for node in nodes:
             if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(target := node.targets[0], ast.Name):
-                found = self.of(node.value) if made[target.id] == 1 else None
+                found = self.of(node.value) if made[target.id] == 1 and target.id not in given else None
                 if found is not None:
                     self.values[target.id] = found
 

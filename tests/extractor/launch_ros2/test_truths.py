@@ -51,6 +51,7 @@ def setup(context, given, twice=None):
         ("if mode == given: pass", ""),
         ("if twice: pass", ""),
         ("if given: pass", ""),
+        ("if not given:\n        given = LaunchConfiguration('given')", ""),
         ("if text.lower() == 'true': pass", ""),
         ("def inner(mode):\n        if mode: pass", ""),
     ],
