@@ -79,7 +79,7 @@ def params_file(world: World, path: str, context: Context | None, *, loaded: boo
         except YamlError as error:
             if not is_open(text):
                 raise LaunchError("yaml", path, f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}") from None
-            data, lines = text, {}  # what is not known of it may be what makes it YAML
+            data, lines = text, {}  # the parts that are not known may make it YAML
         found = tuple(_sections("", data, ())) if isinstance(data, dict) else ()
         if loaded:
             found = _for_loaded(found, data)
