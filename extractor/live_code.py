@@ -12,6 +12,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from rosarch.extractor.workspace.model import LIBRARY
 from rosarch.extractor.workspace.plugins import REGISTERS_TREE_NODES
 
 Row = tuple[str | int, ...]
@@ -115,9 +116,11 @@ class _Program:
         self.seen_types: set[str] = set()
 
     def enter(self) -> None:
-        """Where the component starts; objects of its class are made by a library."""
+        """Where the component starts; objects of its class are made by a library, and whatever a library has may be called."""
         self.reach([str(row[0]) for row in self.declared.get("program_entry", ())])
         self.mention_name("main")
+        if any(row[2] == LIBRARY for row in self.declared.get("component", ())):
+            self.reach(map(str, self.defined))
         aliased = _multimap(_pairs(self.declared, "type_alias"))
         for name in _column(self.declared, "component_class"):
             self.mention_name(REGISTERS_TREE_NODES)

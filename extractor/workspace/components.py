@@ -11,9 +11,11 @@ from pathlib import Path
 from rosarch.base.diagnostics import Diagnostic
 from rosarch.base.files import file_name
 from rosarch.extractor.workspace.graph import closure, definitions, find_library, include_path
-from rosarch.extractor.workspace.model import EXECUTABLE, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
+from rosarch.extractor.workspace.libraries import library_modules, library_targets
+from rosarch.extractor.workspace.model import EXECUTABLE, LIBRARY, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
 from rosarch.extractor.workspace.plugins import Registration, own_headers, registrations
-from rosarch.extractor.workspace.python_nodes import python_nodes
+from rosarch.extractor.workspace.python_modules import Modules
+from rosarch.extractor.workspace.python_nodes import component_of, python_nodes
 
 NODELET_BASE = "nodelet::Nodelet"
 COMPONENT_BASE = "rclcpp_components"
@@ -64,6 +66,7 @@ def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -
             result.extend(_plugins(workspace, package))
     problems = [] if problems is None else problems
     result.extend(python_nodes(workspace, problems))
+    result.extend(_libraries(workspace, result))
     result.sort(key=lambda c: (c.package, c.kind, c.name, c.plugin_name or ""))
     return tuple(_distinct(workspace, result, problems))
 
@@ -92,6 +95,20 @@ def _nodes(workspace: Workspace, package: Package) -> Iterable[Component]:
     for target in package.targets:
         if target.kind == EXECUTABLE and target.name not in of_class:
             yield _component(workspace, package, target.output_name, "node", target)
+
+
+def _libraries(workspace: Workspace, found: Iterable[Component]) -> list[Component]:
+    """The libraries of the selected packages that are in none of the components that were `found`."""
+    used = {source for component in found for source in (*component.sources, *component.library_sources)}
+    modules = Modules()
+    made: list[Component] = []
+    for package in workspace.packages:
+        if package.name in workspace.selected:
+            targets = library_targets(package, used)
+            made.extend(_component(workspace, package, target.output_name, LIBRARY, target) for target in targets)
+            entries = library_modules(package, used, modules)
+            made.extend(replace(component_of(package, entry.module, (), entry, modules), kind=LIBRARY) for entry in entries)
+    return made
 
 
 def _component(workspace: Workspace, package: Package, name: str, kind: str, target: Target | None) -> Component:

@@ -20,6 +20,7 @@ INTERFACE = "interface"
 IMPORTED = "imported"
 TEST = "test"
 PYTHON_NODE = "python_node"
+LIBRARY = "library"
 LIBRARY_KINDS = frozenset({SHARED, STATIC, MODULE, OBJECT, INTERFACE})
 _ROS2_TOOLS = frozenset({"rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
 
@@ -196,9 +197,10 @@ class PythonEntry:
 class Component:
     """A unit of the running system: a node executable, a nodelet class, another plug-in class.
 
-    `kind` is `node`, `nodelet`, `component` (rclcpp_components), `gazebo_plugin`, `plugin` or `python_node`. `sources` are the component's
-    own sources, `library_sources` those of the workspace libraries it is linked with, or of the modules of other packages that it imports.
-    `executables` are the names that a Python node is started by, where `python` says how it begins.
+    `kind` is `node`, `nodelet`, `component` (rclcpp_components), `gazebo_plugin`, `plugin`, `python_node` or `library` (which nothing in
+    the workspace runs). `sources` are the component's own sources, `library_sources` those of the workspace libraries it is linked with, or
+    of the modules of other packages that it imports. `executables` are the names that a Python node is started by, where `python` says how
+    it begins.
     """
 
     name: str

@@ -84,7 +84,7 @@ def _of_plugins(
         start = PythonEntry(file, module, name, roots)
         if only_ros and not _uses_ros(start, modules):
             continue
-        component = _component(package, name, (), start, modules)
+        component = component_of(package, name, (), start, modules)
         yield replace(component, kind="plugin", entry_class=f"{module}::{name}", base_class=plugin.base or None, plugin_name=plugin.name)
 
 
@@ -108,7 +108,7 @@ def _has_shebang(path: Path) -> bool:
 def _node(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Iterator[Component]:
     """The node that a file is; none when neither it nor what it imports uses ROS."""
     if _uses_ros(start, modules):
-        yield _component(package, name, executables, start, modules)
+        yield component_of(package, name, executables, start, modules)
 
 
 def _uses_ros(start: PythonEntry, modules: Modules) -> bool:
@@ -116,7 +116,8 @@ def _uses_ros(start: PythonEntry, modules: Modules) -> bool:
     return not packages.isdisjoint(CLIENT_LIBRARIES)
 
 
-def _component(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Component:
+def component_of(package: Package, name: str, executables: Iterable[str], start: PythonEntry, modules: Modules) -> Component:
+    """The component of a package that a file begins, with all that it imports."""
     imported, _ = modules.closure(start.file, start.module, start.roots)
     sources = tuple(dict.fromkeys(path for _, path in imported))
     own = tuple(path for path in sources if path == start.file or path.is_relative_to(package.path))

@@ -20,7 +20,7 @@ _APART = frozenset({"test", "tests", "launch", "doc", "docs", "build", "devel", 
 def unused_sources(packages: Iterable[Path], used: Collection[Path]) -> list[Path]:
     """The sources below the folders of `packages` that use ROS and are not `used`; tests, launch files and ignored folders left out."""
     found = {path.resolve() for path in used}
-    return sorted({path for package in packages for path in _sources(package) if path.resolve() not in found and _uses_ros(path)})
+    return sorted({path for package in packages for path in _sources(package) if path.resolve() not in found and uses_ros(path)})
 
 
 def _sources(package: Path) -> Iterator[Path]:
@@ -34,7 +34,8 @@ def _sources(package: Path) -> Iterator[Path]:
         )
 
 
-def _uses_ros(path: Path) -> bool:
+def uses_ros(path: Path) -> bool:
+    """Whether a source or header names a client library of ROS."""
     try:
         return _USES_ROS.search(read_file(path)) is not None
     except OSError:
