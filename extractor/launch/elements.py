@@ -32,7 +32,11 @@ def arg(state: State, element: Element, scope: Scope, passed: dict[str, str] | N
         return
     state.check_attributes(element, ("name", "value", "default", "doc"))
     name = state.required(element, "name", scope)
-    value, default, _doc = (state.text(element, key, scope) for key in ("value", "default", "doc"))
+    try:
+        value, default, _doc = (state.text(element, key, scope) for key in ("value", "default", "doc"))
+    except LaunchError:
+        (scope.args if passed is None else passed).setdefault(name, state.unknowns.mark(f"$(arg {name})", scope.filename))  # declared it is
+        raise
     if value is not None and default is not None:
         raise LaunchError("arg-value", name, f"argument `{name}` has both a value and a default")
     if passed is None:

@@ -66,7 +66,8 @@ def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -
             result.extend(_plugins(workspace, package))
     problems = [] if problems is None else problems
     result.extend(python_nodes(workspace, problems))
-    result.extend(_libraries(workspace, result))
+    if workspace.selected.issuperset(package.name for package in workspace.packages):  # else something else may run them
+        result.extend(_libraries(workspace, result))
     result.sort(key=lambda c: (c.package, c.kind, c.name, c.plugin_name or ""))
     return tuple(_distinct(workspace, result, problems))
 
@@ -98,16 +99,15 @@ def _nodes(workspace: Workspace, package: Package) -> Iterable[Component]:
 
 
 def _libraries(workspace: Workspace, found: Iterable[Component]) -> list[Component]:
-    """The libraries of the selected packages that are in none of the components that were `found`."""
+    """The libraries that are in none of the components that were `found`."""
     used = {source for component in found for source in (*component.sources, *component.library_sources)}
     modules = Modules()
     made: list[Component] = []
     for package in workspace.packages:
-        if package.name in workspace.selected:
-            targets = library_targets(package, used)
-            made.extend(_component(workspace, package, target.output_name, LIBRARY, target) for target in targets)
-            entries = library_modules(package, used, modules)
-            made.extend(replace(component_of(package, entry.module, (), entry, modules), kind=LIBRARY) for entry in entries)
+        targets = library_targets(package, used)
+        made.extend(_component(workspace, package, target.output_name, LIBRARY, target) for target in targets)
+        entries = library_modules(package, used, modules)
+        made.extend(replace(component_of(package, entry.module, (), entry, modules), kind=LIBRARY) for entry in entries)
     return made
 
 

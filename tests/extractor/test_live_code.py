@@ -127,3 +127,16 @@ if __name__ == '__main__':
     found = {str(name).rpartition("::")[2] for function, name in rows["function_name"] if function in bodies}
     assert {"main", "act", "later", "helper"} <= found
     assert not found & {"lost", "never"}
+
+
+def test_all_of_a_library_may_be_called(tmp_path: Path) -> None:
+    source = "#include <ros/ros.h>\nclass Api {\n public:\n  void start() { inner(); }\n\n private:\n  void inner() { ros::spinOnce(); }\n};\nvoid use(Api& api) { api.start(); }"
+    package(tmp_path, "demo", "add_library(api api.cpp)\n", {"api.cpp": source})
+    with extract(tmp_path, settings=Settings(jobs=1)) as extraction:
+        (component,) = extraction.components
+        rows = component.rows()
+    bodies = {function for _, function in rows["block"]}
+    assert (component.kind, {"Api::start", "Api::inner", "use"} - {str(name) for function, name in rows["function_name"] if function in bodies}) == (
+        "library",
+        set(),
+    )

@@ -302,3 +302,22 @@ def test_libraries_of_an_export_set(tmp_path: Path) -> None:
     package(tmp_path, "demo", cmake, {"x.cpp": ""}, export=ament)
     (found,) = components(discover(tmp_path))
     assert [path.name for path in found.library_sources] == ["core.cpp"]
+
+
+def test_libraries_that_nothing_runs(tmp_path: Path) -> None:
+    uses, cmake = "#include <ros/ros.h>\n", "add_library(apart apart.cpp)\nadd_library(used used.cpp)\nadd_library(plain plain.cpp)\n"
+    files = {"apart.cpp": uses, "used.cpp": uses, "plain.cpp": "", "node.cpp": uses}
+    package(tmp_path, "demo", f"{cmake}add_executable(node node.cpp)\ntarget_link_libraries(node used)", files)
+    module = "import rospy\n"
+    setup = "from setuptools import setup\nsetup(name='api', packages=['api'])\n"
+    modules = {f"api/{name}.py": text for name, text in {"__init__": "", "user": f"import api.low\n{module}", "low": module, "none": ""}.items()}
+    package(tmp_path, "api", "", {"setup.py": setup, **modules}, export="<build_type>ament_python</build_type>")
+    found = components(discover(tmp_path))
+    assert [(one.package, one.name, one.kind) for one in found] == [
+        ("api", "api.user", "library"),
+        ("demo", "apart", "library"),
+        ("demo", "node", "node"),
+    ]
+    # another package may run what is asked for
+    package(tmp_path, "above", "", {}, depends=("demo",))
+    assert [one.name for one in components(discover(tmp_path, ["above"]))] == []
