@@ -388,6 +388,8 @@ class Calls(Expressions):
             owner[key] = self.guarded(value, owner.get(key, NOTHING))
         elif isinstance(owner, dict):
             self.widen(owner)
+            if isinstance(key, Unknown) and not any(isinstance(one, Unknown) for one in owner):
+                owner[key] = Unknown("?", key.place)  # who goes through the entries comes to one more
         elif isinstance(owner, list) and isinstance(key, int) and -len(owner) <= key < len(owner):
             owner[key] = self.guarded(value, owner[key])
         elif isinstance(owner, Native) and owner.name == "os.environ":
