@@ -28,12 +28,14 @@ public:
   Look() : Node("look") {
     buffer_ = std::make_shared<tf2_ros::Buffer>(get_clock());
     declare_parameter("rate", 2.0);
+    declare_parameter("address", rclcpp::PARAMETER_STRING);
+    std::string address = get_parameter("address").as_string();
     int rate = get_parameter("rate").as_int();
     double right = get_parameter("rate").as_double();
     sync_ = std::make_shared<message_filters::Synchronizer<Policy>>(Policy(10), left_, right_);
     timer_ = create_wall_timer(std::chrono::seconds(1), [this]() { tick(); });
     begun_ = now();
-    RCLCPP_INFO(get_logger(), "%d %f", rate, right);
+    RCLCPP_INFO(get_logger(), "%d %f %s", rate, right, address.c_str());
   }
 
 private:
