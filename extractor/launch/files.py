@@ -163,6 +163,8 @@ class Files:
         try:
             status = os.stat(full)
         except (FileNotFoundError, NotADirectoryError):
+            if self.packages.underlay.is_of_library(full):
+                raise LaunchError("made", path, f"{path} is not among the files that the library has of its package") from None
             if self.packages.makes(full):
                 raise LaunchError("made", path, f"{path} is made when its package is built") from None
             raise LaunchError("file", path, f"no such file: {path}") from None

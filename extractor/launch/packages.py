@@ -110,7 +110,12 @@ class PackagePath:
         return self._names[folder]
 
     def makes(self, path: str) -> bool:
-        """Whether the file is made: by its package, from a template beside it or by a command that names it, or on each machine."""
+        """Whether the file is made: by its package, from a template beside it or by a command that names it, or on each machine.
+
+        Of packages of a library there may be more than it has.
+        """
+        if self.underlay.is_of_library(path):
+            return True
         tracing.probe(f"{path}.in")
         if os.path.isfile(f"{path}.in"):
             return True

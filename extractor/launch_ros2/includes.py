@@ -47,7 +47,9 @@ def _include(world: World, made: Made, context: Context) -> None:
     passed = _pass(world, made, place, context)
     file = None if state.unknowns.is_open(path) else world.located(path)
     entities = None if file is None else read(world, file, len(context.lines))
-    for declared in _required(entities, set()):
+    # a library need not have the revision that is installed where the files are launched
+    is_certain = file is not None and not state.files.packages.underlay.is_of_library(file)
+    for declared in _required(entities, set()) if is_certain else ():
         name = world.as_text(declared.get("name"))
         if name not in passed and not any(map(state.unknowns.is_open, passed)):
             state.report(must_be_passed(name), place=declared.place)
@@ -59,7 +61,7 @@ def _include(world: World, made: Made, context: Context) -> None:
     with context.included(file, place):
         visit(world, entities, context)
     world.here(place)
-    for name in _unused(world, passed, file, before):
+    for name in _unused(world, passed, file, before) if is_certain else ():
         state.warn("unused-argument", name, f"{path} neither declares nor uses the argument `{name}` that is passed to it")
 
 
@@ -98,7 +100,8 @@ def _unused(world: World, passed: Iterable[str], file: str, before: tuple[int, i
     if any(problem.kind == "python" and problem.place.path in files for problem in state.problems):
         return []
     texts = [state.files.read_text(path) for path in files]
-    return [name for name in passed if name not in known and not any(name in text for text in texts)]
+    named = (name for name in passed if not state.unknowns.is_open(name))
+    return [name for name in named if name not in known and not any(name in text for text in texts)]
 
 
 def _pass(world: World, made: Made, place: Place, context: Context) -> dict[str, str]:

@@ -139,6 +139,23 @@ def test_a_workspace_includes_what_the_library_has(library: Path, rosarch: Calla
     assert nodes("--library", "library") == []  # what is for ROS 2 is not for ROS 1
 
 
+def test_nothing_is_said_of_what_another_revision_may_have(library: Path, rosarch: Callable) -> None:
+    include = """<launch>
+  <include file="$(find-pkg-share base)/launch/base.launch.py"><arg name="speed" value="1"/><arg name="of_another" value="1"/></include>
+  <include file="$(find-pkg-share base)/launch/of_another.launch.py"/>
+  <node pkg="base" exec="of_another"/>
+</launch>
+"""
+    files = {"package.xml": MANIFEST.format("robot").replace("other", "base"), "launch/main.launch.xml": include}
+    write(Path("robot"), {**files, "CMakeLists.txt": "project(robot)\n"})
+
+    def found(*options: str) -> set[str]:
+        return {finding["check"] for finding in json.loads(rosarch("check", "robot", "--format", "json", *options).out)["findings"]}
+
+    assert found("--library", "library") == set()
+    assert found("--package-path", "src") == {"argument-without-use"}
+
+
 def test_what_is_no_description_is_rejected(tmp_path: Path) -> None:
     path = PackagePath([tmp_path])
     write(tmp_path / "base", {"package.xml": MANIFEST.format("base")})
