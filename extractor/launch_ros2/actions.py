@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
@@ -259,7 +260,8 @@ def _set_environment(world: World, made: Made, context: Context) -> None:
     name, value = perform(world, made.get("name"), context), perform(world, made.get("value"), context)
     before = context.variable(name)
     if made.kind == "AppendEnvironmentVariable" and before:
-        value = f"{value}:{before}" if made.get("prepend") else f"{before}:{value}"
+        separator = ":" if made.get("separator") is None else perform(world, made.get("separator"), context)
+        value = separator.join((value, before) if made.get("prepend") else (before, value))
     context.environment[name] = value
 
 
@@ -271,6 +273,30 @@ def _unset_environment(world: World, made: Made, context: Context) -> None:
 @carries_out("PushRosNamespace", "PushROSNamespace")
 def _namespace(world: World, made: Made, context: Context) -> None:
     context.namespace = joined(context.namespace, perform(world, made.get("namespace"), context))
+    require_namespace(context.namespace)
+
+
+_WORD = r"[A-Za-z_][A-Za-z0-9_]*"
+
+
+def require_namespace(namespace: str) -> None:
+    """Require that a namespace is one, as far as it is known.
+
+    Raises:
+        LaunchError: launch rejects it.
+    """
+    if is_known(namespace) and not re.fullmatch(rf"(/{_WORD})*", namespace):
+        raise LaunchError("namespace", namespace, f"`{namespace}` is no namespace")
+
+
+def require_node_name(name: str) -> None:
+    """Require that the name of a node is one, as far as it is known.
+
+    Raises:
+        LaunchError: launch rejects it.
+    """
+    if is_known(name) and not re.fullmatch(_WORD, name):
+        raise LaunchError("node", name, f"`{name}` is no name of a node")
 
 
 def joined(outer: str, inner: str) -> str:

@@ -39,6 +39,18 @@ ATTRIBUTES = {
     if (words := line.split())[0] != "#"
 }
 """The elements of which all attributes are known, with these."""
+_OF_NODES = ("param", "remap", "env")
+_CHILDREN = {
+    "arg": ("choice",),
+    "composable_node": ("param", "remap", "extra_arg"),
+    "executable": ("env",),
+    "include": ("arg", "let"),
+    "load_composable_node": ("composable_node",),
+    "node": _OF_NODES,
+    "node_container": (*_OF_NODES, "composable_node"),
+    "param": ("param",),
+}
+"""The elements that hold no actions, with those that they may hold."""
 
 
 def element(*names: str) -> Callable[[Maker], Maker]:
@@ -68,27 +80,34 @@ def _actions(world: World, children: list[Entity], inside: str) -> Iterator[Made
         _report_unexpected(world, child)
         try:
             made = maker(world, child)
+            if made is not None:
+                made.arguments["condition"] = _condition(child)
         except LaunchError as error:
             world.state.report(error)
             continue
         if made is not None:
-            made.arguments["condition"] = _condition(child)
             yield made
 
 
 def _report_unexpected(world: World, child: Entity) -> None:
-    """Report the attributes that an element cannot have: launch reads no file with one."""
+    """Report the attributes and elements that an element cannot have: launch reads no file with one."""
     known = ATTRIBUTES.get(child.name.replace("-", "_"), child.attributes.keys())
     for name, value in child.attributes.items():
         if name not in known and not isinstance(value, (list, dict)):
             error = LaunchError("attribute", name, f"<{child.name}> cannot have the attribute `{name}`")
             world.state.report(error, place=child.at.get(name, child.place))
+    allowed = _CHILDREN.get(child.name)
     for inner in child.children:
+        if allowed is not None and inner.name not in allowed:
+            problem = LaunchError("unknown-element", inner.name, f"<{child.name}> cannot hold <{inner.name}>")
+            world.state.report(problem, place=inner.place)
         if child.name != "group":  # whose children are actions
             _report_unexpected(world, inner)
 
 
 def _condition(child: Entity) -> Made | None:
+    if {"if", "unless"} <= child.attributes.keys():
+        raise LaunchError("condition", "if unless", f"<{child.name}> has both `if` and `unless`")
     for attribute, kind in (("if", "IfCondition"), ("unless", "UnlessCondition")):
         if attribute in child.attributes:
             return Made(kind, {"predicate_expression": text(child, attribute)}, child.place)
@@ -186,8 +205,10 @@ def _from_file(_world: World, child: Entity) -> Made:
 
 @element("set_env", "env", "append_env")
 def _environment(_world: World, child: Entity) -> Made:
-    kind = "AppendEnvironmentVariable" if child.name.startswith("append") else "SetEnvironmentVariable"
-    return made(child, kind, name=required(child, "name"), value=required(child, "value"))
+    given = {"name": required(child, "name"), "value": required(child, "value")}
+    if not child.name.startswith("append"):
+        return made(child, "SetEnvironmentVariable", **given)
+    return made(child, "AppendEnvironmentVariable", **given, prepend=flag(child, "prepend", False), separator=text(child, "separator"))
 
 
 @element("unset_env")
@@ -262,6 +283,8 @@ def _words(child: Entity, name: str) -> Any:
 
 @element("node_container")
 def _container(world: World, child: Entity) -> Made:
+    required(child, "name")
+    required(child, "namespace")
     return made(child, "ComposableNodeContainer", executable=required(child, "exec"), package=required(child, "pkg"),
                 composable_node_descriptions=_composable(child), **_of_node(child))  # fmt: skip
 
@@ -297,12 +320,22 @@ def value_of(child: Entity) -> Any:
     kind = child.attributes.get("type", "auto")
     if found is None:
         raise LaunchError("attribute", "value", f"<{child.name}> has no attribute `value`")
+    if isinstance(found, list):
+        substituted = any("$(" in one for one in found if isinstance(one, str))
+        return [_item(one, kind, child) for one in found] if substituted else found
     if not isinstance(found, str) or (child.typed and "$(" not in found):
         return found
     separator = child.attributes.get("value-sep")
     if separator:
         return [_typed(part, kind, child) for part in found.split(separator)]
     return _typed(found, kind, child)
+
+
+def _item(found: Any, kind: str, child: Entity) -> Any:
+    """An item of a list of YAML, some of which have substitutions."""
+    if isinstance(found, str):
+        return _typed(found, kind if "$(" in found else "str", child)
+    return Made("ParameterValue", {"value": found}, child.place)
 
 
 def _typed(found: str, kind: str, child: Entity) -> Any:

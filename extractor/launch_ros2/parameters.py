@@ -169,7 +169,15 @@ def _typed(world: World, made: Made, context: Context) -> Any:
     if name in ("str", "string"):
         return text
     found = _read(world, text)
+    if name == "auto" and not (_is_value(found) and (not text or yaml_value(text) is not None)):
+        raise LaunchError("parameter", text, f"`{world.state.unknowns.render(text)}` is neither a scalar nor a list of one type")
     return float(found) if name in ("float", "double") and isinstance(found, int) and not isinstance(found, bool) else found
+
+
+def _is_value(found: Any) -> bool:
+    """Whether launch takes what a text is as YAML: a scalar, or scalars of one type."""
+    kinds = {type(item) for item in found} if isinstance(found, list) else {type(found)}
+    return len(kinds) <= 1 and kinds <= {bool, int, float, str}
 
 
 def yaml_value(source: str) -> Any:

@@ -22,7 +22,7 @@ from rosarch.extractor.launch.model import (
     Remap,
 )
 from rosarch.extractor.launch.names import canonical, ns_join
-from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined
+from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined, require_namespace, require_node_name
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
@@ -84,8 +84,13 @@ def start_node(world: World, made: Made, context: Context) -> NodeStart:
     """Start a node as a process."""
     given = _ros_arguments(world, _words(world, made, context))
     package, executable = perform(world, made.get("package"), context), perform(world, made.get("executable", "node_executable"), context)
-    name = given.name or perform(world, made.get("name", "node_name"), context) or None
+    named = made.get("name", "node_name")
+    name = None if named is None else perform(world, named, context)
+    if name is not None:
+        require_node_name(name)
+    name = given.name or name
     namespace = joined(context.namespace, perform(world, made.get("namespace", "node_namespace"), context))
+    require_namespace(namespace)
     namespace = joined("", given.namespace) if given.namespace is not None else namespace
     remaps = [*given.remaps, *context.remaps, *_remaps(world, made, context)]  # as they stand on the command line
     _refer(world, package, executable, made.place)

@@ -123,8 +123,8 @@ class _Parser:
             raise LaunchError("substitution", name, f"unknown substitution $({name or '...'})")
         kind, names = _NAMED[name]
         given = dict(zip(names, values, strict=False))
-        if name == "eval" and len(values) > 1:  # several words without quotes
-            given["expression"] = [item for value in values for item in (*value, " ")][:-1]
+        if name == "eval" and len(values) > 2:
+            raise LaunchError("substitution", name, "the expression of $(eval) must be quoted when it has spaces")
         if name == "optenv":
             given.setdefault("default_value", "")
         return Made(kind, given, self.place)

@@ -77,7 +77,7 @@ def test_yaml(tmp_path: Path) -> None:
         ('<node exec="$(var x" pkg="p"/>', "main.launch.xml:2:1: `$(` is not closed: $(var x"),
         ('<node exec="$(nope x)" pkg="p"/>', "main.launch.xml:2:1: unknown substitution $(nope)"),
         ('<thing exec="1"/>', "main.launch.xml:2:1: unknown element <thing> in <launch>"),
-        ('<let name="a" value="$(eval 1 +)"/>', "main.launch.xml:2:1: the expression `1 +` fails: invalid syntax"),
+        ('<let name="a" value="$(eval \'1 +\')"/>', "main.launch.xml:2:1: the expression `1 +` fails: invalid syntax"),
         ('<group if="maybe"><let name="a" value="1"/></group>', "main.launch.xml:2:1: if: `maybe` is not true or false"),
         ('<let name="a" value="1"><', "main.launch.xml:2:26: broken XML: not well-formed (invalid token)"),
     ],
@@ -104,8 +104,8 @@ def test_bad_yaml(tmp_path: Path, text: str, said: str) -> None:
 
 
 def test_yaml_cannot_pose_as_an_unknown(tmp_path: Path) -> None:
-    text = 'launch:\n- node: {pkg: here, exec: run, name: "n\\U00100000"}\n'
-    assert names(composed(tmp_path, {"main.launch.yaml": text})) == ["/n\ufffd"]
+    text = 'launch:\n- node: {pkg: here, exec: run, args: "n\\U00100000"}\n'
+    assert composed(tmp_path, {"main.launch.yaml": text}).nodes[0].args == "'n\ufffd'"
 
 
 @pytest.mark.parametrize(

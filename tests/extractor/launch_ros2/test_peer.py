@@ -379,3 +379,38 @@ made = [xacro.process_file(path).toxml(), xacro.process_file(path, mappings={'w'
         "3",
     ]
     assert problems(found, tmp_path) == []
+
+
+NODE = '<node pkg="here" exec="run" name="n"'
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (f"{NODE}><bogus/></node>", "<node> cannot hold <bogus>"),
+        (f'{NODE} if="1" unless="0"/>', "<node> has both `if` and `unless`"),
+        ('<node pkg="here" exec="run" name="bad name"/>', "`bad name` is no name of a node"),
+        ('<node pkg="here" exec="run" name="n" namespace="1st"/>', "`/1st` is no namespace"),
+        ('<push_ros_namespace namespace="bad ns"/>', "`/bad ns` is no namespace"),
+        ('<node_container pkg="here" exec="run" name="c"/>', "<node_container> has no attribute `namespace`"),
+        ('<let name="a" value="$(eval 1 + 1)"/>', "the expression of $(eval) must be quoted when it has spaces"),
+        (f'{NODE}><param name="p" value="a: b"/></node>', "`a: b` is neither a scalar nor a list of one type"),
+        (f'{NODE}><param name="p" value="null"/></node>', "`null` is neither a scalar nor a list of one type"),
+        (f'{NODE}><param name="p" value="[1, a]"/></node>', "`[1, a]` is neither a scalar nor a list of one type"),
+    ],
+)
+def test_what_launch_rejects_of_xml(tmp_path: Path, content: str, said: str) -> None:
+    refusal = xml(tmp_path, content).refusal
+    assert refusal is not None
+    assert refusal.message == said
+
+
+def test_environment_variables_are_appended_as_said(tmp_path: Path) -> None:
+    content = f"""<set_env name="A" value="b"/><append_env name="A" value="c"/><append_env name="A" value="d" prepend="true" separator=";"/>
+{NODE} args="$(env A)"/>"""
+    assert shlex.split(xml(tmp_path, content).nodes[0].args) == ["d;b:c"]
+
+
+def test_substitutions_in_a_list_of_yaml(tmp_path: Path) -> None:
+    text = "launch:\n- node: {pkg: here, exec: run, name: n, param: [{name: p, value: [$(var x), w]}]}\n"
+    assert params(composed(tmp_path, {"main.launch.yaml": text}, {"x": "z"})) == {"/n/p": ["z", "w"]}
