@@ -24,7 +24,10 @@ PortIds = Mapping[Any, str]
 
 @dataclass(frozen=True)
 class Periodic:
-    """What a timed loop or timer sends under one guard; `hz` is None when the frequency is not known."""
+    """What a timed loop or timer sends under one guard; `hz` is None when the frequency is not known.
+
+    `ways` are the guards of the chains of calls that lead to the place that sends, where there are several.
+    """
 
     mechanism: str
     hz: float | None
@@ -32,6 +35,7 @@ class Periodic:
     publishes: tuple[str, ...]
     at: Place
     guard: Formula
+    ways: tuple[Formula, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -148,19 +152,28 @@ def build_behavior(
 def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards) -> tuple[Periodic, ...]:
     rates = _rates(relations)
     sent: dict[tuple[str, str], dict[Formula, set[str]]] = defaultdict(lambda: defaultdict(set))
+    calls: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
     roots = sorted(relations["periodic"])
     for site, port, call in sorted(relations["sends_periodically"], key=repr):
         if port in ports:
             for other, root, _mechanism in roots:
                 if other == site and (guard := guards.guard(root, call)) != FALSE:
                     sent[site, root][guard].add(ports[port])
+                    calls[site, root, guard].add(call)
     found = []
     for site, root, mechanism in roots:
         hz, parameter = _best_rate(rates[site])
         told = None if hz is None else round(hz, 6)
         for guard, published in (sent[site, root] or {TRUE: set()}).items():
-            found.append(Periodic(mechanism, told, parameter, tuple(sorted(published, key=_number)), places[site], guard))
+            ways = _ways_of_one(guards, root, calls[site, root, guard])
+            found.append(Periodic(mechanism, told, parameter, tuple(sorted(published, key=_number)), places[site], guard, ways))
     return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
+
+
+def _ways_of_one(guards: Guards, root: str, calls: Collection[str]) -> tuple[Formula, ...]:
+    """The guards of the chains of calls by which the activity of `root` comes to the only one of `calls`, where there are several."""
+    found = dict.fromkeys(way.guard for call in calls for way in guards.calls_apart(root, call)) if len(calls) == 1 else ()
+    return tuple(found) if len(found) > 1 else ()
 
 
 def _rates(relations: Relations) -> dict[str, list[tuple[float | None, str | None]]]:
@@ -201,6 +214,8 @@ def _reactive(
             if guard == FALSE:
                 continue
             at = tuple(sorted(places[site] for site in sites))
+            if len(functions[source]) == 1 and (chains := _ways_of_one(guards, functions[source][0], sites)):
+                ways = [(places[sites[0]], chain) for chain in chains]
             apart = tuple(dict.fromkeys(ways)) if len({guard for _, guard in ways}) > 1 else ()
             found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard, apart))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))

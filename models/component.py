@@ -375,7 +375,8 @@ def _behavior_json(behavior: Behavior, asked: Collection[str]) -> dict[str, Any]
             {"mechanism": p.mechanism, "hz": p.hz, "hz_from_param": p.hz_from_param,
              "publishes": [port for port in p.publishes if port not in asked],
              **({"calls": calls} if (calls := [port for port in p.publishes if port in asked]) else {}),
-             "at": str(p.at), **_guard_json("conditional", p.guard)}
+             "at": str(p.at), **_guard_json("conditional", p.guard),
+             **({"ways": [_guard_json("conditional", guard) for guard in p.ways]} if p.ways else {})}
             for p in behavior.periodic
         ],
         "reactive": [

@@ -136,31 +136,41 @@ class Guards:
 
         Empty when what the calls give decides that it does not.
         """
+        return self._come_to(root, node, value, apart=False)
+
+    def calls_apart(self, root: str, node: str) -> list[Way]:
+        """How the activity of `root` comes to `node`, one way for each chain of calls that leads there."""
+        return self._come_to(root, node, "", apart=True)
+
+    def _come_to(self, root: str, node: str, value: str, *, apart: bool) -> list[Way]:
         self._left = MOST_STEPS
         blocks = [block for block in self._blocks.get(node, ()) if self._runs(root, block)]
         with deep_recursion():
-            found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), ())]
+            found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), (), apart)]
         if blocks and not found:
             return []
         return [way for way in found if way.guard != FALSE] or [Way(TRUE, value)]
 
-    def _ways(self, root: str, block: str, beyond: Way, path: tuple[str, ...]) -> list[Way]:
-        """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond."""
+    def _ways(self, root: str, block: str, beyond: Way, path: tuple[str, ...], apart: bool) -> list[Way]:
+        """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond.
+
+        Calls make ways of their own where what they give matters, or where they are all told `apart`.
+        """
         function = _function(block)
         self._left -= 1
         own = self._own.get(function, set())
-        inner = replace(beyond, guard=both(self._of(function, block, ()), beyond.guard)) if own else beyond
+        inner = replace(beyond, guard=both(self._of(function, block, ()), beyond.guard)) if own or apart else beyond
         names = inner.names(own) - beyond.fixed
         entries = [(call, before) for call, before in self._entries.get(function, ()) if self._runs(root, before)]
         again = any(_function(before) in (function, *path) for _, before in entries)
-        if not names or not entries or again or function in (root, _function(root)) or self._left < 0:
+        if not (names or apart) or not entries or again or function in (root, _function(root)) or self._left < 0:
             return [replace(beyond, guard=both(self._of(root, block, ()), beyond.guard))]
         found = []
         for call, before in entries:
             given = {name: text for name, text in self._given[call, function].items() if name in names}
             called = inner.given(given, names - given.keys(), self._places.get(call))
             if called.guard != FALSE or inner.guard == FALSE:
-                found += self._ways(root, before, called, (*path, function))
+                found += self._ways(root, before, called, (*path, function), apart)
         return found
 
     def meaning(self, node: str) -> str | None:

@@ -101,6 +101,9 @@ class _Search:
             ([tests[atom] for atom in true], [tests[atom] for atom in false])
             for true, false in zip(opposite.true, opposite.false, strict=True)
         ]
+        commands = explorer.system.model.commands
+        own = enumerate(explorer.system.transitions)
+        self._assuming = {index for index, taken in own if taken.command is not None and commands[taken.command].assumes}
         self._free = {node for node in range(len(opposite.following)) if _is_free(opposite, node)}
         self.reached: dict[Product, tuple[Product | None, int]] = {}
         self.edges: dict[Product, list[tuple[int, Product]]] = {}
@@ -111,19 +114,29 @@ class _Search:
         return all(test(state) for test in true) and not any(test(state) for test in false)
 
     def run(self) -> Lasso | None:
-        """A run through an accepting component, reached by a breadth-first search."""
+        """A run through an accepting component, by a breadth-first search that takes as few steps that rest on assumptions as it can."""
         begun = self.explorer.begun()
         start = {(state, node): way for state, way in begun.items() for node in self.automaton.initial if self._fits(state, node)}
         self._begun = start
         self.reached = {product: (None, -1) for product in start}
-        waiting = deque(start)
-        while waiting:
+        waiting, assumed = deque(start), deque[tuple[Product, int, Product]]()
+        while waiting or assumed:
+            if not waiting:
+                product, index, other = assumed.popleft()
+                if other not in self.reached:
+                    self.reached[other] = (product, index)
+                    waiting.append(other)
+                continue
             product = waiting.popleft()
             self.edges[product] = list(self._following(product))
             for index, other in self.edges[product]:
                 if other[1] in self._free:
                     return Lasso(self._way_to(product), ())
-                if other not in self.reached:
+                if other in self.reached:
+                    continue
+                if index in self._assuming:
+                    assumed.append((product, index, other))
+                else:
                     self.reached[other] = (product, index)
                     waiting.append(other)
             if len(self.reached) > self.most:

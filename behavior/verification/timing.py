@@ -13,8 +13,12 @@ _NONE: Clocks = frozenset()
 def clocks_compared(model: Model, commands: Iterable[int]) -> Clocks:
     """The clocks whose rates show whether these commands may follow one another: what one of them sets off finds what another one left.
 
-    What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it.
+    What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it. One round of
+    a single clock comes before those of all others in some run: nodes begin when they like.
     """
+    commands = list(commands)
+    if sum(bool(model.commands[index].clock) for index in commands) <= 1:
+        return _NONE
     variables, queues = _clocks(model)
     found: set[str] = set()
     for command in (model.commands[index] for index in commands):

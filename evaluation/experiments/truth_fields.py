@@ -91,7 +91,7 @@ LISTS: Mapping[str, Fields] = {
     "params": Fields(("name",), {"name": _name, "op": _name, "type": _text, "default": _anything, **_ALL}),
     "periodic": Fields((), {
         "mechanism": _name, "hz": _NUMBER, "hz_from_param": _text, "publishes": _each(_name), "calls": _each(_name),
-        "feedback": _each(_name), **_CONDITION, **_ALL,
+        "feedback": _each(_name), "ways": _anything, **_CONDITION, **_ALL,
     }),
     "reactive": Fields(("input", "output"), {
         "input": _name, "output": _name, "must": _FLAG, "when": _text, "when_tree": _anything, "when_normal": _text, "ways": _anything,

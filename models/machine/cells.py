@@ -467,9 +467,6 @@ def _conditions(document: Document) -> Iterator[tuple[str, str]]:
     for row in document.get("transitions") or ():
         if guard := condition_of(row, "guard"):
             yield _owner(str(row.get("variable") or "")), guard
-    for row in (*(document.get("reactive") or ()), *(document.get("one_shot") or ())):
-        if when := condition_of(row, "when"):
-            yield "", when
-    for row in document.get("periodic") or ():
-        if conditional := condition_of(row, "conditional"):
-            yield "", conditional
+    for kind, key in (("reactive", "when"), ("one_shot", "when"), ("periodic", "conditional")):
+        for row in document.get(kind) or ():
+            yield from (("", text) for way in (row, *row.get("ways", ())) if (text := condition_of(way, key)))

@@ -67,12 +67,13 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             for trigger in _list(row.get("input")):
                 found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("periodic") or ()):
-        guard = meaning.conjuncts(condition_of(row, "conditional"), "")
-        for sometimes, sent in _sent_in_round(document, row, certain=bool(guard)):
-            place = _last_condition(row.get("conditional_tree"))
-            step = Step(Row("periodic", index, _place(row)), guard, (), sent, sometimes, done_at=place)
-            trees[step] = row.get("conditional_tree")
-            found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
+        for way in row.get("ways") or (row,):
+            guard = meaning.conjuncts(condition_of(way, "conditional"), "")
+            for sometimes, sent in _sent_in_round(document, row, certain=bool(guard)):
+                place = _last_condition(way.get("conditional_tree"))
+                step = Step(Row("periodic", index, _place(row)), guard, (), sent, sometimes, done_at=place)
+                trees[step] = way.get("conditional_tree")
+                found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
         step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
         trees[step] = row.get("when_tree")
