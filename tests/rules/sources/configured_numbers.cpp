@@ -4,7 +4,8 @@
 // expect: names_number("EVERY", "4")
 // expect: names_number("kAll", "5")
 // expect: names_number("START", "9")
-// expect: N = count : { names_number(_, _) }, N = 4
+// expect: names_number("size_", "6")
+// expect: N = count : { names_number(_, _) }, N = 5
 #include <vector>
 #include <ros/ros.h>
 #include <std_msgs/Int32.h>
@@ -22,9 +23,10 @@ class Counter {
   const unsigned kAll = 5;
   static const int START = 9;
   static const int UNUSED = 8;
+  const int size_;
 
  public:
-  Counter() {
+  Counter() : size_(6) {
     out_ = nh_.advertise<std_msgs::Int32>("out", 1);
     in_ = nh_.subscribe("in", 1, &Counter::onIn, this);
     limit_ = nh_.subscribe("limit", 1, &Counter::onLimit, this);
@@ -34,7 +36,7 @@ class Counter {
   void onLimit(const std_msgs::Int32& msg) { g_limit = msg.data; }
   void onIn(const std_msgs::Int32& msg) {
     all_.push_back(msg.data);
-    if (++n_ >= MOST && ++m_ % EVERY == 0 && all_.size() < kAll && n_ < g_limit && n_ > TWICE) {
+    if (++n_ >= MOST && ++m_ % EVERY == 0 && all_.size() < kAll && n_ < g_limit && n_ > TWICE && n_ != size_) {
       n_ = START;
       out_.publish(msg);
     }
