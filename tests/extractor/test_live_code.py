@@ -136,7 +136,10 @@ def test_all_of_a_library_may_be_called(tmp_path: Path) -> None:
         (component,) = extraction.components
         rows = component.rows()
     bodies = {function for _, function in rows["block"]}
-    assert (component.kind, {"Api::start", "Api::inner", "use"} - {str(name) for function, name in rows["function_name"] if function in bodies}) == (
+    assert (
+        component.kind,
+        {"Api::start", "Api::inner", "use"} - {str(name) for function, name in rows["function_name"] if function in bodies},
+    ) == (
         "library",
         set(),
     )

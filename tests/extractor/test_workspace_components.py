@@ -310,7 +310,9 @@ def test_libraries_that_nothing_runs(tmp_path: Path) -> None:
     package(tmp_path, "demo", f"{cmake}add_executable(node node.cpp)\ntarget_link_libraries(node used)", files)
     module = "import rospy\n"
     setup = "from setuptools import setup\nsetup(name='api', packages=['api'])\n"
-    modules = {f"api/{name}.py": text for name, text in {"__init__": "", "user": f"import api.low\n{module}", "low": module, "none": ""}.items()}
+    modules = {
+        f"api/{name}.py": text for name, text in {"__init__": "", "user": f"import api.low\n{module}", "low": module, "none": ""}.items()
+    }
     package(tmp_path, "api", "", {"setup.py": setup, **modules}, export="<build_type>ament_python</build_type>")
     found = components(discover(tmp_path))
     assert [(one.package, one.name, one.kind) for one in found] == [
