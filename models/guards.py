@@ -154,7 +154,7 @@ class Guards:
     def _ways(self, root: str, block: str, beyond: Way, path: tuple[str, ...], apart: bool) -> list[Way]:
         """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond.
 
-        Calls make ways of their own where what they give matters, or where they are all told `apart`.
+        Calls make ways of their own where what they give matters, or where all are asked for, `apart`.
         """
         function = _function(block)
         self._left -= 1
