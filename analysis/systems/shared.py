@@ -285,9 +285,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         more = _plugins(wanted, analyzed)
         models += more
         planner.index.add(more)
-    # what takes all plug-ins that there are names none that it could be asked with its configuration
-    by_themselves = planner.wants(made_by(models)).alone
-    alone = [model for model in models if model.loads_any or (not model.configuration and model.title in by_themselves)]
+    alone = [model for model in models if not model.configuration and model.title in planner.wants(made_by(models)).alone]
     if needed.plugins or any(model.loads or model.loads_any for model in alone):
 
         def is_plugin(component: Component) -> bool:

@@ -112,44 +112,20 @@ grid:
 """
 
 
-def ports_of_host(folder: Path, host: str, launch: str) -> set[str]:
-    files = {
-        "package.xml": MANIFEST, "CMakeLists.txt": CMAKE, "plugins.xml": PLUGINS, "src/layer.h": HEADER, "src/own.cpp": OWN, "src/host.cpp": host,
-        "main.launch": launch,
-    }  # fmt: skip
-    for name, text in files.items():
-        path = folder / "layers" / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-    where = LaunchEnvironment(folder, (folder,), {})
-    (system,) = analyze_systems(folder, given([parse_request("layers/main.launch")], where), Method(sources=Settings(jobs=1))).systems
-    (node,) = (node for node in system.nodes if node.name == "/host")
-    return {port.name for port in node.ports if not port.implicit}
-
-
-@pytest.mark.slow
-def test_a_host_with_parameters_takes_all_plugins_that_there_are(tmp_path: Path) -> None:
-    host = """#include "layer.h"
-#include <pluginlib/class_loader.h>
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "host");
-  ros::NodeHandle own("~");
-  int rate = own.param("rate", 1);
-  pluginlib::ClassLoader<layers::Layer> loader("layers", "layers::Layer");
-  std::vector<boost::shared_ptr<layers::Layer>> made;
-  for (auto& name : loader.getDeclaredClasses()) {
-    made.push_back(loader.createInstance(name));
-  }
-  ros::spin();
-}
-"""
-    launch = '<launch><node pkg="layers" type="host" name="host"><param name="rate" value="5"/></node></launch>'
-    assert len(ports_of_host(tmp_path, host, launch)) == 2
-
-
 @pytest.mark.slow
 def test_each_map_of_a_list_is_a_plugin(tmp_path: Path) -> None:
-    assert ports_of_host(tmp_path, HOST, LAUNCH) == {
+    files = {
+        "package.xml": MANIFEST, "CMakeLists.txt": CMAKE, "plugins.xml": PLUGINS, "src/layer.h": HEADER, "src/own.cpp": OWN, "src/host.cpp": HOST,
+        "main.launch": LAUNCH,
+    }  # fmt: skip
+    for name, text in files.items():
+        path = tmp_path / "layers" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    where = LaunchEnvironment(tmp_path, (tmp_path,), {})
+    (system,) = analyze_systems(tmp_path, given([parse_request("layers/main.launch")], where), Method(sources=Settings(jobs=1))).systems
+    (node,) = (node for node in system.nodes if node.name == "/host")
+    assert {port.name for port in node.ports if not port.implicit} == {
         "/host/one/left",
         "/host/two/right",
         "/host/three/left",
