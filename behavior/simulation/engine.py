@@ -189,16 +189,16 @@ class _Run:
     def _reaction(self, node: _Node, trigger: str, message: Message | None) -> Effect:
         """What comes of it; where time since the last message decides, the lots that are drawn are those that agree with it."""
         steps, choose = node.component.steps.get(trigger, ()), partial(self._chosen, node, message)
-        port, gap = node.component.gaps.get(trigger, ("", 0.0))
+        if trigger not in node.component.gaps:
+            return react(steps, node.values, choose)
+        port, gap = node.component.gaps[trigger]
+        due = self.environment.now - node.sent.get(port, -gap) >= gap - _INSTANT
         guessed = self.record.guessed.copy()
-        effect = react(steps, node.values, choose)
-        if port:
-            due = self.environment.now - node.sent.get(port, -gap) >= gap - _INSTANT
-            for _ in range(_MOST_LOTS):
-                if (port in effect.sent) == due:
-                    self.record.guessed = guessed
-                    break
-                effect = react(steps, node.values, choose)
+        for _ in range(_MOST_LOTS):
+            effect = react(steps, node.values, choose)
+            if (port in effect.sent) == due:
+                self.record.guessed = guessed
+                break
         return effect
 
     def _taken(self, node: _Node, trigger: str) -> Message | None:

@@ -17,7 +17,7 @@ from rosarch.behavior.verification.checkers import CheckerError, CheckResult
 from rosarch.behavior.verification.explorer import Explorer, Lasso, TooManyStates, violation
 from rosarch.behavior.verification.ltl import Formula
 from rosarch.behavior.verification.properties import Property
-from rosarch.behavior.verification.timing import clocks_compared
+from rosarch.behavior.verification.timing import begins_first, clocks_compared
 from rosarch.behavior.verification.trace import Trace, trace
 from rosarch.behavior.verification.transitions import TransitionSystem, transition_system
 
@@ -100,9 +100,12 @@ def _verdict(system: System, item: Property, inputs: Inputs, checker: str, bound
         return Verdict(item, UNDECIDED, 0, time.perf_counter() - start, None, (*notes, reason))
     lasso = None if found.holds else _lasso(transitions, item.formula, found, limits)
     shown = trace(Explorer(transitions), lasso, _watched(item.formula).variables) if lasso else None
-    clocks = clocks_compared(transitions.model, _commands(transitions, lasso)) if lasso else ()
+    taken = _commands(transitions, lasso) if lasso else []
+    clocks = clocks_compared(transitions.model, taken)
+    if clocks and begins_first(transitions.model, taken, clocks):
+        notes, clocks = (*notes, "the nodes of other loops and timers may begin later"), frozenset()
     if clocks and _never(system, item, inputs, checker, bound, limits):
-        clocks = ()
+        clocks = frozenset()
     if clocks:
         notes = (*notes, f"whether this can be hangs on how fast they run: {', '.join(sorted(clocks))}")
     sure = HOLDS if found.holds else POSSIBLE if shown is None or shown.assumes or clocks else VIOLATED
@@ -130,8 +133,8 @@ def _lasso(system: TransitionSystem, formula: Formula, found: CheckResult, limit
 
 
 def _commands(system: TransitionSystem, lasso: Lasso) -> list[int]:
-    """What happens in a run."""
-    taken = (system.transitions[index].command for index in (*lasso.stem, *lasso.loop))
+    """What happens in a run; what is repeated, twice."""
+    taken = (system.transitions[index].command for index in (*lasso.stem, *lasso.loop, *lasso.loop))
     return [command for command in taken if command is not None]
 
 

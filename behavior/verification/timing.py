@@ -13,12 +13,8 @@ _NONE: Clocks = frozenset()
 def clocks_compared(model: Model, commands: Iterable[int]) -> Clocks:
     """The clocks whose rates show whether these commands may follow one another: what one of them sets off finds what another one left.
 
-    What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it. One round of
-    a single clock comes before those of all others in some run: nodes begin when they like.
+    What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it.
     """
-    commands = list(commands)
-    if sum(bool(model.commands[index].clock) for index in commands) <= 1:
-        return _NONE
     variables, queues = _clocks(model)
     found: set[str] = set()
     for command in (model.commands[index] for index in commands):
@@ -30,6 +26,17 @@ def clocks_compared(model: Model, commands: Iterable[int]) -> Clocks:
         if others or any(model.queues[queue].prompt for queue in full):
             found |= own | others
     return frozenset(found)
+
+
+def begins_first(model: Model, commands: Iterable[int], clocks: Clocks) -> bool:
+    """Whether these commands are those of a node that begins before the nodes of all other `clocks`: they have one round of one clock.
+
+    Of the clocks of one node the faster ones come first.
+    """
+    rounds = [command for index in commands if (command := model.commands[index]).clock]
+    if len(rounds) != 1:
+        return False
+    return all(command.actor != rounds[0].actor for command in model.commands if command.clock in clocks - {rounds[0].clock})
 
 
 def _own(command: Command, queues: Sequence[Clocks]) -> Clocks:
