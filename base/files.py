@@ -55,6 +55,14 @@ def read_file(path: str | Path, most: int = LARGEST) -> bytes:
         tracing.read(path, status, content)
 
 
+def text_or_nothing(path: str | Path) -> str:
+    """The text of a file; nothing where it cannot be read, which is reported where the file is analysed."""
+    try:
+        return read_file(path).decode(errors="replace")
+    except OSError:
+        return ""
+
+
 def shown_path(root: Path, path: Path) -> Path:
     """How reports name a file: by its path below the root of the workspace, where it lies there."""
     return path.relative_to(root) if path.is_relative_to(root) else path

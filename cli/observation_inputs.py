@@ -8,13 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.cli.check_options import load_configuration
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import path_argument
 from rosarch.cli.questions import SystemQuestion
-from rosarch.cli.systems import load_shared_facts
-from rosarch.cli.terminal import show_diagnostics
 
 if TYPE_CHECKING:
     from rosarch.models.system.rows import Rows
@@ -66,17 +62,11 @@ def observe_and_compare(question: SystemQuestion, source: Source) -> tuple[Recor
 
 
 def _load(question: SystemQuestion) -> _System:
-    from rosarch.rule_programs.checks import shipped_checks
-    from rosarch.rule_programs.sets import system_rules
-
-    folder = check_folder(question.folder)
-    rules = question.rules()
-    shared, launches = load_shared_facts(question.inputs(rules), load_configuration(folder, None, shipped_checks()))
-    show_diagnostics(shared.diagnostics, question.verbose)
+    program, shared, launches = question.program_and_facts(question.rules())
     if len(launches) != 1:
         known = ", ".join(launch.name for launch in launches) or "none"
-        raise InputError(f"{folder}: {len(launches)} systems; choose the one that ran with --launch: {known}")
-    return _System(launches[0].name, shared.rows(launches[0]), system_rules(rules))
+        raise InputError(f"{question.folder}: {len(launches)} systems; choose the one that ran with --launch: {known}")
+    return _System(launches[0].name, shared.rows(launches[0]), program)
 
 
 def _recorded(bag: Path, system: _System, engine: str) -> Recorded:

@@ -6,14 +6,15 @@ import inspect
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import MISSING, dataclass, fields, replace
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_type_hints
 
 from rosarch.base.limits import SOURCE_SECONDS
-from rosarch.cli.derivations import Component, load_rules, selected
+from rosarch.cli.check_options import load_configuration
+from rosarch.cli.derivations import Component, datalog_errors, load_rules, selected
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_engine, extraction_cache, load_analysis
+from rosarch.cli.inputs import check_engine, check_folder, extraction_cache, load_analysis
 from rosarch.cli.options import (
     Cached,
     Defines,
@@ -38,10 +39,13 @@ from rosarch.cli.terminal import show_diagnostics
 if TYPE_CHECKING:
     from rosarch.analysis.components import Analysis
     from rosarch.analysis.method import Method
+    from rosarch.analysis.systems.shared import Launch, SharedFacts
     from rosarch.datalog import Program
     from rosarch.extractor.selection import SelectedComponent
     from rosarch.extractor.settings import Settings as SourceSettings
+    from rosarch.extractor.underlay import Underlay
     from rosarch.rule_programs.choice import RuleSet
+    from rosarch.rule_programs.sets import SystemRules
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,6 +64,11 @@ class ReadingOptions:
     cached: Cached = True
     verbose: Verbose = False
 
+    @cached_property
+    def underlay(self) -> Underlay:
+        """What is installed."""
+        return installed(self.underlays, none=self.no_underlay)
+
     def rules(self, *files: Path) -> RuleSet:
         """The rules, with files of the user's own."""
         return parse_rules([*files, *(self.own or ())], self.variants, self.settings)
@@ -68,17 +77,15 @@ class ReadingOptions:
         """How sources are read."""
         from rosarch.extractor.settings import Settings as SourceSettings
 
-        underlay = installed(self.underlays, none=self.no_underlay)
-        return SourceSettings(self.jobs, self.timeout, parse_defines(self.defines), extraction_cache(self.cached), underlay=underlay)
+        return SourceSettings(self.jobs, self.timeout, parse_defines(self.defines), extraction_cache(self.cached), underlay=self.underlay)
 
     def method(self, rules: RuleSet, library: Sequence[Path] = ()) -> Method:
         """By what components and systems are analysed; some commands have `rules` that differ from those of the options."""
         from rosarch.analysis.method import Method
         from rosarch.library import prefixes
 
-        sources = self.sources()
-        underlay = replace(sources.underlay, libraries=prefixes(library))
-        return Method(rules, self.engine.value, replace(sources, underlay=underlay), library)
+        sources = replace(self.sources(), underlay=replace(self.underlay, libraries=prefixes(library)))
+        return Method(rules, self.engine.value, sources, library)
 
     def analysis(self, rules: RuleSet, folder: Path, packages: Sequence[str] | None, component: str | None = None) -> Analysis:
         """The models of the components in a folder, by these rules; see `load_analysis`."""
@@ -102,6 +109,21 @@ class SystemQuestion(ReadingOptions):
     def inputs(self, rules: RuleSet) -> SystemInputs:
         """What is to be composed, by these rules."""
         return SystemInputs(self.folder, self.method(rules, self.libraries or ()), self.launches, self.package_path, self.environment)
+
+    def program_and_facts(
+        self, rules: RuleSet, config: Path | None = None, *, required: bool = False
+    ) -> tuple[SystemRules, SharedFacts, list[Launch]]:
+        """The program of these rules, what is known around the launches, and these; where `required`, none is an error."""
+        from rosarch.rule_programs.checks import shipped_checks
+        from rosarch.rule_programs.sets import system_rules
+
+        folder = check_folder(self.folder)
+        shared, launches = load_shared_facts(self.inputs(rules), load_configuration(folder, config, shipped_checks()))
+        show_diagnostics(shared.diagnostics, self.verbose)
+        if required and not launches:
+            raise InputError(f"{folder}: no launch file below this folder")
+        with datalog_errors():
+            return system_rules(rules), shared, launches
 
 
 @dataclass(frozen=True, kw_only=True)

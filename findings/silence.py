@@ -47,8 +47,13 @@ class Sender:
     inputs: tuple[Silence, ...]
 
     @property
+    def stuck(self) -> bool:
+        """Whether nothing comes from it, as far as was seen."""
+        return self.never or bool(self.findings) or (bool(self.inputs) and all(each.stuck for each in self.inputs))
+
+    @property
     def broken(self) -> bool:
-        """Whether something says that nothing comes from it."""
+        """Whether nothing comes from it, though all that it is made from was seen."""
         return self.never or bool(self.findings) or (bool(self.inputs) and all(each.broken for each in self.inputs))
 
 
@@ -66,9 +71,14 @@ class Silence:
     seen: bool = False
 
     @property
+    def stuck(self) -> bool:
+        """Whether nothing arrives, as far as was seen: there is no sender, or each has a reason, or what arrives is not taken."""
+        return (not self.seen and all(sender.stuck for sender in self.senders)) or bool(self.findings)
+
+    @property
     def broken(self) -> bool:
-        """Whether something says that nothing arrives: there is no sender, or each has a reason."""
-        return (not self.seen and all(sender.broken for sender in self.senders)) or bool(self.findings)
+        """Whether nothing arrives, and nothing was left unseen that might send."""
+        return (not self.seen and not self.unseen and all(sender.broken for sender in self.senders)) or bool(self.findings)
 
 
 def ask_silence(rules: SystemRules, rows: Rows, topic: str, system: str, engine: str) -> Silence:

@@ -21,9 +21,11 @@ def _summary(found: Silence) -> str:
         return "no node that is started sends on it" + (", as far as was seen" if found.unseen else "")
     if found.broken:
         return "nothing arrives"
-    broken = sum(sender.broken for sender in found.senders)
-    if broken:
-        return f"of {len(found.senders)} senders, {broken} send{'s' if broken == 1 else ''} nothing that arrives"
+    if found.stuck:
+        return "nothing arrives, as far as was seen"
+    stuck = sum(sender.stuck for sender in found.senders)
+    if stuck:
+        return f"of {len(found.senders)} senders, {stuck} send{'s' if stuck == 1 else ''} nothing that arrives"
     return "nothing was found that keeps messages from arriving"
 
 
@@ -38,7 +40,8 @@ def _lines(found: Silence, depth: int) -> Iterator[str]:
         yield f"{pad}{other} is sent and read by nobody ({reason})"
     yield from (f"{pad}{_finding(each)}" for each in found.findings)
     yield from (f"{pad}perhaps: {_finding(each)}" for each in found.perhaps)
-    yield from (f"{pad}{each.node} may send on it: {each.reason}{_at(each.place)}" for each in found.unseen)
+    if found.stuck:
+        yield from (f"{pad}{each.node} may send on it: {each.reason}{_at(each.place)}" for each in found.unseen)
 
 
 def _sender_lines(sender: Sender, depth: int) -> Iterator[str]:
@@ -48,10 +51,10 @@ def _sender_lines(sender: Sender, depth: int) -> Iterator[str]:
     if sender.never and not sender.findings and not sender.inputs:
         yield f"{pad}it is never sent: its rate is zero"
     for source in sender.inputs:
-        if source.broken:
+        if source.stuck:
             yield f"{pad}it is made from {source.topic}: {_summary(source)}"
             yield from _lines(source, depth + 1)
-    if not sender.broken and not sender.perhaps:
+    if not sender.stuck and not sender.perhaps:
         made = ", ".join(source.topic for source in sender.inputs)
         yield f"{pad}nothing was found that keeps it from sending{f' what it makes from {made}' if made else ''}"
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from rosarch.base.files import read_file
+from rosarch.base.files import read_file, text_or_nothing
 from rosarch.extractor.launch.model import Composition, ProgramNamed
 from rosarch.extractor.package_names import NO_PACKAGES, quick_text
 from rosarch.extractor.workspace.built import INSTALLED_FIRST, Built, package_of
@@ -50,7 +50,7 @@ def defects(composition: Composition, builds: Sequence[Built]) -> Iterator[tuple
 def of_interfaces(package: Built) -> tuple[Defect, ...]:
     """What keeps the interfaces of a package of ROS 2 from being generated."""
     cmake = package.folder / "CMakeLists.txt"
-    text = _COMMENT.sub("", _text(cmake)) if package.build_type == "ament_cmake" else ""
+    text = _COMMENT.sub("", text_or_nothing(cmake)) if package.build_type == "ament_cmake" else ""
     found = _GENERATES.search(text)
     if found is None:
         return ()
@@ -75,7 +75,7 @@ def _of_interface(package: Built, cmake: Path, line: int, path: Path, *, known: 
         if known and not package.unsure:
             yield Defect(cmake, line, "interface left out", f"{package.name}/{path.stem}")
         return
-    for number, written in enumerate(_text(path).splitlines(), 1):
+    for number, written in enumerate(text_or_nothing(path).splitlines(), 1):
         field = _FIELD.match(written)
         if field is not None and not field[2] and not _FIELD_NAME.fullmatch(field[1]):
             yield Defect(path, number, "field name", field[1])
@@ -111,17 +111,18 @@ def _of_setup(package: Built, program: str) -> Iterator[Defect]:
     """Programs that are installed where nobody looks for them, since `setup.cfg` does not say where."""
     if package.build_type != "ament_python" or program not in {one.name for one in package.entry_points if one.is_command}:
         return
-    if "install_scripts" in _text(package.folder / "setup.py"):
+    if "install_scripts" in text_or_nothing(package.folder / "setup.py"):
         return
     config = package.folder / "setup.cfg"
+    text = text_or_nothing(config)
     reader = configparser.ConfigParser(interpolation=None)
     try:
-        reader.read_string(_text(config))
+        reader.read_string(text)
     except configparser.Error:
         return  # that is reported where it is read
     given = reader.get("install", "install_scripts", fallback=None) or reader.get("install", "install-scripts", fallback=None)
     if given is None or given.strip().rstrip("/") != f"$base/lib/{package.name}":
-        line = next((n for n, written in enumerate(_text(config).splitlines(), 1) if re.match(r"install[-_]scripts", written)), 1)
+        line = next((n for n, written in enumerate(text.splitlines(), 1) if re.match(r"install[-_]scripts", written)), 1)
         yield Defect(config if os.path.isfile(config) else package.folder / "setup.py", line, "programs elsewhere", f"lib/{package.name}")
 
 
@@ -138,10 +139,3 @@ def _of_launch_files(composition: Composition, builds: Sequence[Built]) -> Itera
             if not any(package.brings(f"{share}/{one}") or package.brings(f"{share}/{os.path.basename(one)}") for one in beside):
                 build = "setup.py" if package.build_type == "ament_python" else "CMakeLists.txt"
                 yield package.name, Defect(package.folder / build, 1, "launch file left out", path)
-
-
-def _text(path: Path) -> str:
-    try:
-        return read_file(path).decode(errors="replace")
-    except OSError:
-        return ""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rosarch.base.files import read_file
+from rosarch.base.files import text_or_nothing
 from rosarch.extractor.launch.facts import path_below
 from rosarch.extractor.launch.model import Composition, PackageNamed
 from rosarch.extractor.package_names import NO_PACKAGES, name_in, quick_text, without_comments
@@ -83,7 +83,7 @@ def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:
     depends = frozenset(dependency for _, dependency, _ in found)
     after = {dependency: line for tag, dependency, line in reversed(found) if not tag.startswith(_TESTS)}
     folder = os.path.dirname(path)
-    aside = frozenset(match[2] for match in _DEPENDENCY.finditer(_text(path))) - depends
+    aside = frozenset(match[2] for match in _DEPENDENCY.finditer(text_or_nothing(path))) - depends
     needs = tuple(_needs(folder, folders, depends | {name})) if is_built else ()
     return Declared(name, folder, last, depends, aside, tuple(after.items()), needs, _METAPACKAGE.search(text) is not None)
 
@@ -103,7 +103,7 @@ def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator
             reader = next((reader for ends, reader in _READERS if name.endswith(ends)), None)
             if reader is not None and name != "setup.py":
                 path = f"{here}/{name}"
-                found += (Need(used, how, path, line) for used, how, line in reader(_text(path)) if used not in depends)
+                found += (Need(used, how, path, line) for used, how, line in reader(text_or_nothing(path)) if used not in depends)
     for need in found:
         if need.name not in own and need.name not in seen:
             seen.add(need.name)
@@ -145,13 +145,6 @@ def _of_description(text: str) -> Iterator[_Use]:
 
 
 _READERS = ((".py", _of_python), ((".xacro", ".urdf"), _of_description), (_SOURCES, _of_cpp))
-
-
-def _text(path: str) -> str:
-    try:
-        return read_file(path).decode(errors="replace")
-    except OSError:
-        return ""
 
 
 def manifest_rows(

@@ -62,4 +62,4 @@ def analyze(
         emit(table_text(analysis.models, parameters=True, terminal=is_terminal()))
     from rosarch.reports.summary import summary_line
 
-    emit(summary_line(analysis.models, time.perf_counter() - start, question.sources().underlay) + "\n")
+    emit(summary_line(analysis.models, time.perf_counter() - start, question.underlay) + "\n")

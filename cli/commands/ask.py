@@ -8,14 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rosarch.cli.check_options import ConfigFile, load_configuration
-from rosarch.cli.derivations import datalog_errors
+from rosarch.cli.check_options import ConfigFile
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import ModelFormat
 from rosarch.cli.questions import SystemQuestion, asks
-from rosarch.cli.systems import load_shared_facts
-from rosarch.cli.terminal import emit, show_diagnostics
+from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
     from rosarch.analysis.systems.shared import Launch, SharedFacts
@@ -41,22 +38,13 @@ def ask(
 ) -> None:
     """Answer a QUESTION about the systems that launch files below DIR start: which message can, or must, cause which, and how often."""
     from rosarch.models.system.asking import Causes, QuestionError, parse_question
-    from rosarch.rule_programs.checks import shipped_checks
-    from rosarch.rule_programs.sets import system_rules
 
-    folder, engine = question.folder, question.engine.value
     try:
         parsed = parse_question(asked)
-        check_folder(folder)
         chosen = question.rules()
         rules = replace(chosen, flows=True) if isinstance(parsed, Causes) else chosen
-        shared, found = load_shared_facts(question.inputs(rules), load_configuration(folder, config, shipped_checks()))
-        show_diagnostics(shared.diagnostics, question.verbose)
-        if not found:
-            raise InputError(f"{folder}: no launch file below this folder")
-        with datalog_errors():
-            program = system_rules(rules)
-        emit(_answers(parsed, program, shared, found, engine, json=output_format is ModelFormat.json))
+        found = question.program_and_facts(rules, config, required=True)
+        emit(_answers(parsed, *found, question.engine.value, json=output_format is ModelFormat.json))
     except QuestionError as error:
         raise InputError(str(error)) from None
 

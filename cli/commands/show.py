@@ -49,7 +49,7 @@ def ports(
         from rosarch.reports.table import models_text
 
         emit(models_text(models, parameters=False, terminal=is_terminal()))
-        emit(summary_line(models, time.perf_counter() - start, question.sources().underlay) + "\n")
+        emit(summary_line(models, time.perf_counter() - start, question.underlay) + "\n")
 
 
 @app.command("behavior")

@@ -7,14 +7,11 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.check_options import ConfigFile, load_configuration
-from rosarch.cli.derivations import datalog_errors
+from rosarch.cli.check_options import ConfigFile
 from rosarch.cli.errors import InputError
-from rosarch.cli.inputs import check_folder
 from rosarch.cli.options import ModelFormat
 from rosarch.cli.questions import SystemQuestion, asks
-from rosarch.cli.systems import load_shared_facts
-from rosarch.cli.terminal import emit, show_diagnostics
+from rosarch.cli.terminal import emit
 
 Topic = Annotated[str, typer.Argument(metavar="TOPIC", help="The name of the topic in the ROS graph.", show_default=False)]
 
@@ -30,18 +27,8 @@ def why_silent(
     from rosarch.findings.silence import Silence, ask_silence
     from rosarch.models.system.asking import QuestionError
     from rosarch.reports.silence import silence_json, silence_text
-    from rosarch.rule_programs.checks import shipped_checks
-    from rosarch.rule_programs.sets import system_rules
 
-    folder = question.folder
-    check_folder(folder)
-    rules = replace(question.rules(), flows=True)
-    shared, launches = load_shared_facts(question.inputs(rules), load_configuration(folder, config, shipped_checks()))
-    show_diagnostics(shared.diagnostics, question.verbose)
-    if not launches:
-        raise InputError(f"{folder}: no launch file below this folder")
-    with datalog_errors():
-        program = system_rules(rules)
+    program, shared, launches = question.program_and_facts(replace(question.rules(), flows=True), config, required=True)
     answers: list[tuple[str, Silence]] = []
     problem: QuestionError | None = None
     for launch in launches:

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosarch.base.files import read_file
+from rosarch.base.files import text_or_nothing
 from rosarch.extractor.python_syntax import absolute_name, import_call, parse_python
 from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 
@@ -91,7 +91,7 @@ class Modules:
 
     def _outline(self, path: Path) -> Outline:
         if path not in self._outlines:
-            self._outlines[path] = _outline(_text(path))
+            self._outlines[path] = _outline(text_or_nothing(path))
         return self._outlines[path]
 
     def _of_underlay(self, name: str) -> Path | None:
@@ -106,13 +106,6 @@ class Modules:
             candidates = (base / "__init__.py", base.with_name(f"{base.name}.py"))
             self._files[key] = next((path for path in candidates if os.path.isfile(path)), None)
         return self._files[key]
-
-
-def _text(path: Path) -> str:
-    try:
-        return read_file(path).decode(errors="replace")
-    except OSError:
-        return ""  # reported where it is analysed
 
 
 def _outline(text: str) -> Outline:

@@ -104,7 +104,10 @@ def test_where_nothing_is_wrong(rosarch: Callable, tmp_path: Path) -> None:
 def test_of_what_is_not_seen_nothing_is_claimed(rosarch: Callable, tmp_path: Path) -> None:
     nodes = NODES.replace('type="sensor"', 'type="driver"').replace('pkg="demo" type="driver"', 'pkg="other" type="driver"')
     root = workspace(tmp_path, **{"demo.launch": f"<launch>{nodes}</launch>"})
-    assert "/range_rwa: no node that is started sends on it, as far as was seen" in rosarch("why-silent", str(root), "range").out
+    shown = rosarch("why-silent", str(root), "range").out
+    assert shown.startswith("/range in demo/demo.launch: nothing arrives, as far as was seen\n")
+    assert "/range_rwa: no node that is started sends on it, as far as was seen" in shown
+    assert [each["broken"] for each in json.loads(rosarch("why-silent", str(root), "range", "--format", "json").out)] == [False]
 
 
 @pytest.mark.slow

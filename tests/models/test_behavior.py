@@ -7,24 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from node_package import node_model
 
-from rosarch.analysis.components import analyze
-from rosarch.analysis.method import Method
-from rosarch.extractor.settings import Settings
 from rosarch.models.component import to_json
 
 HERE = Path(__file__).parent / "behavior"
 NODES = sorted(HERE.glob("*.cpp"))
-
-CMAKE = """cmake_minimum_required(VERSION 2.8.3)
-project(node)
-find_package(catkin REQUIRED COMPONENTS roscpp std_msgs)
-catkin_package()
-add_executable(node node.cpp)
-"""
-PACKAGE = """<package><name>node</name><version>0.0.0</version><description>d</description>
-<maintainer email="a@b.c">m</maintainer><license>l</license><buildtool_depend>catkin</buildtool_depend></package>
-"""
 
 
 def lines(document: dict[str, Any]) -> list[str]:
@@ -72,9 +60,7 @@ def normal_lines(document: dict[str, Any]) -> list[str]:
 @pytest.mark.parametrize("node", NODES, ids=lambda node: node.stem)
 def test_behavior_is_as_expected(node: Path, tmp_path: Path) -> None:
     source = node.read_text(encoding="utf-8")
-    for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    (model,) = analyze(tmp_path, method=Method(sources=Settings(jobs=1))).models
+    model = node_model(tmp_path, source)
     expected = sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
     assert expected
     assert lines(to_json(model)) == expected

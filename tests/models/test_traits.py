@@ -7,10 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from node_package import node_model
 
-from rosarch.analysis.components import analyze
-from rosarch.analysis.method import Method
-from rosarch.extractor.settings import Settings
 from rosarch.models.component import ComponentModel
 from rosarch.models.traits import TRAITS
 
@@ -43,16 +41,6 @@ LIVES = ("unsteady", "unheard", "held_up", "out_of_line", "several_orders", "per
 NODES = sorted(HERE.glob("*.cpp"))
 LIVING = sorted((HERE.parent / "lives").glob("*.cpp"))
 
-CMAKE = """cmake_minimum_required(VERSION 2.8.3)
-project(node)
-find_package(catkin REQUIRED COMPONENTS roscpp std_msgs std_srvs)
-catkin_package()
-add_executable(node node.cpp)
-"""
-PACKAGE = """<package><name>node</name><version>0.0.0</version><description>d</description>
-<maintainer email="a@b.c">m</maintainer><license>l</license><buildtool_depend>catkin</buildtool_depend></package>
-"""
-
 
 def lines(model: ComponentModel, *, lives: bool = False) -> list[str]:
     """The traits of one group, one line each: ports by name, places by line."""
@@ -68,17 +56,13 @@ def lines(model: ComponentModel, *, lives: bool = False) -> list[str]:
 @pytest.mark.parametrize("node", LIVING, ids=lambda node: node.stem)
 def test_what_goes_on_and_in_which_order_is_as_expected(node: Path, tmp_path: Path) -> None:
     source = node.read_text(encoding="utf-8")
-    for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    (model,) = analyze(tmp_path, method=Method(sources=Settings(jobs=1))).models
+    model = node_model(tmp_path, source)
     assert lines(model, lives=True) == sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
 
 
 @pytest.mark.parametrize("node", NODES, ids=lambda node: node.stem)
 def test_traits_are_as_expected(node: Path, tmp_path: Path) -> None:
     source = node.read_text(encoding="utf-8")
-    for name, text in (("node.cpp", source), ("CMakeLists.txt", CMAKE), ("package.xml", PACKAGE)):
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    (model,) = analyze(tmp_path, method=Method(sources=Settings(jobs=1))).models
+    model = node_model(tmp_path, source)
     assert lines(model) == sorted(re.findall(r"^// expect: (.*)$", source, re.MULTILINE))
     assert ("// expect:" in source) != node.stem.endswith("_not")
