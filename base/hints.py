@@ -20,3 +20,11 @@ def hint_or_all(name: str, known: Iterable[str]) -> str:
 
 
 FEW = 12
+
+
+def only_candidate(name: str, known: Iterable[str]) -> str | None:
+    """The known name that is close, when it is the only one: what was certainly meant."""
+    from difflib import get_close_matches
+
+    close = get_close_matches(name, sorted(known), n=2, cutoff=0.75)
+    return close[0] if len(close) == 1 else None

@@ -33,12 +33,15 @@ def emit_lines(text: str) -> None:
     emit(printable_lines(text))
 
 
-def emit(text: str) -> None:
+def emit(text: str | bytes) -> None:
     """Write a report to stdout; a reader that went away (`| head`) is no error."""
     if not sys.stdout:
         raise InputError("standard output: cannot write (it is closed)")
     try:
-        sys.stdout.write(text)
+        if isinstance(text, bytes):
+            sys.stdout.buffer.write(text)
+        else:
+            sys.stdout.write(text)
         sys.stdout.flush()
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # what is still in the buffer must not fail again

@@ -17,15 +17,37 @@ class Evidence:
     place: Place
 
 
+@dataclass(frozen=True, order=True)
+class Change:
+    """A part of a fix: the text `written` in what begins at `place` is to be `meant`; where it is empty, `meant` is a new line below."""
+
+    place: Place
+    written: str
+    meant: str
+
+    def __str__(self) -> str:
+        return f"`{self.written}` becomes `{self.meant}`" if self.written else f"add the line `{self.meant}` below"
+
+
 @dataclass(frozen=True)
 class Finding:
-    """What a check found. The first of `evidence` is where the fault lies; `systems` are the systems (launch files) that have it."""
+    """What a check found. The first of `evidence` is where the fault lies; `systems` are the systems (launch files) that have it.
+
+    `changes` are what rules take for its fix.
+    """
 
     check: Check
     severity: str
     message: str
     evidence: tuple[Evidence, ...]
     systems: tuple[str, ...] = ()
+    changes: tuple[Change, ...] = ()
+
+    @property
+    def fix(self) -> tuple[Change, ...]:
+        """The changes that fix it; none where one text would become several."""
+        texts = [(change.place, change.written) for change in self.changes if change.written]
+        return self.changes if len(set(texts)) == len(texts) else ()
 
     @property
     def place(self) -> Place:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from rosarch.base.places import Place
 from rosarch.datalog import Result
-from rosarch.findings.model import Evidence, Finding
+from rosarch.findings.model import Change, Evidence, Finding
 from rosarch.models.system.rows import grouped
-from rosarch.rule_programs.checks import Check, evidence_of, shown_as
+from rosarch.rule_programs.checks import CHANGE, Check, evidence_of, shown_as
 
 _STARTED = "Start"
 """The type of columns that show where nodes are started."""
@@ -37,6 +38,7 @@ def findings_with_rows(
     steps = {type_: grouped(result.rows(evidence_of(type_))) for type_ in _types(checks) if evidence_of(type_) in known}
     names: dict[str, dict[Any, str]] = {type_: dict(result.rows(shown_as(type_))) for type_ in _types(checks) if shown_as(type_) in known}
     for check in checks:
+        fixes = _fixes(check, result)
         for row in result.rows(check.relation):
             texts = {}
             shown: list[tuple[str, list[Evidence]]] = []
@@ -51,7 +53,17 @@ def findings_with_rows(
             evidence = _workspace_first(shown, is_installed)
             if evidence:
                 message = check.message.format(**texts)
-                yield row, Finding(check, check.severity, message, tuple(dict.fromkeys(evidence)), (system,))
+                key = tuple(entities[column] for column in check.fix_columns[: -len(CHANGE)])
+                changes = sorted(Change(places[at], written, meant) for at, written, meant in fixes.get(key, ()))
+                yield row, Finding(check, check.severity, message, tuple(dict.fromkeys(evidence)), (system,), tuple(changes))
+
+
+def _fixes(check: Check, result: Result) -> Mapping[tuple[Any, ...], list[tuple[Any, ...]]]:
+    """How findings of a check are to be fixed, by the values of the columns that its rows share with those of the check."""
+    rows: dict[tuple[Any, ...], list[tuple[Any, ...]]] = defaultdict(list)
+    for row in result.rows(check.fix_relation) if check.fix_columns else ():
+        rows[row[: -len(CHANGE)]].append(row[-len(CHANGE) :])
+    return rows
 
 
 def _workspace_first(shown: list[tuple[str, list[Evidence]]], is_installed: Callable[[str], bool]) -> list[Evidence]:

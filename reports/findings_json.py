@@ -7,6 +7,7 @@ from importlib.resources import files
 from typing import Any
 
 from rosarch.base.places import Place
+from rosarch.findings.fixes import edits_of, region_of
 from rosarch.findings.model import Finding
 from rosarch.findings.policy import Reported
 from rosarch.findings.withheld import Withheld
@@ -22,7 +23,7 @@ def findings_text(reported: Reported, setting: Setting) -> str:
         "folder": setting.folder or ".",
         **rules,
         **_underlay(setting),
-        "findings": [_finding(finding) for finding in reported.shown],
+        "findings": [{**_finding(finding), **_fix(finding, setting)} for finding in reported.shown],
         "suppressed": [
             {**_finding(each.finding), "reason": each.suppression.reason, "comment_line": each.suppression.line}
             for each in reported.suppressed
@@ -60,6 +61,18 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "systems": list(finding.systems),
         "fingerprint": finding.fingerprint,
     }
+
+
+def _fix(finding: Finding, setting: Setting) -> dict[str, Any]:
+    """The regions that are to be replaced, where the fix is certain."""
+    edits = edits_of(finding, setting.read)
+    names = ("line", "column", "end_line", "end_column")
+    replaced = [
+        {"file": change.place.path, **dict(zip(names, region_of(text, edit), strict=True)), "text": edit.text}
+        for change, text, edit in edits
+    ]
+    description = "; ".join(str(change) for change, *_ in edits)
+    return {"fix": {"description": description, "replacements": replaced}} if edits else {}
 
 
 def _withheld(each: Withheld) -> dict[str, Any]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from itertools import groupby
 
+from rosarch.findings.fixes import edits_of
 from rosarch.findings.policy import Reported
 from rosarch.reports.excerpts import Excerpts
 from rosarch.reports.findings import Alike, Setting, alike, summary_line
@@ -48,6 +49,9 @@ def _finding(each: Alike, excerpts: Excerpts, setting: Setting) -> Iterator[str]
         yield ""
     for message in each.messages:
         yield f"  Also: {_escape(message)}"
+        yield ""
+    for change, *_ in edits_of(finding, setting.read):
+        yield f"  **Fix:** {code_span(setting.line(change.place))}: {_escape(str(change))}"
         yield ""
     if finding.check.recommendation:
         yield f"  **Hint:** {_escape(' '.join(finding.check.recommendation.split()))}"

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 import re
-from collections import Counter
+from collections import Counter, defaultdict
+from collections.abc import Iterable
 from textwrap import dedent
 from typing import Any
 from urllib.parse import quote
 
 from rosarch.base.places import Place
 from rosarch.findings.baseline import BaselineEntry
-from rosarch.findings.model import Evidence, Finding
+from rosarch.findings.fixes import Edit, edits_of, region_of
+from rosarch.findings.model import Change, Evidence, Finding
 from rosarch.findings.policy import Reported
 from rosarch.findings.suppressions import Suppressed
 from rosarch.reports.findings import Setting, tool_version
@@ -22,6 +24,8 @@ SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sar
 ROOT = "%SRCROOT%"
 FINGERPRINT = "rosarchFinding/v1"
 _PROBLEM = {"error": "error", "warning": "warning", "note": "recommendation"}
+
+_REGION = ("startLine", "startColumn", "endLine", "endColumn")
 
 Json = dict[str, Any]
 
@@ -71,9 +75,25 @@ class _Results:
             steps = [{"location": self._location(step)} for step in finding.evidence]
             result["codeFlows"] = [{"threadFlows": [{"locations": steps}]}]
             result["relatedLocations"] = [{"id": number, **self._location(step)} for number, step in enumerate(finding.evidence[1:], 1)]
+        edits = edits_of(finding, self.setting.read)
+        if edits:
+            result["fixes"] = [self._fix(edits)]
         if finding.systems:
             result["properties"] = {"systems": [printable(system) for system in finding.systems]}
         return result
+
+    def _fix(self, edits: Iterable[tuple[Change, str, Edit]]) -> Json:
+        """What is to be replaced, by files."""
+        replacements: dict[str, list[Json]] = defaultdict(list)
+        for change, text, edit in edits:
+            region = dict(zip(_REGION, region_of(text, edit), strict=True))
+            replacements[change.place.path].append({"deletedRegion": region, "insertedContent": {"text": edit.text}})
+        return {
+            "description": {"text": _message("; ".join(str(change) for change, *_ in edits))},
+            "artifactChanges": [
+                {"artifactLocation": _artifact(self.setting.path(path)), "replacements": found} for path, found in replacements.items()
+            ],
+        }
 
     def _suppressed(self, each: Suppressed, more: Json) -> Json:
         comment = each.suppression

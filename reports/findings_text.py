@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
+from rosarch.findings.fixes import edits_of
 from rosarch.findings.model import Evidence
 from rosarch.findings.policy import Reported
 from rosarch.reports.excerpts import Excerpts
@@ -64,7 +65,7 @@ def _withheld(reported: Reported, setting: Setting) -> Iterator[Text]:
 
 
 def _finding(each: Alike, excerpts: Excerpts, setting: Setting, *, excerpted: bool, hint: bool) -> Iterator[Text]:
-    """Headline, excerpt, the other steps with theirs, other findings at the place, the hint, and the systems that have it."""
+    """Headline, excerpt, the other steps with theirs, other findings at the place, fix, hint, and the systems that have it."""
     finding = each.first
     width = max(len(str(step.place.line)) for step in finding.evidence)
     yield Text.assemble(
@@ -83,6 +84,8 @@ def _finding(each: Alike, excerpts: Excerpts, setting: Setting, *, excerpted: bo
             shown.add((step.place.path, step.place.line))
     for message in each.messages:
         yield Text.assemble("  ", ("also: ", "bold"), message)
+    for change, *_ in dict.fromkeys(part for found in (each.first, *each.others) for part in edits_of(found, setting.read)):
+        yield Text.assemble("  ", ("fix: ", "bold"), f"{setting.line(change.place)}: {printable(str(change))}")
     if finding.check.recommendation and hint:
         yield Text.assemble("  ", ("hint: ", "bold"), printable(" ".join(finding.check.recommendation.split())))
     if each.systems:

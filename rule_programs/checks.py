@@ -15,6 +15,8 @@ from rosarch.extractor.manifest import rules_folder
 SEVERITIES = ("error", "warning", "note")
 LEVELS = ("high", "medium", "low")
 FIELDS = ("id", "title", "help", "impact", "confidence", "description", "scenario", "recommendation", "message", "at", "evidence")
+CHANGE = ("at", "written", "meant")
+"""The last columns of a relation that says how findings are to be fixed; those before it are columns of the check."""
 _OPTIONAL = {"evidence"}
 _FIELD = re.compile(r"// ?([a-z]+):(?: (.*))?")
 _COLUMN = re.compile(r"\{(\w+)\}")
@@ -28,6 +30,7 @@ class Check:
 
     `message` has the columns of the relation `relation` in braces. `evidence` are columns that have a place, each with a text of the same
     form ("" for the usual one): first that of the fault, then those that say how it comes about. `columns` are names and types.
+    `fix_columns` are those of the relation `<relation>_fix`, which says how findings are to be fixed; none without one.
     """
 
     id: str
@@ -43,6 +46,12 @@ class Check:
     relation: str
     columns: tuple[tuple[str, str], ...]
     path: str
+    fix_columns: tuple[str, ...] = ()
+
+    @property
+    def fix_relation(self) -> str:
+        """The relation that says how findings are to be fixed."""
+        return f"{self.relation}_fix"
 
     @property
     def severity(self) -> str:
@@ -82,7 +91,9 @@ def read_check(path: Path) -> Check:
         if fields[name] not in LEVELS:
             raise CheckError(f"{_place(text, path, name, fields[name])}: {name} is `{fields[name]}`, not one of {', '.join(LEVELS)}")
     relation = fields["id"].replace("-", "_")
-    columns = _columns(text, relation, path)
+    columns = _columns(text, relation)
+    if not columns:
+        raise CheckError(f"{path}:1:1: the relation `{relation}` of the check is not declared")
     names = [name for name, _ in columns]
     evidence = tuple(_step(line) for line in f"{fields['at']}\n{fields.get('evidence', '')}".splitlines() if line.strip())
     used = [("message", name) for name in _COLUMN.findall(fields["message"])]
@@ -92,7 +103,10 @@ def read_check(path: Path) -> Check:
         if column not in names:
             raise CheckError(f"{_place(text, path, field, column)}: {relation} has no column `{column}`{hint(column, names)}")
     texts = {name: fields[name] for name in FIELDS if name not in ("at", "evidence")}
-    return Check(**texts, evidence=evidence, relation=relation, columns=columns, path=str(path))
+    fix_columns = tuple(name for name, _ in _columns(text, f"{relation}_fix"))
+    if fix_columns and (fix_columns[-3:] != CHANGE or not set(fix_columns[:-3]) <= set(names)):
+        raise CheckError(f"{path}:1:1: {relation}_fix has other columns than some of {relation} and {', '.join(CHANGE)}")
+    return Check(**texts, evidence=evidence, relation=relation, columns=columns, path=str(path), fix_columns=fix_columns)
 
 
 @lru_cache(maxsize=1)
@@ -165,12 +179,13 @@ def _step(line: str) -> tuple[str, str]:
     return column.strip(), text.strip()
 
 
-def _columns(text: str, relation: str, path: Path) -> tuple[tuple[str, str], ...]:
+def _columns(text: str, relation: str) -> tuple[tuple[str, str], ...]:
+    """The columns of a relation and their types; none where it is not declared."""
     for match in _DECLARATION.finditer(text):
         if match[1] == relation:
             pairs = (column.partition(":") for column in match[2].split(","))
             return tuple((name.strip(), type_.strip()) for name, _, type_ in pairs)
-    raise CheckError(f"{path}:1:1: the relation `{relation}` of the check is not declared")
+    return ()
 
 
 def evidence_of(type_: str) -> str:

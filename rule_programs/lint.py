@@ -34,7 +34,8 @@ def _lint(rules: RuleSet, own: Sequence[Path] = ()) -> list[Diagnostic]:
     files = {str(path) for path in own_files(own)} if own else {str(path) for path in folder.rglob("*.dl")}
     system, component = system_rules(rules), component_program(replace(rules, flows=True))
     types = {type_ for check in system.checks for _, type_ in check.columns}
-    shown = {check.relation for check in system.checks} | {name for type_ in types for name in (evidence_of(type_), shown_as(type_))}
+    shown = {name for check in system.checks for name in (check.relation, check.fix_relation)}
+    shown |= {name for type_ in types for name in (evidence_of(type_), shown_as(type_))}
     options = {name for name in component.relations if name.startswith("option")}
     return [
         *unconventional(component, files.__contains__, options),

@@ -159,6 +159,7 @@ def _together(found: Sequence[Finding]) -> tuple[Finding, ...]:
     first: dict[tuple[str, str, Place], Finding] = {}
     for finding in found:
         key = (finding.check.id, finding.message, finding.place)
-        other = first.get(key)
-        first[key] = replace(other, systems=tuple(sorted({*other.systems, *finding.systems}))) if other else finding
+        other = first.get(key, finding)
+        systems, changes = sorted({*other.systems, *finding.systems}), sorted({*other.changes, *finding.changes})
+        first[key] = replace(other, systems=tuple(systems), changes=tuple(changes))
     return tuple(sorted(first.values(), key=lambda finding: (finding.place, finding.check.id, finding.message)))

@@ -25,6 +25,7 @@ _IMPORT = re.compile(
 )
 _TEXT = re.compile(r'"""(?:[^"\\]|\\.|"(?!""))*"""|\'\'\'(?:[^\'\\]|\\.|\'(?!\'\'))*\'\'\'', re.DOTALL)
 _INCLUDE = re.compile(r'[ \t]*#[ \t]*(?:(?P<opens>if\w*)|(?P<closes>endif)|include[ \t]*[<"](?P<name>[a-z]\w*)/)')
+_FORMAT = re.compile(r"<package\s[^<>]*\bformat\s*=\s*[\"'](\d)[\"']")
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _FILE = re.compile(r"\$\(find\s+([\w-]+)\)|\bpackage://([\w-]+)/")
 _MESSAGES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
@@ -46,15 +47,18 @@ class Need:
 
 @dataclass(frozen=True)
 class Declared:
-    """What the manifest of a package in `folder` declares; `line` is that of its last dependency.
+    """What the manifest of a package in `folder` declares, by the `format` of REP 149; `line` is that of its last dependency.
 
-    `aside` are those that are in a comment only, `after` the lines of the dependencies that it is built or used with, not only tested.
+    `kinds` are the kinds of its dependencies, each with the line of the last one, `aside` those that are only in a comment, `after` the
+    lines of the dependencies that it is built or used with, not only tested.
     `needs` have no dependency of their name. `is_meta`: it is a metapackage.
     """
 
     name: str
     folder: str
+    format: int
     line: int
+    kinds: tuple[tuple[str, int], ...]
     depends: frozenset[str]
     aside: frozenset[str]
     after: tuple[tuple[str, int], ...]
@@ -85,7 +89,20 @@ def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:
     folder = os.path.dirname(path)
     aside = frozenset(match[2] for match in _DEPENDENCY.finditer(text_or_nothing(path))) - depends
     needs = tuple(_needs(folder, folders, depends | {name})) if is_built else ()
-    return Declared(name, folder, last, depends, aside, tuple(after.items()), needs, _METAPACKAGE.search(text) is not None)
+    kinds = {tag: line for tag, _, line in found}
+    given = _FORMAT.search(text)
+    return Declared(
+        name,
+        folder,
+        int(given[1]) if given else 1,
+        last,
+        tuple(kinds.items()),
+        depends,
+        aside,
+        tuple(after.items()),
+        needs,
+        _METAPACKAGE.search(text) is not None,
+    )
 
 
 def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator[Need]:
@@ -172,6 +189,8 @@ def manifest_rows(
             wanted.add(holder)
     for one in wanted:
         rows["package_manifest"].add((one.name, place(one, one.line)))
+        rows["manifest_format"].add((one.name, one.format))
+        rows["manifest_kind"].update((one.name, kind, place(one, line)) for kind, line in one.kinds)
         rows["package_set_aside"].update((one.name, dependency) for dependency in one.aside)
         needs = [need for need in one.needs if need.how != "header" or need.name in there or _MESSAGES.search(need.name)]
         rows["package_needs"].update((place(one, need.line, need.path), one.name, need.name, need.how) for need in needs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -27,11 +28,13 @@ from rosarch.cli.check_options import (
 from rosarch.cli.check_outputs import Formats, Outputs, judge, parse_destinations, write_reports
 from rosarch.cli.inputs import check_sources
 from rosarch.cli.questions import SystemQuestion, asks
+from rosarch.cli.repairs import ROUNDS, Diff, Fix, check_repairs, fixed, show_diff
 from rosarch.cli.systems import check_systems, text_reader
 from rosarch.cli.terminal import show_remaining
 
 if TYPE_CHECKING:
     from rosarch.analysis.systems.check_result import CheckResult
+    from rosarch.findings.policy import Reported
     from rosarch.findings.withheld import Withheld
     from rosarch.rule_programs.checks import Check
     from rosarch.rule_programs.choice import RuleSet
@@ -52,15 +55,17 @@ def check(
     baseline: BaselineFile = None,
     write_baseline: NewBaseline = None,
     withheld: ShowWithheld = False,
+    fix: Fix = False,
+    diff: Diff = False,
     verbose: Talkative = False,
 ) -> None:
     """Check the systems that launch files below DIR start: report names, types, parameters and files that do not fit together."""
-    from rosarch.extractor.suppressions import find_suppressions
     from rosarch.reports.findings import scope_text
     from rosarch.rule_programs.choice import closed_world
 
     folder = check_sources(question.folder)
     destinations = parse_destinations(output_format, outputs)
+    check_repairs(fix, diff)
     rules = question.rules()
     checks = _checks(rules)
     configuration = load_configuration(folder, config, checks)
@@ -69,18 +74,33 @@ def check(
     )
     known = baseline or (Path(configuration.baseline) if configuration.baseline and write_baseline is None else None)
     inputs = question.inputs(rules)
-    checked = check_systems(inputs, configuration)
     read = text_reader(inputs, configuration)
+    since = time.time_ns()
+    checked = check_systems(inputs, configuration)
+
+    def judged() -> Reported:
+        from rosarch.extractor.suppressions import find_suppressions
+
+        return judge(
+            checked.findings,
+            policy,
+            find_suppressions(checked.files, read),
+            checks=checks,
+            baseline=known,
+            new_baseline=write_baseline,
+            complete=not question.launches,
+        )
+
+    reported = judged()
+    if diff:
+        raise typer.Exit(int(show_diff(reported.shown, folder, since)))
+    for _ in range(ROUNDS if fix else 0):
+        if not fixed(reported.shown, folder, since):
+            break
+        since = time.time_ns()
+        checked = check_systems(inputs, configuration)
+        reported = judged()
     show_remaining(checked, folder, verbose)
-    reported = judge(
-        checked.findings,
-        policy,
-        find_suppressions(checked.files, read),
-        checks=checks,
-        baseline=known,
-        new_baseline=write_baseline,
-        complete=not question.launches,
-    )
     if withheld:
         reported = replace(reported, withheld=_withheld(checked, check_systems(question.inputs(closed_world(rules)), configuration)))
     underlay = inputs.method.sources.underlay

@@ -90,6 +90,8 @@ class _Writer:
             subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable", "params-file") else problem.subject
             message = problem.message.replace(self.root + os.sep, "")  # places are shown relative to the workspace: so are paths in texts
             self.add("launch_problem", self.place(problem.place), problem.kind, subject, message, effect)
+            if problem.meant is not None:
+                self.add("launch_meant", self.place(problem.place), message, *problem.meant)
             if problem.kind == "package":
                 self.reference(PackageNamed(problem.subject, None, problem.place))
         for command in composition.commands:

@@ -237,7 +237,8 @@ class Include:
 class Problem:
     """Something that roslaunch rejects (`fatal`) or that is not as it should be.
 
-    `kind` and `subject` say what it is about (`package`, the name of a package), `message` says it to a reader.
+    `kind` and `subject` say what it is about (`package`, the name of a package), `message` says it to a reader. `meant` is a text
+    there, and what was certainly meant by it.
     """
 
     kind: str
@@ -246,6 +247,7 @@ class Problem:
     place: Place
     fatal: bool = True
     conditions: tuple[Condition, ...] = ()
+    meant: tuple[str, str] | None = None
 
     def __str__(self) -> str:
         return f"{self.place.path}:{self.place.line}:{self.place.column}: {self.message}"
@@ -408,9 +410,9 @@ class Composition:
 class LaunchError(Exception):
     """An element that is rejected; becomes a `Problem` at the element's place."""
 
-    def __init__(self, kind: str, subject: str, message: str) -> None:
+    def __init__(self, kind: str, subject: str, message: str, meant: tuple[str, str] | None = None) -> None:
         super().__init__(message)
-        self.kind, self.subject, self.message = kind, subject, message
+        self.kind, self.subject, self.message, self.meant = kind, subject, message, meant
 
     @property
     def is_limit(self) -> bool:

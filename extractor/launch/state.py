@@ -115,7 +115,8 @@ class State:
         """Note a problem, once: at the present element, unless it has a place of its own."""
         render = self.unknowns.render
         conditions = self.scope.conditions + self.own_conditions
-        self.problems.setdefault(Problem(error.kind, render(error.subject), render(error.message), place or self.here, fatal, conditions))
+        problem = Problem(error.kind, render(error.subject), render(error.message), place or self.here, fatal, conditions, error.meant)
+        self.problems.setdefault(problem)
 
     def report_unread(self, error: LaunchError) -> None:
         """Note why a file is not read; what is not read here only is no fault of the launch file."""

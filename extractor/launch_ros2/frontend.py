@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rosarch.base.hints import only_candidate
 from rosarch.extractor.launch.model import LaunchError, Place
 from rosarch.extractor.launch_ros2.texts import parsed
 from rosarch.extractor.launch_ros2.values import Made
@@ -75,7 +76,9 @@ def _actions(world: World, children: list[Entity], inside: str) -> Iterator[Made
         world.here(child.place)
         maker = MAKERS.get(child.name)
         if maker is None:
-            world.state.report(LaunchError("unknown-element", child.name, f"unknown element <{child.name}> in <{inside}>"))
+            meant = None if child.children else only_candidate(child.name, MAKERS)
+            message = f"unknown element <{child.name}> in <{inside}>"
+            world.state.report(LaunchError("unknown-element", child.name, message, (child.name, meant) if meant else None))
             continue
         _report_unexpected(world, child)
         try:
@@ -94,7 +97,8 @@ def _report_unexpected(world: World, child: Entity) -> None:
     known = ATTRIBUTES.get(child.name.replace("-", "_"), child.attributes.keys())
     for name, value in child.attributes.items():
         if name not in known and not isinstance(value, (list, dict)):
-            error = LaunchError("attribute", name, f"<{child.name}> cannot have the attribute `{name}`")
+            meant = only_candidate(name, set(known) - set(child.attributes))
+            error = LaunchError("attribute", name, f"<{child.name}> cannot have the attribute `{name}`", (name, meant) if meant else None)
             world.state.report(error, place=child.at.get(name, child.place))
     allowed = _CHILDREN.get(child.name)
     for inner in child.children:

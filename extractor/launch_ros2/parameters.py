@@ -216,7 +216,8 @@ def _of_file(world: World, value: Any, given: Given, name: str | None, context: 
     shown = None if path in world.written else world.located(path)
     if shown is not None:
         if file.refusal is not None:
-            state.report(LaunchError("params-file", path, file.refusal.message), fatal=False, place=Place(shown, file.refusal.line))
+            problem = LaunchError("params-file", path, file.refusal.message, file.refusal.meant)
+            state.report(problem, fatal=False, place=Place(shown, file.refusal.line))
         if given.node is None:
             yield Read(shown, file)
     for section in wanted:

@@ -46,10 +46,11 @@ class Section:
 
 @dataclass(frozen=True)
 class Refusal:
-    """What of a file a node rejects, at `line`."""
+    """What of a file a node rejects, at `line`; `meant` is a text there and what was meant by it."""
 
     message: str
     line: int
+    meant: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)
@@ -160,10 +161,10 @@ def likely_name(sections: Sequence[Section], namespace: str, known: tuple[str, .
 class _Refused(Exception):
     """A node does not take the file."""
 
-    def __init__(self, message: str, event: yaml.Event) -> None:
+    def __init__(self, message: str, event: yaml.Event, meant: tuple[str, str] | None = None) -> None:
         super().__init__(message)
         mark = event.start_mark
-        self.refusal = Refusal(message, mark.line + 1 if mark else 1)
+        self.refusal = Refusal(message, mark.line + 1 if mark else 1, meant)
 
 
 def refused(text: str) -> Refusal | None:
@@ -188,7 +189,7 @@ def _nodes(events: Iterator[yaml.Event], depth: int, outer: yaml.ScalarEvent | N
         if key.value != _SECTION:
             if not isinstance(value, yaml.MappingStartEvent):
                 if outer is not None and _MISSPELT.fullmatch(outer.value):
-                    raise _Refused(f"`{outer.value}` is written for `{_SECTION}`", outer)
+                    raise _Refused(f"`{outer.value}` is written for `{_SECTION}`", outer, (outer.value, _SECTION))
                 raise _Refused(f"the value of `{key.value}` stands before `{_SECTION}`", key)
             _nodes(events, depth + 1, key)
         elif depth == 0:

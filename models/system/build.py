@@ -25,7 +25,8 @@ def finding_relations(rules: SystemRules) -> list[str]:
     """The relations that findings are made from."""
     types = {type_ for check in rules.checks for _, type_ in check.columns}
     helpers = {relation for type_ in types for relation in (evidence_of(type_), shown_as(type_)) if relation in rules.program.relations}
-    return [*(check.relation for check in rules.checks), *sorted(helpers)]
+    fixes = [check.fix_relation for check in rules.checks if check.fix_columns]
+    return [*(check.relation for check in rules.checks), *fixes, *sorted(helpers)]
 
 
 def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, places: Mapping[str, Place]) -> SystemModel:

@@ -77,6 +77,18 @@ def test_rows(tmp_path: Path) -> None:
     }
 
 
+def test_formats_and_kinds(tmp_path: Path) -> None:
+    """The kinds of dependencies, each with the last line of it; a manifest without a format has the first one."""
+    launch = '<launch><include file="$(find driver)/a.launch"/></launch>'
+    package(tmp_path, "robot", "<depend>a</depend>\n<depend>b</depend>\n<test_depend>c</test_depend>\n", **{"a.launch": launch})
+    folder = package(tmp_path, "other", "", **{"a.launch": launch})
+    (folder / "package.xml").write_text("<package xmlns:x='y'\n format = '3'>\n<name>other</name></package>")
+    composition = compose([tmp_path / name / "a.launch" for name in ("robot", "other")], files=Files(PackagePath([tmp_path])))
+    rows = manifest_rows(composition, declared(tmp_path), tmp_path, set())
+    assert rows["manifest_format"] == {("robot", 1), ("other", 3)}
+    assert rows["manifest_kind"] == {("robot", "depend", "robot/package.xml:4:1"), ("robot", "test_depend", "robot/package.xml:5:1")}
+
+
 def test_metapackages(tmp_path: Path) -> None:
     launch = '<launch><node pkg="x" type="x" name="x"/></launch>'
     package(tmp_path, "robot", "<run_depend>arm</run_depend>\n<run_depend>lamp</run_depend>\n", **{"a.launch": launch})

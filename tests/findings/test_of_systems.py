@@ -11,7 +11,7 @@ from handmade_findings import MISMATCH
 from rosarch.analysis.systems.analysis import _together
 from rosarch.base.places import Place
 from rosarch.datalog import Program, load_program
-from rosarch.findings.model import Evidence, Finding
+from rosarch.findings.model import Change, Evidence, Finding
 from rosarch.findings.of_systems import findings
 from rosarch.rule_programs.checks import CheckError, evidence_of, require_places, shown_as
 
@@ -44,6 +44,22 @@ def test_names_of_the_relations_for_a_type() -> None:
     assert (evidence_of("NodePort"), shown_as("Start"), evidence_of("PortModel")) == (
         "evidence_of_node_port", "shown_as_start", "evidence_of_port_model",
     )  # fmt: skip
+
+
+def test_fixes(tmp_path: Path) -> None:
+    """Rows of the fix belong to the rows of the check that have the same values in the columns that both have."""
+    rules = RULES + (
+        ".decl found_fix(port: NodePort, topic: symbol, at: Place, written: symbol, meant: symbol)\n"
+        'found_fix("a", "/t", "y", "u", "v"). found_fix("a", "/t", "x", "", "w"). found_fix("a", "/u", "x", "s", "t"). found_fix("c", "/t", "x", "s", "t").'
+    )
+    (tmp_path / "rules.dl").write_text(rules)
+    check = replace(CHECK, fix_columns=("port", "topic", "at", "written", "meant"))
+    first, second = findings([check], load_program(tmp_path / "rules.dl").evaluate({}, keep="all"), PLACES, "robot.launch")
+    assert first.changes == (Change(PLACES["x"], "", "w"), Change(PLACES["y"], "u", "v"))
+    assert second.changes == ()
+    assert _together([first, replace(first, changes=first.changes[:1], systems=("a.launch",))]) == (
+        replace(first, systems=("a.launch", "robot.launch")),
+    )
 
 
 def test_messages_and_evidence(tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 import pytest
-from findings_reports import BELOW, EVIL, EVIL_SETTING, GONE, HERE, KNOWN, everything, hostile, nothing, one
+from findings_reports import BELOW, EVIL, EVIL_SETTING, GONE, HERE, KNOWN, WITH_MANIFEST, everything, hostile, nothing, one, with_fix
 from handmade_findings import FULL
 from jsonschema import Draft202012Validator
 
@@ -27,6 +27,18 @@ def test_schema_is_a_schema() -> None:
 def test_documents_follow_the_schema(reported) -> None:
     valid(findings_text(reported, HERE))
     assert valid(findings_text(reported, BELOW))["folder"] == "ws"
+
+
+def test_a_fix() -> None:
+    other, full = valid(findings_text(with_fix(), WITH_MANIFEST))["findings"]
+    assert "fix" not in other
+    assert full["fix"] == {
+        "description": "`/ticks` becomes `/odom/ticks`; add the line `<depend>std_msgs</depend>` below",
+        "replacements": [
+            {"file": "base/launch/base.launch", "line": 3, "column": 29, "end_line": 3, "end_column": 35, "text": "/odom/ticks"},
+            {"file": "base/package.xml", "line": 3, "column": 1, "end_line": 3, "end_column": 1, "text": "  <depend>std_msgs</depend>\n"},
+        ],
+    }
 
 
 def test_a_finding() -> None:

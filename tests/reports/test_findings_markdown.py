@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from findings_reports import BELOW, EVIL_SETTING, HERE, hostile, nothing, one
+from findings_reports import BELOW, EVIL_SETTING, HERE, WITH_MANIFEST, hostile, nothing, one, with_fix
 from handmade_findings import CHECKS, finding
 from hypothesis import given
 from hypothesis import strategies as st
@@ -123,3 +123,9 @@ def test_a_comment_has_room_for_it() -> None:
     shown = text.count("- **error**")
     assert 50 < shown < 1000
     assert text.endswith(f"\n… and {1000 - shown} more findings.\n")
+
+
+def test_a_fix() -> None:
+    text = findings_text(with_fix(), WITH_MANIFEST)
+    assert "  **Fix:** `ws/base/launch/base.launch:3`: `/ticks` becomes `/odom/ticks`\n" in text
+    assert "  **Fix:** `ws/base/package.xml:2`: add the line `<depend>std_msgs</depend>` below\n" in text

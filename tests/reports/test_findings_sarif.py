@@ -9,7 +9,7 @@ from importlib.resources import files
 from typing import Any
 
 import pytest
-from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, nothing, one
+from findings_reports import BELOW, EVIL_SETTING, HERE, WITH_MANIFEST, everything, hostile, nothing, one, with_fix
 from handmade_findings import FULL, MISMATCH, finding
 from jsonschema import Draft4Validator
 
@@ -56,6 +56,28 @@ def test_the_schema_is_strict(path, value, schema) -> None:
         inner = inner[key]
     inner[path[-1]] = value
     assert not Draft4Validator(schema).is_valid(log)
+
+
+def test_a_fix(schema) -> None:
+    Draft4Validator(schema).validate(json.loads(findings_text(with_fix(), WITH_MANIFEST)))
+    other, full = results(with_fix(), WITH_MANIFEST)
+    assert "fixes" not in other
+
+    def change(path: str, region: tuple[int, ...], text: str) -> Any:
+        names = ("startLine", "startColumn", "endLine", "endColumn")
+        replacement = {"deletedRegion": dict(zip(names, region, strict=True)), "insertedContent": {"text": text}}
+        return {"artifactLocation": {"uri": path, "uriBaseId": "%SRCROOT%"}, "replacements": [replacement]}
+
+    assert full["fixes"] == [
+        {
+            "description": {"text": "`/ticks` becomes `/odom/ticks`; add the line `<depend>std_msgs</depend>` below"},
+            "artifactChanges": [
+                change("ws/base/launch/base.launch", (3, 29, 3, 35), "/odom/ticks"),
+                change("ws/base/package.xml", (3, 1, 3, 1), "  <depend>std_msgs</depend>\n"),
+            ],
+        }
+    ]
+    assert "fixes" not in results(with_fix(), HERE)[1]  # there is no manifest to be changed
 
 
 def test_a_result() -> None:

@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from findings_reports import BELOW, EVIL_SETTING, HERE, everything, hostile, nothing, one
+from findings_reports import BELOW, EVIL_SETTING, HERE, WITH_MANIFEST, everything, hostile, nothing, one, with_fix
 from handmade_findings import CHECKS, FULL, MISMATCH, STYLE, finding
 from systems import node, small, system
 
@@ -35,6 +35,14 @@ def test_a_finding() -> None:
         "\n"
         "1 finding: 1 error\n"
     )
+
+
+def test_a_fix() -> None:
+    text = findings_text(with_fix(), WITH_MANIFEST)
+    assert [line for line in text.splitlines() if line.startswith("  fix: ")] == [
+        "  fix: ws/base/launch/base.launch:3: `/ticks` becomes `/odom/ticks`",
+        "  fix: ws/base/package.xml:2: add the line `<depend>std_msgs</depend>` below",
+    ]
 
 
 def test_all_kinds() -> None:

@@ -80,6 +80,13 @@ def test_what_is_wrong_with_a_block(old: str, new: str, message: str, tmp_path: 
     assert str(caught.value) == f"{path}:{message}"
 
 
+@pytest.mark.parametrize("columns", ["node: Start, at: Place, written: symbol", "other: Start, at: Place, written: symbol, meant: symbol"])
+def test_fixes_with_other_columns(columns: str, tmp_path: Path) -> None:
+    path = write(tmp_path, f"{BLOCK}.decl demo_check_fix({columns})\n")
+    with pytest.raises(CheckError, match="1:1: demo_check_fix has other columns than some of demo_check and at, written, meant"):
+        read_check(path)
+
+
 @pytest.mark.parametrize("field", [name for name in FIELDS if name != "evidence"])
 def test_a_missing_field(field: str, tmp_path: Path) -> None:
     path = write(tmp_path, BLOCK.replace(f"// {field}:", "// |"))

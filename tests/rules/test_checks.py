@@ -1,7 +1,8 @@
 """Checks, each with cases in which it must fire and cases in which it must stay silent.
 
 `checks/<id>.dl` has its cases: facts, with the shorthand of `checks/shorthand.dl`, below lines `// case: name`. `// expect: message` and, if told,
-`// at: path:line` after it are the findings that this check must make there; cases called `silent*` have none. Other checks do not count.
+`// at: path:line` after it are the findings that this check must make there; cases called `silent*` have none. `// fix: path:line: ...` are all
+the changes that fix them, as reports show them. Other checks do not count.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from rosarch.rule_programs.checks import check_files, read_check
 from rosarch.rule_programs.sets import SystemRules
 
 CASES = check_cases()
+FIX = re.compile(r"^// fix: (.*)$", re.MULTILINE)
 EXPECT = re.compile(r"^// expect: (.*)(?:\n// at: (.*))?$", re.MULTILINE)
 
 
@@ -43,6 +45,7 @@ def test_case(case: Case) -> None:
     assert [message for message, _ in actual] == sorted(message for message, _ in expected)
     told = {message: place for message, place in expected if place}
     assert {message: place for message, place in actual if message in told} == told
+    assert sorted({f"{change.place}: {change}" for finding in found(case) for change in finding.fix}) == sorted(FIX.findall(case.text))
 
 
 @pytest.mark.parametrize("path", check_files(), ids=lambda path: path.stem)

@@ -272,7 +272,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "CMakeLists.txt").write_text("add_executable(mentioned a.cpp)\nregister(Inner)\n")
     filled = launch_rows(composition, tmp_path)
     filled |= script_rows(composition, PackagePath([tmp_path]))
-    (tmp_path / "here" / "arm.launch.xml").write_text('<launch><arg name="rate" default="2"/></launch>')
+    (tmp_path / "here" / "arm.launch.xml").write_text('<launch><arg name="rate" default="2" descrption="x"/></launch>')
     (tmp_path / "here" / "ros2.launch.py").write_text(IN_PYTHON)
     (tmp_path / "here" / ".gitignore").write_text("made.yaml\n")
     (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")

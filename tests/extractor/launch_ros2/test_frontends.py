@@ -87,6 +87,22 @@ def test_bad_xml(tmp_path: Path, content: str, said: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("content", "meant"),
+    [
+        ('<arg name="a" default="1" descrption="x"/>', ("descrption", "description")),
+        ('<arg name="a" defalt="1" default="2"/>', None),  # it has that
+        ('<arg name="a" default="1" colour="2"/>', None),
+        ('<nod pkg="p" exec="e"/>', ("nod", "node")),
+        ('<nod pkg="p" exec="e"></nod>', ("nod", "node")),
+        ('<grup><node pkg="p" exec="e"/></grup>', None),  # its end tag would have to be changed, too
+    ],
+)
+def test_what_was_meant(tmp_path: Path, content: str, meant: tuple[str, str] | None) -> None:
+    (problem,) = xml(tmp_path, content).problems
+    assert problem.meant == meant
+
+
+@pytest.mark.parametrize(
     ("text", "said"),
     [
         ("launch: [", "main.launch.yaml:1:10: while parsing a flow node expected the node content, but found '<stream end>'"),

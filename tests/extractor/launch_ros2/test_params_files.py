@@ -2,7 +2,7 @@
 
 import pytest
 
-from rosarch.extractor.launch_ros2.params_files import Refusal, refused
+from rosarch.extractor.launch_ros2.params_files import refused
 
 REFUSED = {
     "n:\n  p: 1\n": (2, "the value of `p` stands before `ros__parameters`"),
@@ -32,7 +32,10 @@ TAKEN = (
 @pytest.mark.parametrize("text", REFUSED, ids=str)
 def test_refused(text: str) -> None:
     line, message = REFUSED[text]
-    assert refused(text) == Refusal(message, line)
+    found = refused(text)
+    assert found is not None
+    assert (found.message, found.line) == (message, line)
+    assert found.meant == (("ros_parameters", "ros__parameters") if "is written for" in message else None)
 
 
 @pytest.mark.parametrize("text", TAKEN, ids=str)
