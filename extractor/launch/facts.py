@@ -131,6 +131,8 @@ class _Writer:
             self.add("started_if", start, str(condition))
         for remap in node.own_remaps:
             self.add("started_remap", start, canonical(remap.source), canonical(remap.target), self.place(remap.place))
+            if remap.only is not None:
+                self.add("started_remap_only", start, canonical(remap.source), canonical(remap.target), remap.only)
         for file in node.params_files:
             self.add("params_given", start, self.path(file.path))
             for section in file.sections:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.base.diagnostics import Diagnostic
 from rosarch.extractor.launch.formulas import Formula, Not, possible
+from rosarch.extractor.launch.names import ns_join
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch.views import View
@@ -65,7 +66,7 @@ def exclusive(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> bool:
 class Remap:
     """One remapping, with names as written; `conditions` are those of the `<remap>` itself, not of the node that has it.
 
-    With a `node`, it is for the nodes of a process that are called so.
+    With a `node`, it is for the nodes of a process that are called so; with `only`, for ports of this kind (topic, service).
     """
 
     source: str
@@ -73,6 +74,7 @@ class Remap:
     place: Place
     conditions: tuple[Condition, ...] = ()
     node: str | None = None
+    only: str | None = None
 
 
 @dataclass(frozen=True)
@@ -122,13 +124,18 @@ class NodeStart:
     def own_remaps(self) -> tuple[Remap, ...]:
         """The remappings that hold for it: of several for one name the first."""
         found: list[Remap] = []
-        settled: set[str] = set()
+        settled: set[tuple[str, str | None]] = set()
         for remap in self.given_remaps:
-            if remap.source not in settled:
+            source = self.absolute(remap.source)
+            if not {(source, None), (source, remap.only)} & settled:
                 found.append(remap)
             if not remap.conditions:
-                settled.add(remap.source)
+                settled.add((source, remap.only))
         return tuple(found)
+
+    def absolute(self, name: str) -> str:
+        """A name as it is on the graph, before remapping."""
+        return f"{self.full_name}/{name[1:]}" if name.startswith("~") else ns_join(self.namespace, name)
 
     @property
     def given_remaps(self) -> tuple[Remap, ...]:

@@ -33,6 +33,9 @@ ALL = "/**"
 """The pattern of all nodes."""
 _TEXT = "tag:yaml.org,2002:str"
 _PARSER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_AROUND = (yaml.StreamStartEvent, yaml.DocumentStartEvent, yaml.DocumentEndEvent, yaml.StreamEndEvent)
+_NODES = re.compile(r"/?(?:(?:\*\*?|[A-Za-z_]\w*)/)*(?:\*\*?|[A-Za-z_]\w*)", re.ASCII)
+"""What may stand for nodes: their name, with wildcards for parts of it."""
 
 
 @dataclass(frozen=True)
@@ -173,9 +176,9 @@ def refused(text: str) -> Refusal | None:
     try:
         for event in events:
             if isinstance(event, yaml.MappingStartEvent):
-                _nodes(events, depth=0, outer=None)
+                _nodes(events, "", None)
             elif isinstance(event, yaml.SequenceStartEvent):
-                return None  # taken, and without effect
+                raise _Refused("it is a list", event)
     except _Refused as error:
         return error.refusal
     except yaml.YAMLError:
@@ -183,51 +186,94 @@ def refused(text: str) -> Refusal | None:
     return None
 
 
-def _nodes(events: Iterator[yaml.Event], depth: int, outer: yaml.ScalarEvent | None) -> None:
-    """A map of nodes or namespaces, below the key `outer`, whose beginning was read."""
+def refused_value(text: str) -> str | None:
+    """Why a node does not take a value of its command line, None when it does."""
+    events = (event for event in yaml.parse(text, Loader=_PARSER) if not isinstance(event, _AROUND))
+    try:
+        for event in events:
+            if isinstance(event, yaml.MappingStartEvent):
+                return "it is a map"
+            _value(events, event, "it")
+    except _Refused as error:
+        return error.refusal.message
+    except yaml.YAMLError:
+        return "it is no YAML"
+    return None if text else "it has no value"
+
+
+def _nodes(events: Iterator[yaml.Event], space: str, outer: yaml.ScalarEvent | None) -> None:
+    """A map of nodes or namespaces, in the namespace `space` below the key `outer`, whose beginning was read."""
     for key, value in _pairs(events):
         if key.value != _SECTION:
             if not isinstance(value, yaml.MappingStartEvent):
                 if outer is not None and _MISSPELT.fullmatch(outer.value):
                     raise _Refused(f"`{outer.value}` is written for `{_SECTION}`", outer, (outer.value, _SECTION))
                 raise _Refused(f"the value of `{key.value}` stands before `{_SECTION}`", key)
-            _nodes(events, depth + 1, key)
-        elif depth == 0:
+            if not key.value:
+                raise _Refused("a name of a node is empty", key)
+            _nodes(events, f"{space}{key.value}" if not space or space.endswith("/") else f"{space}/{key.value}", key)
+        elif outer is None:
             raise _Refused(f"no name of a node stands before `{_SECTION}`", key)
+        elif not _NODES.fullmatch(space):
+            raise _Refused(f"`{space}` is no name of nodes", outer)
         elif isinstance(value, yaml.MappingStartEvent):
             _parameters(events)
         elif isinstance(value, yaml.SequenceStartEvent):
-            _skip(events)
+            _maps(events, key)
         else:
             raise _Refused(f"`{_SECTION}` is no map", key)
 
 
-def _parameters(events: Iterator[yaml.Event]) -> None:
-    """A map of parameters, whose beginning was read."""
+def _maps(events: Iterator[yaml.Event], key: yaml.ScalarEvent) -> None:
+    """The rest of a list in the place of the parameters: rcl takes one of maps."""
+    for event in events:
+        if isinstance(event, yaml.SequenceEndEvent):
+            return
+        _require_no_alias(event)
+        if not isinstance(event, yaml.MappingStartEvent):
+            raise _Refused(f"`{_SECTION}` is no map", key)
+        _skip(events)
+
+
+def _parameters(events: Iterator[yaml.Event], inside: bool = False) -> bool:
+    """A map of parameters, whose beginning was read; whether it ends with an empty map, which ends those that it is in for rcl."""
+    count, ended = 0, False
     for key, value in _pairs(events):
-        if isinstance(value, yaml.MappingStartEvent):
-            _parameters(events)
-        elif isinstance(value, yaml.SequenceStartEvent):
-            _list(events, key)
-        elif value.value == "" and not value.style:
-            raise _Refused(f"the parameter `{key.value}` has no value", key)
+        count += 1
+        if not key.value:
+            raise _Refused("the name of a parameter is empty", key)
+        if ended and not inside:
+            raise _Refused(f"`{key.value}` follows an empty map", key)
+        ended = isinstance(value, yaml.MappingStartEvent) and _parameters(events, inside=True)
+        if not isinstance(value, yaml.MappingStartEvent):
+            _value(events, value, f"the parameter `{key.value}`")
+    return ended or not count
 
 
-def _list(events: Iterator[yaml.Event], key: yaml.ScalarEvent) -> None:
-    """The elements of a list, whose beginning was read: values of one type."""
+def _value(events: Iterator[yaml.Event], value: yaml.Event, subject: str) -> None:
+    """The value of a parameter, which is no map and whose beginning was read."""
+    _require_no_alias(value)
+    if isinstance(value, yaml.SequenceStartEvent):
+        _list(events, subject)
+    elif isinstance(value, yaml.ScalarEvent) and value.value == "" and value.style not in ("'", '"'):
+        raise _Refused(f"{subject} has no value", value)
+
+
+def _list(events: Iterator[yaml.Event], subject: str) -> None:
+    """The elements of the list that `subject` is, whose beginning was read: values of one type."""
     types: dict[str, None] = {}
     for event in events:
         if isinstance(event, yaml.SequenceEndEvent):
             break
         if isinstance(event, yaml.SequenceStartEvent):
-            raise _Refused(f"the parameter `{key.value}` is a list of lists", event)
+            raise _Refused(f"{subject} is a list of lists", event)
         if not isinstance(event, yaml.ScalarEvent):
             _require_no_alias(event)
-            return _skip(events)
+            _skip(events)
+            continue
         types[_type(event)] = None
         if len(types) > 1:
-            raise _Refused(f"the elements of `{key.value}` are of several types: {' and '.join(types)}", event)
-    return None
+            raise _Refused(f"the elements of {subject.removeprefix('the parameter ')} are of several types: {' and '.join(types)}", event)
 
 
 def _type(event: yaml.ScalarEvent) -> str:
@@ -250,7 +296,7 @@ def _pairs(events: Iterator[yaml.Event]) -> Iterator[tuple[yaml.ScalarEvent, Any
 
 
 def _skip(events: Iterator[yaml.Event]) -> None:
-    """The rest of a list, whose beginning was read."""
+    """The rest of a map or a list, whose beginning was read."""
     depth = 1
     while depth:
         event = next(events)

@@ -8,6 +8,7 @@ itself: `1e5` and `y` it leaves as they are, and they arrive as a double and a B
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -23,7 +24,7 @@ SCALARS = (
     ("integers", "int", re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)")),
     ("doubles", "float", re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")),
     # what strtod of C reads, too
-    ("doubles", "float", re.compile(r"[-+]?(inf(inity)?|nan|0x[0-9a-f]*\.?[0-9a-f]*(p[-+]?[0-9]+)?)", re.IGNORECASE)),
+    ("doubles", "float", re.compile(r"[-+]?(inf(inity)?|nan|0x([0-9a-f]+\.?[0-9a-f]*|\.[0-9a-f]+)(p[-+]?[0-9]+)?)", re.IGNORECASE)),
 )
 """The types of plain scalars: what they are called, the name in YAML, their form."""
 _TRUE = frozenset({"y", "yes", "true", "on"})
@@ -40,11 +41,17 @@ def scalar(text: str) -> Any:
         value = int(digits, 16 if digits[1:2] in ("x", "X") else 8 if digits.startswith("0") else 10)
         value = -value if text.startswith("-") else value
         return value if -(1 << 63) <= value < 1 << 63 else float(value)
-    if kind == "float":
-        return (
-            float.fromhex(text) if "x" in text.lower() else float(text.replace(".inf", "inf").replace(".Inf", "inf").replace(".nan", "nan"))
-        )
-    return text
+    return _double(text) if kind == "float" else text
+
+
+def _double(text: str) -> float | str:
+    """What C reads as a double; one that is too large or too small for it to be exact stays a text."""
+    lower = text.lower()
+    value = float.fromhex(text) if "x" in lower else float(lower.replace(".inf", "inf").replace(".nan", "nan"))
+    named = "inf" in lower or "nan" in lower
+    mantissa = lower.partition("p" if "x" in lower else "e")[0].lstrip("+-").removeprefix("0x")
+    is_zero = not mantissa.strip("0.")
+    return value if named or is_zero or sys.float_info.min <= abs(value) <= sys.float_info.max else text
 
 
 class RclLoader(RepeatedKeysLoader):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import (
@@ -26,7 +26,7 @@ from rosarch.extractor.launch_ros2.actions import carries_out, conditional, join
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
-from rosarch.extractor.launch_ros2.rcl_values import read
+from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import Either, Instance, Made, Unknown, Written
 
@@ -34,17 +34,8 @@ if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
 
 _NODES = ("Node", "LifecycleNode", "ComposableNodeContainer")
-
-
-@dataclass
-class RosArguments:
-    """What `--ros-args` of a command line say: remappings, parameters, files of parameters; `plain` are the other words."""
-
-    plain: list[str]
-    remaps: list[Remap]
-    params: list[Given]
-    name: str | None = None
-    namespace: str | None = None
+_KINDS = ("topic", "service")
+"""What a remapping rule may be for alone."""
 
 
 @carries_out("Node", "LifecycleNode")
@@ -82,7 +73,7 @@ def _target(world: World, target: Any, context: Context) -> str:
 
 def start_node(world: World, made: Made, context: Context) -> NodeStart:
     """Start a node as a process."""
-    given = _ros_arguments(world, _words(world, made, context))
+    given = ros_arguments(world, _words(world, made, context))
     package, executable = perform(world, made.get("package"), context), perform(world, made.get("executable", "node_executable"), context)
     named = made.get("name", "node_name")
     name = None if named is None else perform(world, named, context)
@@ -91,7 +82,8 @@ def start_node(world: World, made: Made, context: Context) -> NodeStart:
     name = given.name or name
     namespace = joined(context.namespace, perform(world, made.get("namespace", "node_namespace"), context))
     require_namespace(namespace)
-    namespace = joined("", given.namespace) if given.namespace is not None else namespace
+    told = given.namespace(name)
+    namespace = namespace if told is None else joined("", told)
     remaps = [*given.remaps, *context.remaps, *_remaps(world, made, context)]  # as they stand on the command line
     _refer(world, package, executable, made.place)
     params = [*given.params, *context.params, *_given(made)]
@@ -154,7 +146,7 @@ def _start(
         name=name,
         namespace=f"{namespace}/",
         lines=lines,
-        remaps=tuple(_for_node(remaps, name, context)),
+        remaps=tuple(_for_node(world, remaps, name, context)),
         args=args,
         respawn=made.arguments.get("respawn") is True,
         output=made.arguments["output"] if isinstance(made.arguments.get("output"), str) else None,
@@ -238,21 +230,19 @@ def _inferred(world: World, params: list[Given], namespace: str, known: tuple[st
     return None
 
 
-def _for_node(remaps: Iterable[Remap], name: str | None, context: Context) -> Iterator[Remap]:
+def _for_node(world: World, remaps: Iterable[Remap], name: str | None, context: Context) -> Iterator[Remap]:
     """The remappings of a node: `node:from` is for the node of that name only. One without a name has those for any node."""
     for remap in remaps:
-        node, source = _prefixed(remap.source)
+        require_rule(world, remap.source, remap.target, remap.place)
+        node, source = prefixed(remap.source)
         if name and ((node and node != name) or source.startswith("__")):
             continue
         conditions = tuple(one for one in remap.conditions if one not in context.conditions)
-        own = None if name else node or None
-        yield Remap(canonical(_private(source)), canonical(_private(remap.target)), remap.place, conditions, own)
-
-
-def _prefixed(source: str) -> tuple[str, str]:
-    """The node that a rule is for ("" for all) and what it changes there."""
-    node, colon, rest = source.partition(":")
-    return (node, rest) if colon and "/" not in node else ("", source)
+        only = next((kind for kind in _KINDS if source.startswith(f"ros{kind}://")), None)
+        source = source.removeprefix(f"ros{only}://")
+        yield Remap(
+            canonical(_private(source)), canonical(_private(remap.target)), remap.place, conditions, None if name else node or None, only
+        )
 
 
 def _private(name: str) -> str:
@@ -359,36 +349,6 @@ def _split(text: str) -> list[str]:
         return shlex.split(text)
     except ValueError as error:
         raise LaunchError("arguments", text, f"`{text}`: {str(error).lower()}") from None
-
-
-def _ros_arguments(world: World, words: list[str]) -> RosArguments:
-    found = RosArguments([], [], [])
-    rest, inside = list(words), False
-    while rest:
-        word = rest.pop(0)
-        if word in ("--ros-args", "--"):
-            inside = word == "--ros-args"
-        elif not inside:
-            found.plain.append(word)
-        elif word in ("-r", "--remap") and rest:
-            _remap(world, rest.pop(0), found)
-        elif word in ("-p", "--param") and rest:
-            source, _, value = rest.pop(0).partition(":=")
-            node, name = _prefixed(source)
-            found.params.append(Given(read(value), world.state.here, name=name, node=f"/{node}" if node else None))
-        elif word == "--params-file" and rest:
-            found.params.append(Given(rest.pop(0), world.state.here))
-    return found
-
-
-def _remap(world: World, rule: str, found: RosArguments) -> None:
-    source, _, target = rule.partition(":=")
-    if source in ("__node", "__name"):
-        found.name = target
-    elif source == "__ns":
-        found.namespace = target
-    else:
-        found.remaps.append(Remap(source, target, world.state.here))
 
 
 @carries_out("ExecuteProcess", "ExecuteLocal")

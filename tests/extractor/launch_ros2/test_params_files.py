@@ -5,6 +5,13 @@ import pytest
 from rosarch.extractor.launch_ros2.params_files import refused
 
 REFUSED = {
+    "- n\n": (1, "it is a list"),
+    "/a:\n  /n:\n    ros__parameters:\n      p: 1\n": (2, "`/a//n` is no name of nodes"),
+    "/n*:\n  ros__parameters:\n    p: 1\n": (1, "`/n*` is no name of nodes"),
+    "'':\n  n: {}\n": (1, "a name of a node is empty"),
+    "n:\n  ros__parameters:\n    '': 1\n": (3, "the name of a parameter is empty"),
+    "n:\n  ros__parameters:\n    a:\n      b: {}\n    c: 1\n": (5, "`c` follows an empty map"),
+    "n:\n  ros__parameters:\n  - 1\n": (2, "`ros__parameters` is no map"),
     "n:\n  p: 1\n": (2, "the value of `p` stands before `ros__parameters`"),
     "n:\n  ros_parameters:\n    p: 1\n": (2, "`ros_parameters` is written for `ros__parameters`"),
     "n:\n": (1, "the value of `n` stands before `ros__parameters`"),
@@ -21,7 +28,6 @@ REFUSED = {
 }
 TAKEN = (
     "# nothing\n",
-    "- n\n",
     "n:\n  ros__parameters:\n    p: ''\n    q: ~\n    r: [1, -2, 0x3]\n    s: [1.0, .5, 1e3]\n    t: [yes, off]\n    u: &x [a, '1']\n",
     "n:\n  ros__parameters:\n    - p: 1\n",
     "n:\n  ros__parameters:\n    p: [1.0, inf, -Infinity, nan, 0x1.8p3, -.inf]\n    q: [!!str 1, a]\n",
