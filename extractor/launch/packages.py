@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
 
@@ -32,6 +33,9 @@ _MAKING = re.compile(
     re.IGNORECASE,
 )
 """The commands of CMake that make files, with their words."""
+_SET = re.compile(r"\bset\s*\(\s*(\w+)\s+([^()]*)\)", re.IGNORECASE)
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_MADE_WORD = re.compile(r"[\w.+*-]+")
 
 
 class PackagePath:
@@ -120,7 +124,7 @@ class PackagePath:
         if os.path.isfile(f"{path}.in"):
             return True
         folder = self.of_file(path)
-        if folder is not None and os.path.basename(path) in self._made_in(folder):
+        if folder is not None and any(fnmatchcase(os.path.basename(path), name) for name in self._made_in(folder)):
             return True
         return any(kept_out(path, top) for top in self.folders if path.startswith(top + os.sep))
 
@@ -170,9 +174,21 @@ def _words_of(build_file: str) -> list[str]:
 
 
 def _made_by(build_file: str) -> Iterator[str]:
-    for expands, words in _MAKING.findall(_text_of(build_file)):
-        for word in _WORD.findall(words):
-            yield word.removesuffix(".xacro") if expands else word
+    """The names of the files that commands make or use, with `*` for variables whose values are not known."""
+    text = _text_of(build_file)
+    values = dict(_SET.findall(text))
+    for expands, words in _MAKING.findall(text):
+        for word in _MADE_WORD.findall(_with_values(words, values)):
+            name = word.removesuffix(".xacro") if expands else word
+            if name.strip("*."):
+                yield name
+
+
+def _with_values(words: str, values: Mapping[str, str], depth: int = 4) -> str:
+    def value(match: re.Match[str]) -> str:
+        return _with_values(values[match[1]], values, depth - 1) if depth and match[1] in values else "*"
+
+    return _VARIABLE.sub(value, words)
 
 
 def _packages_below(top: str, roots: tuple[str, ...]) -> Iterator[tuple[str, str]]:

@@ -18,6 +18,7 @@ _FIND = re.compile(r"\$\(find\s+([^()\s$]+)\s*\)")
 _FILE = re.compile(r"(?:\$\(find\s+[^()\s$]+\s*\)|\$\(dirname\))/[^\s'\"]*[^\s'\"/]")
 _ARGUMENT = re.compile(r"\$\(arg\s+([^()\s$]+)\s*\)|\barg\(\s*['\"]([^'\"]+)['\"]\s*\)")
 _HOME = re.compile(r"(?<![^\s='\":,;\[(])(?:(?:/home|/Users)/[^/\s$'\"]+/|~/[^\s'\"]*\.)[^\s'\",;\])]*")  # `~/x` may be a private name
+_ENVIRONMENT = re.compile(r"\$\((?:opt)?env\s[^()]*\)")  # the default of a variable that each machine sets
 
 
 def references(launch: Element, path: str, packages: PackagePath) -> Iterator[Reference]:
@@ -30,10 +31,14 @@ def references(launch: Element, path: str, packages: PackagePath) -> Iterator[Re
                 continue  # nothing of the following
             yield from (ArgumentUsed(one or other, place) for one, other in _ARGUMENT.findall(text))
             yield from (PackageNamed(name, packages.find(name), place) for name in _FIND.findall(text))
-            yield from (HomePath(element.tag, attribute, found, place) for found in _HOME.findall(text) if attribute != "doc")
+            yield from (HomePath(element.tag, attribute, found, place) for found in _homes(text) if attribute != "doc")
             yield from _files(element, attribute, text, place, packages)
         if element.tag in ("node", "test"):
             yield from _program(element, place, packages)
+
+
+def _homes(text: str) -> list[str]:
+    return _HOME.findall(_ENVIRONMENT.sub("$()", text))
 
 
 def _files(element: Element, attribute: str, text: str, place: Place, packages: PackagePath) -> Iterator[FileNamed]:

@@ -107,9 +107,11 @@ class Program:
         """What the module `path` calls `member`, when it is no variable."""
         module = self.module(path)
         symbol = self.symbol_of(path, member)
+        if isinstance(symbol, Import) and (symbol.path, symbol.member) == (path, member):
+            symbol = None  # `from . import member` in the package: the module below it
         if isinstance(symbol, (Function, Class)):
             return self.values_of(symbol)
-        if isinstance(symbol, Import) and symbol.member and (symbol.path, symbol.member) != (path, member):
+        if isinstance(symbol, Import) and symbol.member:
             return self.of_module(symbol.path, symbol.member)  # where the imports lead no further
         if isinstance(symbol, Import) and not symbol.member:
             return frozenset({ModuleValue(symbol.path, self.module(symbol.path))})

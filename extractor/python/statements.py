@@ -259,17 +259,20 @@ def _with(body: Body, node: ast.With | ast.AsyncWith) -> None:
 
 
 def _entered(body: Body, node: ast.expr, value: str) -> str:
-    """What `with` gives: what the method `__enter__` of the workspace returns, else the object itself."""
+    """What `with` gives: what the method `__enter__` of the workspace returns, else the object itself.
+
+    An object of elsewhere that is not made here is a lock: it is acquired (https://docs.python.org/3/library/threading.html#with-locks).
+    """
     entering = body.inference.entering(node, body.scope)
-    if not entering:
+    if not entering and isinstance(node, ast.Call):
         return value
     call = body.node(node, "call")
-    body.facts.add("call", call, "__enter__")
+    body.facts.add("call", call, "__enter__" if entering else "acquire")
     body.facts.add("call_receiver", call, value)
     for function in entering:
         body.facts.add("call_function", call, body.facts.function(function))
     body.flow.evaluate(call)
-    return call
+    return call if entering else value
 
 
 def _try(body: Body, node: ast.Try) -> None:

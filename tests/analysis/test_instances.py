@@ -379,15 +379,25 @@ def generate_launch_description():
     return LaunchDescription([
         Node(package='grid', executable='grid', name='loud', parameters=[{'prefix': 'x'}]),
         Node(package='grid', executable='grid', name='quiet'),
+        Node(package='grid', executable='grid', name='mute', parameters=[{'prefix': ''}]),
     ])
 """
 
 
+FILLED = ECHO.replace('prefix_ = declare_parameter<std::string>("prefix", "");', 'declare_parameter<std::string>("prefix", ""); get_parameter("prefix", prefix_);')
+FILLED = FILLED.replace("if (prefix_", "if (!prefix_")
 ANEW = ECHO.replace("if (prefix_", 'get_parameter("prefix", prefix_);\n      if (prefix_')
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("source", "expected"), [(ECHO, {"/loud": [True], "/quiet": []}), (ANEW, {"/loud": [False], "/quiet": [False]})])
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        (ECHO, {"/loud": [True], "/quiet": [], "/mute": []}),
+        (FILLED, {"/loud": [], "/quiet": [True], "/mute": [True]}),
+        (ANEW, {"/loud": [False], "/quiet": [False], "/mute": [False]}),
+    ],
+)
 def test_a_text_decides_what_a_callback_does_unless_it_is_read_anew(tmp_path: Path, source: str, expected: dict[str, list[bool]]) -> None:
     files = {"package.xml": SOURCES_MANIFEST, "CMakeLists.txt": SOURCES_CMAKE, "src/grid.cpp": source, "main.launch.py": ECHOES}
     for name, text in files.items():

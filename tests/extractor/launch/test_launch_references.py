@@ -41,11 +41,13 @@ def test_files_that_commands_of_the_build_make(tmp_path: Path) -> None:
     (tmp_path / "here" / "CMakeLists.txt").write_text(
         'project(here)\nconfigure_file(in/a.in ${PROJECT_SOURCE_DIR}/urdf/made.xacro @ONLY)\nfile(WRITE ${CMAKE_CURRENT_SOURCE_DIR}/made.yaml "a: $(b)")\n'
         "xacro_add_files(robot.urdf.xacro INSTALL DESTINATION urdf)\nfile(COPY gone.yaml DESTINATION x)\n"
+        "set(ARM ${CMAKE_CURRENT_BINARY_DIR}/urdf/arm.urdf)\nadd_custom_command(OUTPUT ${ARM} COMMAND xacro ${IN} -o ${ARM})\n"
+        "foreach(side left right)\nadd_custom_command(OUTPUT ${out}/${side}_leg.urdf COMMAND xacro leg.xacro)\nendforeach()\n"
     )
-    names = ("urdf/made.xacro", "made.yaml", "robot.urdf", "gone.yaml")
+    names = ("urdf/made.xacro", "made.yaml", "robot.urdf", "urdf/arm.urdf", "left_leg.urdf", "gone.yaml", "urdf/head.urdf")
     composition = composed(tmp_path, "".join(f'<rosparam command="load" file="$(find here)/{name}"/>' for name in names))
-    assert [named.absent for named in composition.references if isinstance(named, FileNamed)] == [False, False, False, True]
-    assert [(problem.kind, problem.fatal) for problem in composition.problems] == [("made", False)] * 3 + [("file", True)]
+    assert [named.absent for named in composition.references if isinstance(named, FileNamed)] == [False] * 5 + [True] * 2
+    assert [(problem.kind, problem.fatal) for problem in composition.problems] == [("made", False)] * 5 + [("file", True)] * 2
 
 
 def test_programs_and_packages(tmp_path: Path) -> None:
@@ -79,7 +81,8 @@ def test_home_paths(tmp_path: Path) -> None:
         tmp_path,
         '<!-- /home/anna/old --><arg name="a" default="/home/anna/map.yaml" doc="/home/anna"/><param name="~/x" value="~/image"/>'
         '<param name="y" value="see file:/Users/bob/a b"/><param name="z" value="~/maps/a.yaml"/>'
-        '<param name="w" value="$(env HOME)/x /somewhere/home/x/y /home/$(env USER)/z"/><machine name="m" address="h" env-loader="/home/r/env.sh"/>',
+        '<param name="w" value="$(env HOME)/x /somewhere/home/x/y /home/$(env USER)/z"/><machine name="m" address="h" env-loader="/home/r/env.sh"/>'
+        '<arg name="c" default="$(optenv ROS_HOME ~/.ros)/map.yaml $(optenv MAPS /home/anna/maps)"/>',
     )
     found = [(named.element, named.attribute, named.path) for named in composition.references if isinstance(named, HomePath)]
     assert found == [

@@ -40,16 +40,18 @@ def test_names_lead_through_modules(tmp_path: Path) -> None:
     rows, problems = extract(
         tmp_path,
         "import pkg.deep as d\nfrom pkg import *\nfrom pkg.deep import Base as B\nimport pkg\n"
-        "d.run()\nrun()\nB().go()\npkg.deep.run()\nhelper()\nTwist()\n",
+        "d.run()\nrun()\nB().go()\npkg.deep.run()\nhelper()\nTwist()\npkg.below()\n",
         **{
-            "pkg.__init__": "from .deep import run\nfrom .tools import helper\nfrom geometry_msgs.msg import Twist\n",
-            "pkg.deep": "def run(): pass\nclass Base:\n    def go(self): pass\n",
+            "pkg.__init__": "from .deep import run\nfrom .tools import helper\nfrom geometry_msgs.msg import Twist\n"
+            "from . import deep\ndef below():\n    deep.dig()\n",
+            "pkg.deep": "def run(): pass\ndef dig(): pass\nclass Base:\n    def go(self): pass\n",
             "pkg.tools": "try:\n    from nowhere import helper\nexcept ImportError:\n    from .deep import run as helper\n",
         },
     )
     assert problems == []
     found = callees(rows)
-    assert found["5"] == found["6"] == found["8"] == found["9"] == {"pkg.deep::run"}
+    assert found["5"] == found["6"] - {"pkg.deep::dig"} == found["8"] == found["9"] == {"pkg.deep::run"}
+    assert "pkg.deep::dig" in found["6"]  # of the package, which imports the module below it
     assert found["7"] == {"pkg.deep::Base::go"}
     assert found["10"] == {"geometry_msgs.msg::Twist::__init__"}
     assert ("geometry_msgs.msg::Twist", "message", "geometry_msgs/Twist") in rows["message_class"]

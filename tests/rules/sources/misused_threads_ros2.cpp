@@ -32,6 +32,8 @@ public:
     std::string address = get_parameter("address").as_string();
     int rate = get_parameter("rate").as_int();
     double right = get_parameter("rate").as_double();
+    declare_parameter<double>("scale", 1);
+    right *= get_parameter("scale").as_double();
     sync_ = std::make_shared<message_filters::Synchronizer<Policy>>(Policy(10), left_, right_);
     timer_ = create_wall_timer(std::chrono::seconds(1), [this]() { tick(); });
     begun_ = now();
