@@ -73,7 +73,8 @@ class Reactions:
     def __init__(self, document: Document) -> None:
         self.document = runnable_document(document)
         domains = Domains(self.document, counts=True)
-        doubtful = {name for name, *_ in (document.get("traits") or {}).get("changed_at_once", ())}
+        traits = document.get("traits") or {}
+        doubtful = {name for trait in ("changed_at_once", "changed_by_several") for name, *_ in traits.get(trait, ())}
         doubtful |= {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
         self.cells = [cell for cell in domains.cells.values() if len(cell.initial) == 1 and cell.variable not in doubtful]
         self.triggers = component_steps(self.document, domains) if self.cells else {}

@@ -15,6 +15,7 @@ FLOW_TRAITS = {
     "flow_variable": ("port", "port", "variable"),
     "flow_filter": ("port", "port", "variable"),
     "flow_always": ("port", "port", "text"),
+    "keeps_requests": ("port",),
     "flow_needs": ("port", "port", "variable", "text"),
     "keeps_parameter_named": ("variable", "text"),
 }
@@ -124,6 +125,8 @@ TRAITS = {
     "plugin_hears": ("text",),
     "keeps_moment": ("variable",),
     "of_several_objects": ("variable",),
+    "changed_by_several": ("variable",),
+    "sent_by_several": ("port",),
     "least_gap": ("port", "port", "text", "text"),
     "answers_surely": ("port",),
     **FLOW_TRAITS,

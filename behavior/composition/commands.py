@@ -77,10 +77,12 @@ def _doubts(system: System, cone: Cone) -> Iterator[str]:
         if key in system.nodes[node].disturbed:
             yield f"callbacks of {node} that may run at the same time change {system.nodes[node].variables[key].text}"
         if key in system.nodes[node].multiplied:
-            yield f"several objects of {node} may have {system.nodes[node].variables[key].text}, each its own"
+            yield f"several objects of {node} may have or change {system.nodes[node].variables[key].text}"
     for node in sorted({node for node, _ in (*cone.variables, *cone.steps)} & set(system.conditions)):
         yield f"{node} is started only if {system.conditions[node]}"
     for (node, _), steps in cone.steps.items():
+        if not system.nodes[node].shared.isdisjoint(port for step in steps for port in step.outputs):
+            yield f"several objects of {node} may send, each for itself"
         if is_ambiguous(steps, system.nodes[node].document):
             yield f"{node} calls a function, or asks for a value, several times in one reaction, so that what it does is not known"
 

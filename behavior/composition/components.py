@@ -177,9 +177,14 @@ class Component:
 
     @cached_property
     def multiplied(self) -> frozenset[str]:
-        """The variables that several objects may have, each its own, which are one here."""
-        names = {name for (name,) in self._traits("of_several_objects")}
+        """The variables that several objects may have, each its own, or change, which are one here, as is what changes them."""
+        names = {name for trait in ("of_several_objects", "changed_by_several") for (name,) in self._traits(trait)}
         return frozenset(key for key in self.variables if any(key == name or key.startswith(f"{name}.") for name in names))
+
+    @cached_property
+    def shared(self) -> frozenset[str]:
+        """The ports through which several objects may send, each for itself, which are one here."""
+        return frozenset(port for (port,) in self._traits("sent_by_several"))
 
     @cached_property
     def latched(self) -> frozenset[str]:
