@@ -26,16 +26,21 @@ MasterUri = Annotated[
     str | None,
     typer.Option("--master", metavar="URI", help="The master of a live graph, such as http://localhost:11311.", show_default=False),
 ]
+Domain = Annotated[
+    int | None,
+    typer.Option("--domain", metavar="ID", min=0, max=232, help="The domain of a live graph of ROS 2, such as 0.", show_default=False),
+]
 Seconds = Annotated[float, typer.Option("--seconds", metavar="N", min=0, help="How long to watch the live graph.")]
 Every = Annotated[float, typer.Option("--every", metavar="S", min=0.1, help="Look at it every S seconds.")]
 
 
 @dataclass(frozen=True)
 class Source:
-    """A recording, or a live graph and how long it is looked at."""
+    """A recording, or a live graph of ROS 1 or ROS 2 and how long it is looked at."""
 
     bag: Path | None
     master: str | None
+    domain: int | None
     seconds: float
     every: float
 
@@ -52,8 +57,8 @@ def observe_and_compare(question: SystemQuestion, source: Source) -> tuple[Recor
     from rosarch.observation.compare import compare
     from rosarch.observation.observed import Recorded, recorded_rows, watched_rows
 
-    if (source.bag is None) == (source.master is None):
-        raise InputError("give either --bag or --master")
+    if [source.bag, source.master, source.domain].count(None) != 2:
+        raise InputError("give one of --bag, --master and --domain")
     system = _load(question)
     engine = question.engine.value
     seen = _recorded(source.bag, system, engine) if source.bag is not None else _watched(source)
@@ -83,12 +88,16 @@ def _recorded(bag: Path, system: _System, engine: str) -> Recorded:
 
 
 def _watched(source: Source) -> Watched:
+    from rosarch.observation.domain import watch_domain
     from rosarch.observation.graph import Graph, watch
     from rosarch.observation.observed import Watched
     from rosarch.observation.rpc import CallError
 
     uri = source.master or ""
     try:
+        if source.domain is not None:
+            snapshots = tuple(watch_domain(source.domain, source.seconds, source.every))
+            return Watched(f"domain {source.domain}", snapshots, source.domain)
         return Watched(uri, tuple(watch(Graph(uri), source.seconds, source.every)))
     except CallError as error:
         raise InputError(str(error)) from None

@@ -14,7 +14,10 @@ from rosarch.models.system.rows import Rows, merged
 from rosarch.rule_programs.sets import SystemRules
 
 CONFIRMED, FILLED, MISSED, UNSEEN = "confirmed", "filled", "missed", "unseen"
-_ORDER = ("node", "topic", "publisher", "subscriber", "service_server", "parameter", "connection")
+_ORDER = (
+    "node", "topic", "publisher", "subscriber", "service_server", "service_client", "action_server", "action_client", "parameter",
+    "connection",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, order=True)

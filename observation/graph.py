@@ -20,15 +20,25 @@ Pairs = frozenset[tuple[str, str]]
 
 @dataclass(frozen=True)
 class State:
-    """Who sends and reads on which topic and serves which service: pairs of node and name."""
+    """Who sends and reads on which topic and serves which service: pairs of node and name.
+
+    A graph of ROS 2 shows `others` as well, with their kind in front: clients of services, both sides of actions; and nodes `alone`.
+    """
 
     publishers: Pairs
     subscribers: Pairs
     services: Pairs
+    others: frozenset[tuple[str, str, str]] = frozenset()
+    alone: frozenset[str] = frozenset()
 
     def nodes(self) -> frozenset[str]:
         """All nodes that are part of it."""
-        return frozenset(node for pairs in (self.publishers, self.subscribers, self.services) for node, _ in pairs)
+        return self.alone | frozenset(node for _, node, _ in self.ports())
+
+    def ports(self) -> frozenset[tuple[str, str, str]]:
+        """All ports: kind, node and name."""
+        pairs = {"publisher": self.publishers, "subscriber": self.subscribers, "service_server": self.services}
+        return self.others | {(kind, node, name) for kind, found in pairs.items() for node, name in found}
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from rosarch.observation.summary import Answers, Stream, Summary
 
 _GRAPH = ("node", "topic", "publisher", "subscriber", "service_server", "parameter", "connection")
 """Of these, a live graph shows all that are there."""
+_GRAPH_OF_ROS2 = (*(kind for kind in _GRAPH if kind != "connection"), "service_client", "action_server", "action_client")
 _UNTOLD = "?"
 _FEWEST = 10
 """Of fewer intervals no rate is reported, of fewer inputs no answers."""
@@ -34,10 +35,11 @@ class Recorded:
 
 @dataclass(frozen=True)
 class Watched:
-    """A live graph at `uri`, and what it looked like, once or several times."""
+    """A live graph at `uri`, and what it looked like, once or several times; one of ROS 2 has a `domain` for it."""
 
     uri: str
     snapshots: tuple[Snapshot, ...]
+    domain: int | None = None
 
     @property
     def problems(self) -> Sequence[str]:
@@ -101,7 +103,7 @@ def _stream_text(stream: Stream) -> str:
 def watched_rows(watched: Watched) -> Rows:
     """The facts of a live graph: what was there at any time."""
     facts = _Facts(f"graph {watched.uri}")
-    for kind in _GRAPH:
+    for kind in _GRAPH if watched.domain is None else _GRAPH_OF_ROS2:
         facts.add("kind", kind)
     for number, snapshot in enumerate(watched.snapshots, 1):
         state = snapshot.state
@@ -109,9 +111,8 @@ def watched_rows(watched: Watched) -> Rows:
         sight = facts.sight(number, counts)
         for node in state.nodes():
             facts.add("node", node, sight)
-        for kind, pairs in (("publisher", state.publishers), ("subscriber", state.subscribers), ("service_server", state.services)):
-            for node, name in pairs:
-                facts.add("port", node, kind, name, sight)
+        for kind, node, name in state.ports():
+            facts.add("port", node, kind, name, sight)
         for (kind, name), type_ in snapshot.types.items():
             facts.add("type", kind, name, type_, sight)
         for sender, reader, topic in snapshot.connections:

@@ -64,7 +64,7 @@ def begins_with_header(definition: str) -> bool:
 
 def plain_type(name: str) -> str:
     """A type as models call it: `std_msgs/String`, of whichever generation it is."""
-    return name.replace("/msg/", "/")
+    return name.replace("/msg/", "/").replace("/srv/", "/").replace("/action/", "/")
 
 
 def open_recording(path: Path) -> Recording:

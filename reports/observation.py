@@ -130,6 +130,8 @@ def _graph_tables(watched: Watched) -> Iterator[Table]:
     served = sorted((service, node) for node, service in last.state.services)
     serving = tuple((service, last.types.get(("service", service)), node) for service, node in served)
     yield Table("services", ("service", "type", "served by"), serving)
+    others = tuple((kind, name, last.types.get((kind.partition("_")[0], name)), node) for kind, node, name in sorted(last.state.others))
+    yield Table("clients and actions", ("kind", "name", "type", "of"), others)
     yield Table("what came and went", ("after (s)", "what"), tuple(_changes(watched.snapshots)))
 
 
@@ -215,6 +217,7 @@ def _snapshot(snapshot: Snapshot) -> dict[str, Any]:
     return {
         "at": snapshot.at,
         **{kind: [{"node": node, "name": name} for node, name in sorted(found)] for kind, found in pairs.items()},
+        "others": [{"kind": kind, "node": node, "name": name} for kind, node, name in sorted(state.others)],
         "types": [{"kind": kind, "name": name, "type": type_} for (kind, name), type_ in sorted(snapshot.types.items())],
         "connections": [{"topic": topic, "from": sender, "to": reader} for sender, reader, topic in sorted(snapshot.connections)],
         "parameters": sorted(snapshot.parameters),

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rosarch.cli.observation_inputs import Bag, Every, MasterUri, Seconds, Source, observe_and_compare
+from rosarch.cli.observation_inputs import Bag, Domain, Every, MasterUri, Seconds, Source, observe_and_compare
 from rosarch.cli.options import Format
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines
@@ -17,6 +17,7 @@ def compare(
     question: SystemQuestion,
     bag: Bag = None,
     master: MasterUri = None,
+    domain: Domain = None,
     seconds: Seconds = 0.0,
     every: Every = 1.0,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
@@ -28,7 +29,7 @@ def compare(
     """
     from rosarch.reports.observation import comparison_json, comparison_markdown, comparison_text
 
-    _, comparison = observe_and_compare(question, Source(bag, master, seconds, every))
+    _, comparison = observe_and_compare(question, Source(bag, master, domain, seconds, every))
     if output_format is Format.json:
         emit(comparison_json(comparison))
     else:

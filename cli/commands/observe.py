@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from rosarch.cli.errors import FINDINGS
-from rosarch.cli.observation_inputs import Bag, Every, MasterUri, Seconds, Source, observe_and_compare
+from rosarch.cli.observation_inputs import Bag, Domain, Every, MasterUri, Seconds, Source, observe_and_compare
 from rosarch.cli.options import Format
 from rosarch.cli.questions import SystemQuestion, asks
 from rosarch.cli.terminal import emit, emit_lines
@@ -18,6 +18,7 @@ def observe(
     question: SystemQuestion,
     bag: Bag = None,
     master: MasterUri = None,
+    domain: Domain = None,
     seconds: Seconds = 0.0,
     every: Every = 1.0,
     output_format: Annotated[Format, typer.Option("--format", help="The form of the report on stdout.")] = Format.table,
@@ -29,7 +30,7 @@ def observe(
     """
     from rosarch.reports.observation import observation_json, observation_markdown, observation_text
 
-    seen, comparison = observe_and_compare(question, Source(bag, master, seconds, every))
+    seen, comparison = observe_and_compare(question, Source(bag, master, domain, seconds, every))
     if output_format is Format.json:
         emit(observation_json(seen, comparison))
     else:

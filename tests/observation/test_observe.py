@@ -178,8 +178,8 @@ def test_a_live_graph(rosarch: Callable, workspace: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((), "give either --bag or --master"),
-        (("--bag", "x.bag", "--master", "http://localhost:1"), "give either --bag or --master"),
+        ((), "give one of --bag, --master and --domain"),
+        (("--bag", "x.bag", "--master", "http://localhost:1"), "give one of --bag, --master and --domain"),
         (("--bag", "gone.bag"), "gone.bag: No such file or directory"),
         (("--master", "http://127.0.0.1:9"), "http://127.0.0.1:9: no answer to getSystemState: Connection refused"),
         (("--master", "robot"), "robot: not the address of a master, such as http://localhost:11311"),
