@@ -33,7 +33,8 @@ class Change:
 class Finding:
     """What a check found. The first of `evidence` is where the fault lies; `systems` are the systems (launch files) that have it.
 
-    `changes` are what rules take for its fix.
+    `changes` are what rules take for its fix. `node` is the one that it is about, if it is one, and `fault` is then the message without
+    its name: what several nodes have by one line of a source is to be fixed once.
     """
 
     check: Check
@@ -42,6 +43,8 @@ class Finding:
     evidence: tuple[Evidence, ...]
     systems: tuple[str, ...] = ()
     changes: tuple[Change, ...] = ()
+    node: str = ""
+    fault: str = ""
 
     @property
     def fix(self) -> tuple[Change, ...]:

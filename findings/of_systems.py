@@ -14,6 +14,8 @@ from rosarch.rule_programs.checks import CHANGE, Check, evidence_of, shown_as
 
 _STARTED = "Start"
 """The type of columns that show where nodes are started."""
+_NODES = (_STARTED, "NodePort")
+"""The types of columns that messages show as the name of a node."""
 
 
 def _nowhere(_path: str) -> bool:
@@ -55,7 +57,15 @@ def findings_with_rows(
                 message = check.message.format(**texts)
                 key = tuple(entities[column] for column in check.fix_columns[: -len(CHANGE)])
                 changes = sorted(Change(places[at], written, meant) for at, written, meant in fixes.get(key, ()))
-                yield row, Finding(check, check.severity, message, tuple(dict.fromkeys(evidence)), (system,), tuple(changes))
+                shown_once = tuple(dict.fromkeys(evidence))
+                about = _about(check, texts)
+                yield row, Finding(check, check.severity, message, shown_once, (system,), tuple(changes), *about)
+
+
+def _about(check: Check, texts: Mapping[str, str]) -> tuple[str, str]:
+    """The node that a finding is about, and its message without that name; nothing when there are several, or none."""
+    nodes = [column for column, type_ in check.columns if type_ in _NODES]
+    return (texts[nodes[0]], check.message.format(**{**texts, nodes[0]: ""})) if len(nodes) == 1 else ("", "")
 
 
 def _fixes(check: Check, result: Result) -> Mapping[tuple[Any, ...], list[tuple[Any, ...]]]:

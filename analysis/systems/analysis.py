@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -155,11 +157,16 @@ def composed(rules: SystemRules, launch: Launch, rows: Rows, result: Result) -> 
 
 
 def _together(found: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Findings that several systems have, once."""
-    first: dict[tuple[str, str, Place], Finding] = {}
-    for finding in found:
-        key = (finding.check.id, finding.message, finding.place)
-        other = first.get(key, finding)
-        systems, changes = sorted({*other.systems, *finding.systems}), sorted({*other.changes, *finding.changes})
-        first[key] = replace(other, systems=tuple(systems), changes=tuple(changes))
-    return tuple(sorted(first.values(), key=lambda finding: (finding.place, finding.check.id, finding.message)))
+    """Findings that several systems have, or several nodes by one line of a source, once."""
+    alike: dict[tuple[str, str, Place], list[Finding]] = defaultdict(list)
+    for finding in sorted(found, key=lambda finding: finding.message):
+        alike[finding.check.id, finding.fault or finding.message, finding.place].append(finding)
+    return tuple(sorted(map(_joined, alike.values()), key=lambda finding: (finding.place, finding.check.id, finding.message)))
+
+
+def _joined(alike: Sequence[Finding]) -> Finding:
+    first = alike[0]
+    systems, changes = ({each for one in alike for each in part(one)} for part in (attrgetter("systems"), attrgetter("changes")))
+    nodes = ", ".join(dict.fromkeys(one.node for one in alike if one.node != first.node))
+    message = f"{first.message} (also: {nodes})" if nodes else first.message
+    return replace(first, message=message, systems=tuple(sorted(systems)), changes=tuple(sorted(changes)))

@@ -21,9 +21,9 @@ _NAMES = ("pkg", "type", "exec", "file")  # of packages, programs and files, whe
 
 def is_template(path: str, workspace: Path | str) -> bool:
     """Whether a launch file lies among a package's templates, or has placeholders that keep it from being one."""
-    folders = os.path.relpath(os.path.dirname(path), workspace).split(os.sep)
-    if not TEMPLATES.isdisjoint(map(str.lower, folders[_package_depth(folders, workspace) :])):
+    if not TEMPLATES.isdisjoint(map(str.lower, folders_in_package(os.path.dirname(path), workspace))):
         return True
+    folders = os.path.relpath(os.path.dirname(path), workspace).split(os.sep)
     if _IN_NAME.search("/".join(folders)):
         return True
     try:
@@ -33,14 +33,15 @@ def is_template(path: str, workspace: Path | str) -> bool:
     return _IN_NAME.search(text.decode(errors="replace")) is not None and _is_unfilled(text, path)
 
 
-def _package_depth(folders: list[str], workspace: Path | str) -> int:
-    """How many of the folders lead to the package, the outermost one; none when there is no package."""
+def folders_in_package(folder: str, workspace: Path | str) -> list[str]:
+    """The names of the folders that lead from the package, the outermost one, to a folder; from the workspace when there is no package."""
+    folders = os.path.relpath(folder, workspace).split(os.sep)
     for depth in range(len(folders) + 1):
         manifest = os.path.join(workspace, *folders[:depth], "package.xml")
         tracing.probe(manifest)
         if os.path.isfile(manifest):
-            return depth
-    return 0
+            return folders[depth:]
+    return folders
 
 
 def _is_unfilled(text: bytes, path: str) -> bool:

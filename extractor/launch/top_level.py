@@ -15,7 +15,7 @@ from rosarch.base.pool import Failure, default_jobs, run_tasks
 from rosarch.base.xml_reader import XmlError
 from rosarch.extractor.launch.files import Files
 from rosarch.extractor.launch.model import Composition, LaunchError, Place, Problem
-from rosarch.extractor.launch.templates import is_template
+from rosarch.extractor.launch.templates import folders_in_package, is_template
 from rosarch.extractor.launch.versions import compose, ros_version
 from rosarch.extractor.launch.xml_reader import read_launch
 from rosarch.extractor.package_names import IGNORE_MARKERS
@@ -40,14 +40,14 @@ def launch_files(folder: Path | str, *, templates: bool = False) -> list[str]:
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
-        paths = [os.path.join(here, name) for name in sorted(names) if _is_ros1(here, name) or _is_ros2(folder, here, name)]
+        paths = [os.path.join(here, name) for name in sorted(names) if _is_ros1(folder, here, name) or _is_ros2(folder, here, name)]
         found += [path for path in paths if templates or not is_template(path, folder)]
     return found
 
 
-def _is_ros1(folder: str, name: str) -> bool:
-    """Whether a file is called as those of ROS 1 are; Eclipse calls what it starts so, too."""
-    if not name.endswith(_SUFFIXES):
+def _is_ros1(top: Path | str, folder: str, name: str) -> bool:
+    """Whether a file is called as those of ROS 1 are, and is no test of a package; Eclipse calls what it starts so, too."""
+    if not name.endswith(_SUFFIXES) or not _TESTS.isdisjoint(folders_in_package(folder, top)):
         return False
     try:
         return not _BEFORE_ROOT.sub(b"", read_file(os.path.join(folder, name))).lstrip().startswith(b"<launchConfiguration")

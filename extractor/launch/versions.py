@@ -20,6 +20,8 @@ _ROS2 = re.compile(
     rb"\bexec\s*=|\$\((?:var|find-pkg-share|find-pkg-prefix) |<(?:let|push[-_]ros[-_]namespace|node_container|set_\w+|load_composable)\b"
 )
 _ROS1 = re.compile(rb"\btype\s*=|\$\((?:arg|find|optenv) |<(?:rosparam|machine|test)\b")
+_NAMED = 3
+"""How many files of a kind a message names."""
 _AMENT = re.compile(rb"<build_type[^>]*>\s*ament|<buildtool_depend[^>]*>\s*ament")
 
 
@@ -75,23 +77,49 @@ def _version_or_none(path: Path | str) -> int | None:
 
 
 def _left_behind(launch_files: Iterable[Path | str]) -> Composition:
-    problems = []
-    for path in map(str, launch_files):
-        text = _content(Path(path))
+    """Nothing is started; where a package has several such files, they are one problem, of the first of them."""
+    problems, paths = [], [Path(path) for path in launch_files]
+    for path in paths:
+        package = _package_of(path)
+        together = _left_in(package) if package is not None else []
+        first, *others = together if path in together else [path]
+        text = _content(first)
         found = _ROS1.search(text)
         line = 1 + text.count(b"\n", 0, found.start()) if found else 1
-        problems.append(Problem("ros1", path, "written for ROS 1, in a package for ROS 2: `ros2 launch` refuses it", Place(path, line)))
-    return Composition((), (), (), (), tuple(problems), tuple(problem.subject for problem in problems), ros=2)
+        names = ", ".join(other.name for other in others[:_NAMED]) + (", ..." if others[_NAMED:] else "")
+        many = f", like {len(others)} other{'s' if others[1:] else ''} of the package ({names})" if others else ""
+        message = f"written for ROS 1, in a package for ROS 2{many}: `ros2 launch` rejects it"
+        problems.append(Problem("ros1", str(first), message, Place(str(first), line)))
+    return Composition((), (), (), (), tuple(dict.fromkeys(problems)), tuple(map(str, paths)), ros=2)
 
 
-def _manifest_of(path: Path) -> bytes:
-    """The manifest of the package that a file is in, without comments."""
+def _left_in(package: Path) -> list[Path]:
+    """The launch files of a package for ROS 2 that are written for ROS 1, sorted."""
+    found: list[Path] = []
+    for here, folders, names in os.walk(package):
+        tracing.names(here)
+        if here != os.fspath(package) and "package.xml" in names:
+            folders.clear()
+            continue
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        found += [Path(here, name) for name in sorted(names) if name.endswith((".launch", ".launch.xml"))]
+    return [path for path in found if _version_or_none(path) is None]
+
+
+def _package_of(path: Path) -> Path | None:
+    """The folder of the package that a file is in."""
     for folder in path.absolute().parents:
         manifest = folder / "package.xml"
         tracing.probe(manifest)
         if os.path.isfile(manifest):
-            return (quick_text(str(manifest)) or "").encode()
-    return b""
+            return folder
+    return None
+
+
+def _manifest_of(path: Path) -> bytes:
+    """The manifest of the package that a file is in, without comments."""
+    package = _package_of(path)
+    return (quick_text(str(package / "package.xml")) or "").encode() if package is not None else b""
 
 
 def _content(path: Path) -> bytes:

@@ -92,3 +92,12 @@ def test_a_finding_of_several_systems_is_one() -> None:
 
     merged = _together([finding_of("m", "b"), finding_of("n", "b"), finding_of("m", "a"), finding_of("m", "a", 2)])
     assert [(each.message, each.place.line, each.systems) for each in merged] == [("m", 1, ("a", "b")), ("n", 1, ("b",)), ("m", 2, ("a",))]
+
+
+def test_a_finding_of_several_nodes_by_one_line_is_one() -> None:
+    def finding_of(node: str, says: str = "is late", line: int = 1) -> Finding:
+        place = Place("a.cpp", line, 1)
+        return Finding(CHECK, "error", f"{node} {says}", (Evidence("", place),), ("s",), (), node, f" {says}")
+
+    merged = _together([finding_of("/b"), finding_of("/a"), finding_of("/c"), finding_of("/a", "waits"), finding_of("/b", line=2)])
+    assert [(each.message, each.place.line) for each in merged] == [("/a is late (also: /b, /c)", 1), ("/a waits", 1), ("/b is late", 2)]

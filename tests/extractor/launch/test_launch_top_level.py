@@ -65,7 +65,7 @@ def test_launch_files_of_ros_2_may_be_called_anything(tmp_path: Path) -> None:
     [
         (
             "<buildtool_depend>ament_cmake</buildtool_depend>",
-            ["l.launch:2:1: written for ROS 1, in a package for ROS 2: `ros2 launch` refuses it"],
+            ["l.launch:2:1: written for ROS 1, in a package for ROS 2: `ros2 launch` rejects it"],
         ),
         ("<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>catkin</buildtool_depend>", []),
         ("<buildtool_depend>catkin</buildtool_depend>", []),
@@ -77,6 +77,29 @@ def test_a_launch_file_of_ros_1_that_a_package_of_ros_2_has_left(tmp_path: Path,
     found = compose([tmp_path / "l.launch"], files=Files(PackagePath([tmp_path])))
     assert [str(problem).removeprefix(f"{tmp_path}/") for problem in found.problems] == expected
     assert [node.name for node in found.nodes] == ([] if expected else ["n"])
+
+
+def test_launch_files_that_a_package_has_left_are_one_problem(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name><buildtool_depend>ament_cmake</buildtool_depend></package>")
+    for name in ("a.launch", "b.launch", "deep/c.launch", "inner/d.launch"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text('<launch>\n<node pkg="a" type="b" name="n"/></launch>')
+    (tmp_path / "inner" / "package.xml").write_text("<package><name>q</name><buildtool_depend>ament_cmake</buildtool_depend></package>")
+    (tmp_path / "new.launch").write_text('<launch>\n<node pkg="a" exec="b" name="n"/></launch>')
+    files = Files(PackagePath([tmp_path]))
+    found = [compose([tmp_path / name], files=files).problems for name in ("a.launch", "b.launch", "deep/c.launch")]
+    assert found[0] == found[1] == found[2]
+    assert [str(problem).removeprefix(f"{tmp_path}/") for problem in found[0]] == [
+        "a.launch:2:1: written for ROS 1, in a package for ROS 2, like 2 others of the package (b.launch, c.launch): `ros2 launch` rejects it"
+    ]
+
+
+def test_launch_files_among_the_tests_of_a_package_are_not_started(tmp_path: Path) -> None:
+    for name in ("p/package.xml", "p/test/a.launch", "p/launch/b.launch", "tests/q/package.xml", "tests/q/launch/c.launch"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("<launch/>")
+    found = [path.removeprefix(f"{tmp_path}/") for path in launch_files(tmp_path)]
+    assert found == ["p/launch/b.launch", "tests/q/launch/c.launch"]
 
 
 def test_what_eclipse_starts_is_no_launch_file(tmp_path: Path) -> None:
