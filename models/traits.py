@@ -111,7 +111,7 @@ TRAITS = {
     "spins_again": ("place", "text"),
     "runs_too_little": ("place", "text"),
     "sleeps_for_ever": ("place",),
-    "plugin_named": ("place", "text", "text", "text"),
+    "plugin_named": ("place", "text", "text", "text", "text"),
     "misused": ("place", "text", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     "keeps_value_of": ("text", "text"),

@@ -13,9 +13,12 @@ from pathlib import Path
 from rosarch.base.files import read_file, text_or_nothing
 from rosarch.extractor.launch.model import Composition, ProgramNamed
 from rosarch.extractor.package_names import NO_PACKAGES, quick_text
+from rosarch.extractor.python_syntax import parse_python
 from rosarch.extractor.workspace.built import INSTALLED_FIRST, Built, package_of
+from rosarch.extractor.workspace.installs import line_with
 
 _GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
+_PROJECT = re.compile(r"^[ \t]*project[ \t]*\([ \t]*([A-Za-z][\w-]*)", re.MULTILINE | re.IGNORECASE)
 _COMMENT = re.compile(r"#[^\n]*")
 _INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
 _FIELD = re.compile(r"[ \t]*[\w/]+(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
@@ -36,11 +39,11 @@ class Defect:
 def defects(composition: Composition, builds: Sequence[Built]) -> Iterator[tuple[str, Defect]]:
     """The defects of packages, each with the name of its package, as far as a composition has to do with them."""
     for package in builds:
-        yield from ((package.name, one) for one in of_interfaces(package))
+        yield from ((package.name, one) for one in (*of_interfaces(package), *of_build(package)))
     programs = {(named.package, named.type) for named in composition.references if isinstance(named, ProgramNamed)}
     for name, program in sorted(programs):
         for package in (one for one in builds if one.name == name):
-            yield from ((name, one) for one in _of_script(package, program))
+            yield from ((name, one) for one in _of_script(package, program, composition.ros))
             yield from ((name, one) for one in _of_setup(package, program))
     if composition.ros == 2:
         yield from _of_launch_files(composition, builds)
@@ -69,6 +72,26 @@ def of_interfaces(package: Built) -> tuple[Defect, ...]:
     return tuple(result)
 
 
+@lru_cache(maxsize=256)
+def of_build(package: Built) -> tuple[Defect, ...]:
+    """What keeps a package of ROS 2 from being built, and its libraries, or any plug-ins, from being loaded."""
+    result = [Defect(one.path, one.line, one.kind, one.about) for one in package.obstacles if one.kind.startswith("description")]
+    if package.build_type not in INSTALLED_FIRST:
+        return tuple(result)
+    build = package.folder / ("setup.py" if package.build_type == "ament_python" else "CMakeLists.txt")
+    if not os.path.exists(build):
+        manifest = package.folder / "package.xml"
+        return (*result, Defect(manifest, line_with(manifest, "<build_type"), "build file", build.name))
+    if not package.unsure:
+        result += [Defect(one.path, one.line, one.kind, one.about) for one in package.obstacles if one.kind.endswith("source")]
+        left_out = {(*one.library_at, one.library) for one in package.promised if not one.installed and package.build_type == "ament_cmake"}
+        result += [Defect(path, line, "library left out", library) for path, line, library in sorted(left_out)]
+    project = _PROJECT.search(_COMMENT.sub("", text_or_nothing(build))) if build.suffix == ".txt" else None
+    if project is not None and project[1] != package.name:
+        result.append(Defect(build, line_with(build, project[0].strip()), "project name", project[1]))
+    return tuple(result)
+
+
 def _of_interface(package: Built, cmake: Path, line: int, path: Path, *, known: bool) -> Iterator[Defect]:
     name = f"{path.parent.name}/{path.name}"
     if not package.brings(f"share/{package.name}/{name}"):
@@ -81,8 +104,11 @@ def _of_interface(package: Built, cmake: Path, line: int, path: Path, *, known: 
             yield Defect(path, number, "field name", field[1])
 
 
-def _of_script(package: Built, program: str) -> Iterator[Defect]:
-    """A script that the system cannot run: its first line names no interpreter, or one that ends in a carriage return."""
+def _of_script(package: Built, program: str, ros: int) -> Iterator[Defect]:
+    """A script that the system cannot run.
+
+    Its first line names no interpreter, or one that ends in a carriage return; it is in Python 2, which ROS 2 and python3 do not run.
+    """
     for path in _files_called(package.folder, program):
         data = read_file(path) if os.path.isfile(path) else b""
         first = data.split(b"\n", 1)[0]
@@ -90,6 +116,17 @@ def _of_script(package: Built, program: str) -> Iterator[Defect]:
             yield Defect(path, 1, "no interpreter", program)
         elif first.endswith(b"\r"):
             yield Defect(path, 1, "carriage return", program)
+        elif ros == 2 or b"python3" in first:
+            yield from (Defect(path, line, "python 2", program) for line in _python2(data))
+
+
+def _python2(data: bytes) -> Iterator[int]:
+    """The line of the first statement that only Python 2 has."""
+    try:
+        parse_python(data)
+    except SyntaxError as error:
+        if re.match(r"Missing parentheses in call to|multiple exception types must be parenthesized", error.msg):
+            yield error.lineno or 1
 
 
 @lru_cache(maxsize=1024)

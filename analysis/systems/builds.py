@@ -52,6 +52,8 @@ def _plugins(rows: _Rows, root: str, package: Built) -> None:
         for name in one.names:
             if one.exported:
                 rows["plugin_exported"].add((_place(rows, root, one.path, one.line), package.name, name))
+                where = _place(rows, root, one.manifest, one.manifest_line)
+                rows["plugin_exported_for"].update((where, package.name, host, name) for host in one.hosts)
             else:
                 place = _place(rows, root, one.manifest, one.manifest_line)
                 rows["plugin_left_out"].add((place, package.name, path_text(one.path.relative_to(package.folder)), name))

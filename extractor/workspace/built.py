@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 
 from rosarch.extractor.workspace.entry_points import Lack, lacks
-from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
 from rosarch.extractor.workspace.model import EntryPoint, Workspace
 from rosarch.extractor.workspace.registering import Described, Promised, described, exports_more, promised
 
@@ -21,7 +21,7 @@ class Built:
     """A package in `folder`: what its build installs, why that may be more, the entry points that it declares, those without code.
 
     `promised` are the components that its CMake files name, `described` the plug-ins that descriptions in it name; there are others when
-    it `exports_more`.
+    it `exports_more`. `obstacles` keep it from being built or used.
     """
 
     name: str
@@ -34,6 +34,7 @@ class Built:
     promised: tuple[Promised, ...] = ()
     described: tuple[Described, ...] = ()
     exports_more: bool = False
+    obstacles: tuple[Obstacle, ...] = ()
 
     def brings(self, path: str) -> bool:
         """Whether there is `path` below the prefix."""
@@ -71,6 +72,7 @@ def builds(workspace: Workspace) -> tuple[Built, ...]:
             tuple(promised(workspace, package)),
             tuple(described(package)),
             exports_more(package),
+            package.obstacles,
         )
         for package in workspace.packages
         if not package.installed

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosarch.extractor.workspace.cmake_syntax import Command, Statement
@@ -122,6 +123,7 @@ class PackageDraft:
     programs: list[tuple[str, str]] = field(default_factory=list)
     python_folders: list[str] = field(default_factory=list)
     installs: list[Install] = field(default_factory=list)
-    auto_executables: list[str] = field(default_factory=list)
+    auto_targets: list[str] = field(default_factory=list)
     installed_targets: list[tuple[str, str]] = field(default_factory=list)
+    installed_files: list[tuple[str, Path, int]] = field(default_factory=list)
     unsure: list[Unsure] = field(default_factory=list)

@@ -81,6 +81,7 @@ def _ament_auto_add_library(run: Evaluator, call: Call) -> None:
     if os.path.isdir(include) and include not in run.draft.include_dirs:
         run.draft.include_dirs.append(include)
     run.draft.libraries.append(plain.args[0])
+    run.draft.auto_targets.append(plain.args[0])
 
 
 @command("ament_auto_add_executable")
@@ -88,7 +89,7 @@ def _ament_auto_add_executable(run: Evaluator, call: Call) -> None:
     plain, links_own = _plain_call(run, call)
     if plain.args:
         add_executable(run, plain)
-        run.draft.auto_executables.append(plain.args[0])
+        run.draft.auto_targets.append(plain.args[0])
         _complete(run, plain, links_own)
 
 

@@ -48,6 +48,9 @@ def _record(run: Evaluator, call: Call) -> None:
         return
     place = (Path(call.file), call.command.line)
     run.draft.installs.extend(copied(words, run.lookup("", "CMAKE_INSTALL_PREFIX"), run.directory.source, place))
+    if words.is_clear and not (run.testing or words.flags & {"OPTIONAL", "EXCLUDE_FROM_ALL"} or run.has_unset(call.command)):
+        names = [name for kind in ("FILES", "PROGRAMS", "DIRECTORY") for name in words.lists.get(kind, ()) if name]
+        run.draft.installed_files.extend((run.source_path(name), *place) for name in names)
     for name in words.lists.get("TARGETS", ()):
         run.draft.installed_targets.append((name, words.runtime or "bin"))
 

@@ -170,7 +170,7 @@ def _ament_auto_package(run: Evaluator, call: Call) -> None:
     copies = [(share, words.get("INSTALL_TO_SHARE", [])), (".", words.get("INSTALL_TO_PATH", []))]
     for destination, names in copies:
         run.draft.installs.extend(copied(installing(["DIRECTORY", *names, "DESTINATION", destination]), "/", run.directory.source))
-    run.draft.installed_targets.extend((name, f"lib/{run.project}") for name in run.draft.auto_executables)
+    run.draft.installed_targets.extend((name, f"lib/{run.project}") for name in run.draft.auto_targets)
     if run.has_unset(call.command):
         run.unsure(f"{call.command.written}() with something that is not known", call.command.line)
     _ament_package(run, call)

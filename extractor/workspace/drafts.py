@@ -3,16 +3,29 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from rosarch.base.diagnostics import Diagnostic, why
+from rosarch.base.files import text_or_nothing
 from rosarch.extractor.workspace.cmake_expand import generator_expression, split_list
 from rosarch.extractor.workspace.cmake_state import TargetDraft
 from rosarch.extractor.workspace.evaluator import Evaluator
-from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure, library_path, line_with
 from rosarch.extractor.workspace.manifests import Manifest
-from rosarch.extractor.workspace.model import EXECUTABLE, IMPORTED, TEST, Configured, Exports, Package, PluginClass, Program, Target
+from rosarch.extractor.workspace.model import (
+    EXECUTABLE,
+    IMPORTED,
+    LIBRARY_KINDS,
+    TEST,
+    Configured,
+    Exports,
+    Package,
+    PluginClass,
+    Program,
+    Target,
+)
 from rosarch.extractor.workspace.plugins import read_plugins
 from rosarch.extractor.workspace.python_setup import read_setup
 
@@ -62,6 +75,7 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         installs=setup.installs if manifest.build_type == "ament_python" else tuple(_installs(run, manifest, targets)),
         python_packages=setup.packages,
         unsure=setup.unsure if manifest.build_type == "ament_python" else tuple(_unsure(run)),
+        obstacles=tuple(dict.fromkeys((*setup.obstacles, *_obstacles(run, problems), *_undescribed(exports, manifest, problems)))),
     )
     return package, problems
 
@@ -70,15 +84,69 @@ def _installs(run: Evaluator, manifest: Manifest, targets: Iterable[Target]) -> 
     """What CMake installs: what its files say, programs, interfaces, and the manifest."""
     draft, share = run.draft, f"share/{manifest.name}"
     yield from dict.fromkeys(draft.installs)
-    outputs = {target.name: target for target in targets if target.kind in (EXECUTABLE, TEST)}
+    outputs = {target.name: target for target in targets}
     for name, destination in draft.installed_targets:
         target = outputs.get(run.aliases.get(name, name))
-        if target is not None:
+        if target is not None and target.kind in (EXECUTABLE, TEST):
             yield Install(os.path.normpath(f"{destination}/{target.output_name}"), target.cmake_file)
+        elif target is not None and target.kind in LIBRARY_KINDS:
+            yield Install(library_path(target.output_name), target.cmake_file)
     for files in (draft.message_files, draft.service_files, draft.action_files):
         for path in map(Path, files):
             yield Install(f"{share}/{path.parent.name}/{path.name}", path)
     yield Install(f"{share}/package.xml", manifest.path)
+
+
+_MAKING = ("execute_process", "add_custom_", "externalproject", "fetchcontent", "download")
+
+
+def _obstacles(run: Evaluator, sources: Iterable[Diagnostic]) -> Iterator[Obstacle]:
+    """What CMake needs and does not find, but for what whole folders lack: a checkout may be without them."""
+    if any(word in text_or_nothing(run.file).lower() for word in _MAKING):
+        return
+    for diagnostic in sources:
+        if diagnostic.kind == "missing-source" and " does not exist: " in diagnostic.message:
+            name = diagnostic.message.rpartition(": ")[2]
+            if _has_files(diagnostic.path.parent / name):
+                yield Obstacle("target source", name, diagnostic.path, diagnostic.line)
+    for path, file, line in run.draft.installed_files:
+        real = Path(os.path.normpath(path))
+        if not os.path.exists(real) and not _is_generated(run, str(real), ()) and _has_files(real) and not _may_be_no_text(real):
+            yield Obstacle("install source", os.path.relpath(path, file.parent), file, line)
+
+
+def _undescribed(exports: Iterable[tuple[str, Path]], manifest: Manifest, problems: Iterable[Diagnostic]) -> Iterator[Obstacle]:
+    """The descriptions of plug-ins that nobody can read."""
+    at = manifest.path if manifest.build_type == "catkin" else manifest.path.parent / "CMakeLists.txt"
+    if manifest.build_type != "catkin":
+        exports = [(host, path) for host, path in exports if (host, path) not in manifest.plugin_exports]  # ROS 2 reads none of those
+    broken = {problem.path: problem.line for problem in problems if problem.kind == "plugin-xml"}
+    for path in dict.fromkeys(path for _, path in exports):
+        name = os.path.relpath(path, manifest.path.parent)
+        if path in broken:
+            yield Obstacle("description broken", name, path, broken[path])
+        elif not os.path.exists(path) and _has_files(path):
+            yield Obstacle("description absent", name, at, line_with(at, path.name))
+
+
+_NO_TEXT = re.compile(
+    r"(?:mesh|stl|dae|icon|image|img|media|model|map|world|bag|material|texture|sound|audio|font|weight|rosbag|doc|data|picture|asset)s?"
+    r"|mesh(?:es)?|.*\.(?!xml$|ya?ml$|py$|launch$|urdf$|xacro$|srdf$|rviz$|cfg$|txt$|json$|sh$|h(?:pp)?$)\w+",
+    re.IGNORECASE,
+)
+
+
+def _may_be_no_text(path: Path) -> bool:
+    """Whether a file, or what is in a folder, may be no text: a checkout may be without it."""
+    return _NO_TEXT.fullmatch(path.name) is not None
+
+
+def _has_files(path: Path) -> bool:
+    """Whether there are files in the folder of a path."""
+    try:
+        return any(entry.is_file() for entry in os.scandir(path.parent))
+    except OSError:
+        return False
 
 
 _LEAVING_OUT = """

@@ -13,6 +13,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosarch.base.files import text_or_nothing
+
 
 @dataclass(frozen=True)
 class Install:
@@ -59,6 +61,20 @@ class Unsure:
     """Why more may be installed than is known, because of what is at `line` of `path`."""
 
     reason: str
+    path: Path
+    line: int
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """What keeps a package from being built, or its plug-ins from being loaded, at `line` of `path`.
+
+    Its `kind`, and what it is `about`: target source, install source (the build needs a file or folder that does not exist and that nothing
+    in it makes); description absent, description broken (a description of plug-ins that the package exports does not exist, or is no XML).
+    """
+
+    kind: str
+    about: str
     path: Path
     line: int
 
@@ -147,6 +163,17 @@ def installing(words: Sequence[str]) -> Installing:
             current.append(word)
     runtime = places.get("RUNTIME", places.get(""))
     return Installing(lists, places.get(""), runtime, rename, tuple(only) if filtered else (), tuple(but), frozenset(words) & _FLAGS)
+
+
+def library_path(name: str) -> str:
+    """The path below the prefix that stands for those of a library that is installed, wherever that is."""
+    return f"lib/lib{name}.so"
+
+
+def line_with(path: Path, word: str) -> int:
+    """The first line of a file that has a word; the first one when there is none."""
+    lines = text_or_nothing(path).splitlines()
+    return next((line for line, written in enumerate(lines, 1) if word in written), 1)
 
 
 def below(prefix: str, destination: str) -> str | None:

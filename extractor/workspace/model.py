@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rosarch.base.diagnostics import Diagnostic
 from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
-from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
 
 ROS1 = "ros1"
 ROS2 = "ros2"
@@ -134,6 +134,7 @@ class Package:
     python_roots: tuple[Path, ...] = ()
     installs: tuple[Install, ...] = ()
     unsure: tuple[Unsure, ...] = ()
+    obstacles: tuple[Obstacle, ...] = ()
     python_packages: tuple[str, ...] | None = None
     installed: bool = False
 

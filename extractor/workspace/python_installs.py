@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
 from rosarch.extractor.workspace.model import EntryPoint, Program
 from rosarch.extractor.workspace.setup_values import SetupValues
 
@@ -21,6 +21,7 @@ class DataFiles:
     path: Path
     installs: list[Install] = field(default_factory=list)
     unsure: list[Unsure] = field(default_factory=list)
+    obstacles: list[Obstacle] = field(default_factory=list)
 
     def give_up(self, reason: str, node: ast.AST) -> None:
         """More may be installed, because of what is at `node`."""
@@ -55,7 +56,10 @@ class DataFiles:
             if file is None:
                 self.installs.append(Install(folder, self.path.parent / "data_files", folder=True))  # any file
             else:
-                self.installs.append(Install(posixpath.normpath(f"{folder}/{posixpath.basename(file)}"), self.path.parent / file))
+                source = self.path.parent / file
+                self.installs.append(Install(posixpath.normpath(f"{folder}/{posixpath.basename(file)}"), source))
+                if not os.path.exists(source):
+                    self.obstacles.append(Obstacle("install source", file, self.path, item.lineno))
 
 
 def _files(node: ast.expr, values: SetupValues) -> Iterator[str | None]:

@@ -20,7 +20,7 @@ from typing import Any
 from rosarch.base.diagnostics import Diagnostic, unreadable
 from rosarch.base.files import read_file
 from rosarch.extractor.python_syntax import parse_python
-from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
 from rosarch.extractor.workspace.model import EntryPoint, Program
 from rosarch.extractor.workspace.python_installs import DataFiles, changed_later, declared_elsewhere, installed_packages, programs_installed
 from rosarch.extractor.workspace.setup_values import SetupValues
@@ -38,6 +38,7 @@ class Setup:
     installs: tuple[Install, ...] = ()
     unsure: tuple[Unsure, ...] = ()
     packages: tuple[str, ...] | None = None
+    obstacles: tuple[Obstacle, ...] = ()
 
 
 def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
@@ -76,7 +77,7 @@ def read_setup(folder: Path, package: str) -> tuple[Setup, list[Diagnostic]]:
     there = tuple(program for program in programs if os.path.isfile(program.path))
     once = (tuple(dict.fromkeys(points)), there, tuple(dict.fromkeys(roots)))
     only_package = packages[0] if len(packages) == 1 and roots == [folder] else None
-    return Setup(*once, tuple(dict.fromkeys(data.installs)), tuple(dict.fromkeys(unsure)), only_package), problems
+    return Setup(*once, tuple(dict.fromkeys(data.installs)), tuple(dict.fromkeys(unsure)), only_package, tuple(data.obstacles)), problems
 
 
 def _is_constant(node: ast.expr, values: SetupValues) -> bool:

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from rosarch.base.files import LARGEST_PARSED, read_file
 from rosarch.extractor.workspace.graph import closure
+from rosarch.extractor.workspace.installs import library_path, line_with
 from rosarch.extractor.workspace.model import LIBRARY_KINDS, Package, PluginClass, Target, Workspace
 from rosarch.extractor.workspace.plugins import Registration, own_headers, parse_plugins, registrations
 
@@ -30,6 +31,7 @@ class Promised:
     """At `line` of `path`, CMake or a description says that `library` registers `name`, of `base`; it does register `registered`.
 
     `bases` are those under which it registers the class. A description that calls the library otherwise than its file has `written` so.
+    The library is made at `library_at`; whether it is `installed` is known in packages of which all is known.
     """
 
     name: str
@@ -41,6 +43,8 @@ class Promised:
     base: str = ""
     bases: tuple[str, ...] = ()
     written: str = ""
+    library_at: tuple[Path, int] = (Path(), 0)
+    installed: bool = True
 
 
 def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
@@ -60,7 +64,20 @@ def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
             names = sorted({one.cxx_class for one in found})
             bases = sorted({one.base for one in found if one.cxx_class == name})
             base = plugin.base.removeprefix("::")
-            yield Promised(name, target.name, plugin.declared_at, plugin.line, tuple(names), is_open, base, tuple(bases), written)
+            there = any(install.path == library_path(target.output_name) for install in package.installs)
+            yield Promised(
+                name,
+                target.name,
+                plugin.declared_at,
+                line_with(plugin.declared_at, f'"{written}"') if written else plugin.line,
+                tuple(names),
+                is_open,
+                base,
+                tuple(bases),
+                written,
+                (target.cmake_file, target.line),
+                there,
+            )
 
 
 def _registering(package: Package, name: str, registered: Callable[[Target], tuple[frozenset[Registration], bool]]) -> Target | None:
@@ -114,7 +131,10 @@ def _may_register(file: Path) -> bool:
 
 @dataclass(frozen=True)
 class Described:
-    """A plug-in that a description calls `names`; at `line` of `manifest` its package exports the description, or would."""
+    """A plug-in that a description calls `names`; at `manifest_line` of `manifest` its package exports the description, or would.
+
+    It exports it for the packages `hosts`.
+    """
 
     names: tuple[str, ...]
     path: Path
@@ -122,6 +142,7 @@ class Described:
     exported: bool
     manifest: Path
     manifest_line: int
+    hosts: tuple[str, ...] = ()
 
 
 def described(package: Package) -> Iterator[Described]:
@@ -131,9 +152,11 @@ def described(package: Package) -> Iterator[Described]:
     others = [one for path in _others(package.path) if path not in exported for one in _classes(path)]
     if found or others:
         at = package.manifest if package.build_type == "catkin" else package.path / "CMakeLists.txt"
-        line = _line_of(at, "<export" if package.build_type == "catkin" else "ament_package")
+        line = line_with(at, "<export" if package.build_type == "catkin" else "ament_package")
         for one in (*found, *others):
-            yield Described((one.name, one.cxx_class), one.declared_at, one.line, one.declared_at in exported, at, line)
+            hosts = tuple(dict.fromkeys(host for host, path in package.plugin_exports if path == one.declared_at))
+            where = line_with(at, one.declared_at.name) if hosts else line
+            yield Described((one.name, one.cxx_class), one.declared_at, one.line, one.declared_at in exported, at, where, hosts)
 
 
 def exports_more(package: Package) -> bool:
@@ -148,14 +171,6 @@ def _classes(path: Path) -> list[PluginClass]:
         return []
     classes, problems = parse_plugins(text, path) if "<library" in text and "base_class" in text else ([], [])
     return [] if problems else classes
-
-
-def _line_of(path: Path, word: str) -> int:
-    try:
-        text = read_file(path).decode(errors="replace")
-    except OSError:
-        return 1
-    return next((line for line, written in enumerate(text.splitlines(), 1) if word in written), 1)
 
 
 def _others(folder: Path) -> Iterator[Path]:

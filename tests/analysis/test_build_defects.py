@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rosarch.analysis.systems.build_defects import defects, of_interfaces
+from rosarch.analysis.systems.build_defects import defects, of_build, of_interfaces
 from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.extractor.launch_ros2.compose import compose_ros2
 from rosarch.extractor.workspace import discover
@@ -95,3 +95,105 @@ def test_launch_files(tmp_path: Path) -> None:
         composition = compose_ros2([tmp_path / "lamp" / "launch" / "a.launch.xml"], files=Files(PackagePath([tmp_path])))
         assert [each.about for _, each in defects(composition, [package])] == expected
     assert list(defects(compose([tmp_path / "lamp" / "launch" / "a.launch.xml"], files=Files(PackagePath([tmp_path]))), [package])) == []
+
+
+COMPONENTS = """project({})
+find_package(rclcpp_components REQUIRED)
+add_library(focus SHARED focus.cpp)
+add_library(zoom SHARED zoom.cpp)
+rclcpp_components_register_nodes(focus "lens::Focus")
+rclcpp_components_register_nodes(zoom "lens::Zoom")
+install(TARGETS zoom DESTINATION lib)
+{}
+ament_package()
+"""
+REGISTERS = "RCLCPP_COMPONENTS_REGISTER_NODE(lens::{})\n"
+
+
+def build(root: Path, cmake: str, build_type: str = "ament_cmake", name: str = "lens", **files: str) -> list[tuple[str, int, str, str]]:
+    sources = {"focus.cpp": REGISTERS.format("Focus"), "zoom.cpp": REGISTERS.format("Zoom")}
+    one = built(root, name, build_type, **{"CMakeLists.txt": cmake, **sources, **files})
+    return [(each.path.name, each.line, each.kind, each.about) for each in of_build(one)]
+
+
+def test_libraries_that_are_not_installed(tmp_path: Path) -> None:
+    cmake = COMPONENTS.format("lens", "")
+    assert build(tmp_path / "a", cmake) == [("CMakeLists.txt", 3, "library left out", "focus")]
+    assert build(tmp_path / "b", COMPONENTS.format("lens", "install(TARGETS focus EXPORT all LIBRARY DESTINATION lib)")) == []
+    assert build(tmp_path / "c", COMPONENTS.format("lens", "install_somehow(focus)")) == []  # it may do that
+    assert build(tmp_path / "d", cmake, "catkin") == []  # found where they are built
+    auto = cmake.replace("add_library", "ament_auto_add_library").replace("ament_package", "ament_auto_package")
+    assert build(tmp_path / "e", auto.replace("install(TARGETS zoom DESTINATION lib)\n", "")) == []
+
+
+def test_sources_that_do_not_exist(tmp_path: Path) -> None:
+    more = """add_executable(knob knbo.cpp)
+install(TARGETS focus DESTINATION lib)
+install(DIRECTORY launch params
+  DESTINATION share/lens)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/made.yaml p.yaml empty/q.yaml DESTINATION share/lens)
+install(DIRECTORY meshes absent/ DESTINATION share/lens OPTIONAL)
+install(DIRECTORY meshes DESTINATION share/lens)
+install(FILES robot.dae DESTINATION share/lens)
+if(BUILD_TESTING)
+  install(FILES tested.yaml DESTINATION share/lens)
+endif()
+"""
+    found = [
+        ("CMakeLists.txt", 8, "target source", "knbo.cpp"),
+        ("CMakeLists.txt", 10, "install source", "params"),
+        ("CMakeLists.txt", 12, "install source", "p.yaml"),
+    ]
+    (tmp_path / "a" / "lens" / "empty").mkdir(parents=True)
+    assert build(tmp_path / "a", COMPONENTS.format("lens", more), **{"launch/a.launch": "<launch/>"}) == found
+    assert build(tmp_path / "b", COMPONENTS.format("lens", more + 'execute_process(COMMAND "make")')) == []  # that may make them
+    assert build(tmp_path / "c", COMPONENTS.format("lens", more), "catkin") == []
+    setup = """from setuptools import setup
+setup(name='lens', packages=[], data_files=[
+    ('share/lens', ['package.xml', 'gone.yaml'])])
+"""
+    one = built(tmp_path / "d", "lens", "ament_python", **{"setup.py": setup})
+    assert [(each.path.name, each.line, each.kind, each.about) for each in of_build(one)] == [("setup.py", 3, "install source", "gone.yaml")]
+
+
+def test_names_and_build_types(tmp_path: Path) -> None:
+    all_installed = "install(TARGETS focus DESTINATION lib)"
+    assert build(tmp_path / "a", "# project(other)\n" + COMPONENTS.format("lenses", all_installed)) == [
+        ("CMakeLists.txt", 2, "project name", "lenses")
+    ]
+    assert build(tmp_path / "b", COMPONENTS.format("${NAME}", all_installed)) == []
+    for number, build_type in enumerate(("ament_cmake", "ament_python", "catkin")):
+        one = built(tmp_path / str(number), "lens", build_type)
+        found = [(each.line, each.kind, each.about) for each in of_build(one)]
+        assert found == {
+            "ament_cmake": [(3, "build file", "CMakeLists.txt")],
+            "ament_python": [(3, "build file", "setup.py")],
+            "catkin": [],
+        }[build_type]  # fmt: skip
+
+
+def test_descriptions_of_plugins(tmp_path: Path) -> None:
+    cmake = "project(lens)\npluginlib_export_plugin_description_file(glass a.xml)\npluginlib_export_plugin_description_file(glass b.xml)\n"
+    one = built(tmp_path / "a", "lens", "ament_cmake", **{"CMakeLists.txt": cmake, "a.xml": "<library path='a'>\n<class>\n</library>"})
+    found = [(each.path.name, each.line, each.kind, each.about) for each in of_build(one)]
+    assert [each for each in found if each[2].startswith("description")] == [
+        ("a.xml", 3, "description broken", "a.xml"),
+        ("CMakeLists.txt", 3, "description absent", "b.xml"),
+    ]
+    export = '<export><glass plugin="${prefix}/gone.xml"/></export>'
+    ros1 = built(tmp_path / "b", "lens", "catkin", export, **{"CMakeLists.txt": "project(lens)\n"})
+    assert [(each.path.name, each.kind, each.about) for each in of_build(ros1)] == [("package.xml", "description absent", "gone.xml")]
+    ros2 = built(tmp_path / "c", "lens", "ament_cmake", export, **{"CMakeLists.txt": "project(lens)\n"})
+    assert [each for each in of_build(ros2) if each.kind.startswith("description")] == []  # only CMake exports there
+
+
+def test_scripts_in_python_2(tmp_path: Path) -> None:
+    for ros, first, expected in ((2, "python", [("knob.py", 2)]), (1, "python3", [("knob.py", 2)]), (1, "python", [])):
+        root = tmp_path / f"{ros}{first}"
+        built(root, "light", "ament_cmake", **{"scripts/knob.py": f"#!/usr/bin/env {first}\nprint 'on'\n", "CMakeLists.txt": "project(light)\n"})
+        suffix = ".launch.xml" if ros == 2 else ".launch"
+        node = '<node pkg="light" exec="knob.py"/>' if ros == 2 else '<node pkg="light" type="knob.py" name="knob"/>'
+        (root / f"a{suffix}").write_text(f"<launch>{node}</launch>")
+        run = compose_ros2 if ros == 2 else compose
+        composition = run([root / f"a{suffix}"], files=Files(PackagePath([root])))
+        assert [(one.path.name, one.line) for _, one in defects(composition, builds(discover(root))) if one.kind == "python 2"] == expected

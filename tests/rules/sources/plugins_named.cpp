@@ -1,9 +1,10 @@
 // The base that a loader was told, as a local variable and as a member; a parameter that names the class; a loader that was told in no words.
 //
-// expect: plugin_named(_, "shapes/Square", "", "shapes::Shape")
-// expect: plugin_named(_, "shapes/Circle", "~shape", "shapes::Shape")
-// expect: plugin_named(_, "shapes/Star", "", "")
-// expect: 3 = count : { plugin_named(_, _, _, _) }
+// expect: plugin_named(_, "shapes/Square", "", "shapes::Shape", "shapes")
+// expect: plugin_named(_, "shapes/Circle", "~shape", "shapes::Shape", "shapes")
+// expect: plugin_named(_, "shapes/Star", "", "", "")
+// expect: plugin_named(_, "shapes/Heart", "", "shapes::Shape", "")
+// expect: 4 = count : { plugin_named(_, _, _, _, _) }
 #include <pluginlib/class_loader.h>
 #include <ros/ros.h>
 
@@ -31,5 +32,7 @@ int main(int argc, char** argv) {
   std::string base = argv[1];
   pluginlib::ClassLoader<shapes::Shape> other("shapes", base);
   auto star = other.createInstance("shapes/Star");
+  pluginlib::ClassLoader<shapes::Shape> third(base, "shapes::Shape");
+  auto heart = third.createInstance("shapes/Heart");
   ros::spin();
 }
