@@ -23,6 +23,7 @@ from rosarch.extractor.launch.model import (
     FileMeant,
     FileNamed,
     HomePath,
+    Misjoined,
     NodeStart,
     PackageNamed,
     ParamSetting,
@@ -204,6 +205,8 @@ class _Writer:
                 self.add("argument_leaked", place, named.name, named.value, self.place(named.origin))
             case ActionLeftOut():
                 self.add("action_left_out", place, named.action, named.name)
+            case Misjoined():
+                self.add("launch_misjoined", place, named.what)
             case SubstitutionUsed():
                 self.add("substitution_used", place, named.name, named.effect)
             case ProgramNamed():

@@ -350,6 +350,14 @@ class SubstitutionUsed:
 
 
 @dataclass(frozen=True)
+class Misjoined:
+    """A path or command is put together wrongly, as `what` says."""
+
+    what: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class ActionLeftOut:
     """An `action` is made and never used; `name` is the variable that holds it, "" for none."""
 
@@ -368,7 +376,7 @@ class ArgumentLeaked:
     origin: Place
 
 
-_OfArguments = ActionLeftOut | ArgumentLeaked | ArgumentUsed | SubstitutionUsed | TextTested
+_OfArguments = ActionLeftOut | ArgumentLeaked | ArgumentUsed | Misjoined | SubstitutionUsed | TextTested
 Reference = _OfArguments | FileNamed | FileMeant | ProgramNamed | ComponentNamed | PackageNamed | HomePath
 
 

@@ -21,6 +21,7 @@ from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
 from rosarch.extractor.launch_ros2.includes import read
 from rosarch.extractor.launch_ros2.left_out import left_out
+from rosarch.extractor.launch_ros2.misjoined import misjoined
 from rosarch.extractor.launch_ros2.truths import truths
 from rosarch.extractor.launch_ros2.world import World
 from rosarch.extractor.python_syntax import parse_python
@@ -82,6 +83,7 @@ def _truths(world: World) -> Iterator[Reference]:
                 text = world.state.files.read(path)
                 tree = parse_python(text)
                 yield from truths(tree, path)
+                yield from misjoined(tree, path)
                 yield from left_out(tree, text.decode(errors="replace"), path)
 
 

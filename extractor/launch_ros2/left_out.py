@@ -1,6 +1,7 @@
-"""Actions that a Python launch file makes and gives to nobody: a variable holds them that is not read again.
+"""Actions that a Python launch file makes and gives to nobody.
 
-What a comment of the file mentions was taken out on purpose.
+A variable holds them that is not read again, or only as the one that event handlers wait for. What a comment of the file mentions was taken
+out on purpose.
 """
 
 from __future__ import annotations
@@ -15,7 +16,8 @@ from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
 
 _STARTING = "Node LifecycleNode ComposableNodeContainer LoadComposableNodes IncludeLaunchDescription ExecuteProcess GroupAction TimerAction"
 _OTHER = "DeclareLaunchArgument OpaqueFunction RegisterEventHandler EmitEvent SetEnvironmentVariable SetParameter PushRosNamespace"
-_ACTIONS = frozenset(f"{_STARTING} {_OTHER}".split())
+ACTIONS = frozenset(f"{_STARTING} {_OTHER}".split())
+_HANDLERS = frozenset({"OnProcessStart", "OnProcessExit", "OnProcessIO", "OnExecutionComplete", "OnStateTransition"})
 _Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -35,12 +37,22 @@ def _lets_others_look(function: _Function) -> bool:
 
 def _of_function(function: _Function, comments: str, path: str) -> Iterator[ActionLeftOut]:
     names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
-    read = Counter(node.id for node in names if isinstance(node.ctx, ast.Load))
+    watched = {id(node) for node in _watched(function)}
+    read = Counter(node.id for node in names if isinstance(node.ctx, ast.Load) and id(node) not in watched)
     declared = {name for node in ast.walk(function) if isinstance(node, (ast.Global, ast.Nonlocal)) for name in node.names}
     for statement in nodes_within(function.body, lambda node: isinstance(node, (*FUNCTIONS, ast.ClassDef))):
         match statement:
             case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=action) | ast.Attribute(attr=action)) as made):
-                if action in _ACTIONS and not read[name] and name not in declared and not re.search(rf"\b{re.escape(name)}\b", comments):
+                if action in ACTIONS and not read[name] and name not in declared and not re.search(rf"\b{re.escape(name)}\b", comments):
                     yield ActionLeftOut(action, name, Place(path, made.lineno, made.col_offset + 1))
-            case ast.Expr(value=ast.Call(func=ast.Name(id=action)) as made) if action in _ACTIONS:
+            case ast.Expr(value=ast.Call(func=ast.Name(id=action)) as made) if action in ACTIONS:
                 yield ActionLeftOut(action, "", Place(path, made.lineno, made.col_offset + 1))
+
+
+def _watched(function: _Function) -> Iterator[ast.AST]:
+    """Where event handlers are told whose events they wait for: they do not start it."""
+    for node in ast.walk(function):
+        match node:
+            case ast.Call(func=ast.Name(id=handler) | ast.Attribute(attr=handler)) if handler in _HANDLERS:
+                yield from node.args[:1]
+                yield from (keyword.value for keyword in node.keywords if keyword.arg == "target_action")

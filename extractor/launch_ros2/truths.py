@@ -1,4 +1,4 @@
-"""Where a Python launch file takes what stands for a launch configuration for its value.
+"""Where a Python launch file takes what stands for a launch configuration, or another substitution, for its value.
 
 A `LaunchConfiguration` has no value while a launch file is read: it counts as true, and equals no text. What its `perform` gives is a text,
 which counts as true unless it is empty.
@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from rosarch.extractor.launch.model import Place, SubstitutionUsed, TextTested
+from rosarch.extractor.launch_ros2.left_out import ACTIONS
 from rosarch.extractor.python_syntax import FUNCTIONS, nodes_within
 
 _Occurrence = TextTested | SubstitutionUsed
@@ -44,6 +45,10 @@ def _is_print(node: ast.AST) -> bool:
     return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print"
 
 
+_OTHERS = frozenset({"FindPackageShare", "PathJoinSubstitution", "ThisLaunchFileDir", "EnvironmentVariable", "FindExecutable", "Command"})
+"""Further substitutions, which are called by the names of their classes."""
+
+
 class _Names:
     """The variables that stand for a configuration (`text` when for its text), of those that are assigned once, and are no arguments."""
 
@@ -68,6 +73,8 @@ class _Names:
                 args=[ast.Constant(value=str(name)), *_],
             ):
                 return name, False
+            case ast.Call(func=ast.Name(id=kind) | ast.Attribute(attr=kind)) if kind in _OTHERS:
+                return kind, False
             case ast.Call(func=ast.Attribute(value=inner, attr="perform"), args=[_]):
                 found = self.of(inner)
                 return None if found is None or found[1] else (found[0], True)
@@ -97,6 +104,10 @@ def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Occurrence]:
         case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="path"), attr="join"), args=parts):
             for one in parts:
                 yield from _written(one, names, path, "is no path: TypeError")
+        case ast.Call(func=ast.Name(id=kind) | ast.Attribute(attr=kind), keywords=keywords) if kind in ACTIONS:
+            for one in keywords:
+                if one.arg == "condition":
+                    yield from _written(one.value, names, path, "is no condition: IfCondition makes one of it")
         case ast.Compare(left=left, ops=[ast.Eq() | ast.NotEq() | ast.Is() | ast.IsNot()], comparators=[right]):
             yield from _compared(node, left, right, names, path)
 

@@ -252,6 +252,10 @@ def generate_launch_description():
                                                       composable_node_descriptions=[inner],
                                                       parameters=[os.path.join(here, "box.yaml"), {"map": os.path.join(here, "gone.yaml"), "own": os.path.join(here, "made.yaml")}])])
 
+def joined():
+    return os.path.join(here, "/config")
+
+
 def unused(context):
     mode = LaunchConfiguration("mode")
     if mode or mode.perform(context):

@@ -1,0 +1,87 @@
+"""Paths and commands that a Python launch file puts together wrongly.
+
+`os.path.join` drops what is before an absolute path, a `Command` joins its parts without spaces, and a relative path of a file of
+parameters begins where launch is started.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Collection, Iterator
+from pathlib import Path
+
+from rosarch.extractor.launch.model import Misjoined, Place
+
+_NODES = frozenset({"Node", "LifecycleNode", "ComposableNode", "ComposableNodeContainer"})
+_PROGRAM = re.compile(r"(?:ros2 run [\w-]+ )?[\w.-]*\w")
+_FOLDERS_ABOVE = 3
+
+
+def misjoined(tree: ast.Module, path: str) -> Iterator[Misjoined]:
+    """All such places of a file."""
+    called = {target.id for node in ast.walk(tree) for target in _assigned_call(node)}
+    for node in ast.walk(tree):
+        match node:
+            case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="path"), attr="join"), args=[first, *rest]):
+                for number, part in enumerate(rest if not isinstance(first, ast.Constant) else ()):
+                    if isinstance(part, ast.Constant) and isinstance(part.value, str) and part.value.startswith("/"):
+                        yield _at(part, f"os.path.join drops what is before the absolute path `{_joined(rest[number:])}`", path)
+            case ast.Call(func=ast.Name(id="Command") | ast.Attribute(attr="Command"), args=[ast.List(elts=[first, second, *_])]):
+                program = _program(first)
+                if program is not None and _begins_at_once(second, called):
+                    yield _at(node, f"no space separates `{program}` from what follows in the command", path)
+            case ast.Call(func=ast.Name(id=kind) | ast.Attribute(attr=kind), keywords=keywords) if kind in _NODES:
+                for keyword in keywords:
+                    if keyword.arg == "parameters" and isinstance(keyword.value, (ast.List, ast.Tuple)):
+                        yield from _relative(keyword.value.elts, path)
+
+
+def _at(node: ast.expr, what: str, path: str) -> Misjoined:
+    return Misjoined(what, Place(path, node.lineno, node.col_offset + 1))
+
+
+def _program(node: ast.expr) -> str | None:
+    """The program that the first part of a command ends with."""
+    match node:
+        case ast.Constant(value=str(text)) if _PROGRAM.fullmatch(text):
+            return text
+        case ast.Call(func=ast.Name(id="FindExecutable"), keywords=[ast.keyword(value=ast.Constant(value=str(text)))]):
+            return text
+        case ast.Call(func=ast.Name(id="PathJoinSubstitution"), args=[ast.List(elts=[only])]) if isinstance(only, ast.Call):
+            return _program(only)
+    return None
+
+
+def _begins_at_once(node: ast.expr, called: Collection[str]) -> bool:
+    """Whether a part of a command is a substitution or path, which begins with no space; a variable is one that is `called` to be so."""
+    match node:
+        case ast.Name(id=name):
+            return name in called
+        case ast.Call(func=ast.Name(id=made)):
+            return made[:1].isupper()
+        case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="path"), attr="join")):
+            return True
+    return False
+
+
+def _assigned_call(node: ast.AST) -> Iterator[ast.Name]:
+    """The variable that is given a substitution or path."""
+    match node:
+        case ast.Assign(targets=[ast.Name() as target], value=ast.Call() as call) if _begins_at_once(call, ()):
+            yield target
+
+
+def _joined(parts: list[ast.expr]) -> str:
+    return os.path.join(*(str(part.value) if isinstance(part, ast.Constant) else "..." for part in parts))
+
+
+def _relative(values: list[ast.expr], path: str) -> Iterator[Misjoined]:
+    """Files of parameters by a path that begins in a folder above the launch file: it is looked for elsewhere."""
+    above = list(Path(path).parents)[:_FOLDERS_ABOVE]
+    for value in values:
+        match value:
+            case ast.Constant(value=str(name)) if name.endswith((".yaml", ".yml")) and not os.path.isabs(name):
+                if any(os.path.isfile(folder / name) for folder in above):
+                    yield _at(value, f"`{name}` is looked for in the folder that launch is started in", path)
