@@ -50,7 +50,7 @@ def _of_function(function: _Function, comments: str, path: str) -> Iterator[Acti
 
 
 def _watched(function: _Function) -> Iterator[ast.AST]:
-    """Where event handlers are told whose events they wait for: they do not start it."""
+    """What event handlers wait for: they do not start it."""
     for node in ast.walk(function):
         match node:
             case ast.Call(func=ast.Name(id=handler) | ast.Attribute(attr=handler)) if handler in _HANDLERS:
