@@ -72,7 +72,7 @@ def _number(text: str, known: Mapping[str, float]) -> float | None:
     if text in BOOLEAN:
         return float(text == "true")
     literal = number(text)
-    return known.get(text.rsplit("::", 1)[-1]) if literal is None else literal
+    return known.get(text.removeprefix("self.").rsplit("::", 1)[-1]) if literal is None else literal
 
 
 def encoded(store: MessageStore, type_: str, values: Values) -> bytes:

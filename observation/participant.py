@@ -205,7 +205,9 @@ def main() -> None:
         request = json.loads(line)
         try:
             answer = {"answer": known[request.pop("do")](participant, **request)}
-        except Exception as error:  # whatever the libraries raise is told to who asked
+        except TimeoutError as error:
+            answer = {"error": str(error)}
+        except Exception as error:  # of whatever kind: who asks gets it
             answer = {"error": " ".join(f"{type(error).__name__}: {error}".split())}
         print(json.dumps(answer), file=answers)
     with suppress(Exception):

@@ -59,13 +59,14 @@ class PrivateGraph:
         graph = Graph(self.master.uri)
         wait_until(lambda: process.ended is not None or start.name in graph.state().nodes(), seconds)
         if process.ended is not None:
-            raise StartError(f"{start.name} {process.ended}{_last_line(log)}")
+            raise StartError(f"{start.name} {process.ended}{last_line(log)}")
         if start.name not in graph.state().nodes():
-            raise StartError(f"{start.name} did not come up within {seconds:g} s{_last_line(log)}")
+            raise StartError(f"{start.name} did not come up within {seconds:g} s{last_line(log)}")
         return process
 
 
-def _last_line(log: Path) -> str:
+def last_line(log: Path) -> str:
+    """The last line that a process printed, as the end of a message."""
     lines = log.read_text(encoding="utf-8", errors="replace").strip().splitlines()
     return f": {lines[-1]}" if lines else ""
 

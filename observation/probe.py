@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -12,13 +12,14 @@ from statistics import median
 
 from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.steps import Row
+from rosarch.observation.company import Company, company
 from rosarch.observation.compare import Filled
-from rosarch.observation.peer import ANY, Heard, MessageType, Peer
+from rosarch.observation.content import Values
 from rosarch.observation.plan import Experiment, Plan, Stimulus
-from rosarch.observation.private import PrivateGraph, Start, StartError, private_graph
+from rosarch.observation.private import StartError
 from rosarch.observation.processes import Process, wait_until
 from rosarch.observation.rpc import CallError
-from rosarch.observation.subject import Subject
+from rosarch.observation.subject import Place, Subject
 
 CONFIRMED, REFUTED, UNREACHED = "confirmed", "refuted", "not reached"
 _PATIENCE = 0.25
@@ -29,8 +30,6 @@ _TRIES = 3
 """What is not confirmed is tried again: only what never is counts."""
 _PERIODS = 20
 _LONGEST_MEASURE = 4.0
-_LINKS = 5.0
-NAME = "/rosarch_probe"
 
 
 @dataclass(frozen=True)
@@ -98,8 +97,8 @@ def _tried(subject: Subject, experiment: Experiment, command: Sequence[str], end
 def _verdict(subject: Subject, experiment: Experiment, command: Sequence[str], measured: Measured) -> Verdict:
     row = experiment.row
     try:
-        with private_graph() as graph, Peer(graph.master.uri, NAME) as peer:
-            trial = _started(subject, graph, peer, command, measured)
+        with company(subject) as other:
+            trial = _started(subject, other, command, measured)
             for stimulus in experiment.stimuli[:-1]:
                 seen = trial.give(stimulus)
                 if not stimulus.expected.fits(seen):
@@ -120,33 +119,27 @@ def _names(subject: Subject, ports: frozenset[str]) -> str:
     return " and ".join(sorted(subject.places[port].name for port in ports)) or "nothing"
 
 
-def _started(subject: Subject, graph: PrivateGraph, peer: Peer, command: Sequence[str], measured: Measured) -> _Trial:
-    """Start the node, with `peer` at the other end of all its topics."""
-    heard: dict[str, list[float]] = defaultdict(list)
+def _started(subject: Subject, other: Company, command: Sequence[str], measured: Measured) -> _Trial:
+    """Start the node, with `other` at the other end of all its topics."""
     for place in subject.outlets:
-        peer.subscribe(place.name, _listener(heard[place.port]))
+        other.subscribe(place)
     topics = [place for place in subject.inlets if not place.service]
     for place in topics:
-        peer.advertise(place.name, MessageType(place.type, ANY))
-    process = graph.start(Start(tuple(command), subject.name))
-    if not wait_until(lambda: all(peer.readers(place.name) for place in topics), _LINKS):
-        left = " and ".join(place.name for place in topics if not peer.readers(place.name))
+        other.advertise(place)
+    process = other.start(command)
+    if not wait_until(lambda: all(other.readers(place) for place in topics), other.patience):
+        left = " and ".join(place.name for place in topics if not other.readers(place))
         raise _ProbeError(f"it does not read {left}")
-    return _Trial(subject, peer, process, heard, measured)
-
-
-def _listener(times: list[float]) -> Heard:
-    return lambda _sender, at, _message: times.append(at)
+    return _Trial(subject, other, process, measured)
 
 
 class _Trial:
-    """A node that runs for one experiment, and the peer that puts messages in and `heard`, by ports, when it sends some."""
+    """A node that runs for one experiment, and the `other` end of its ports."""
 
-    def __init__(self, subject: Subject, peer: Peer, process: Process, heard: Mapping[str, list[float]], measured: Measured) -> None:
+    def __init__(self, subject: Subject, other: Company, process: Process, measured: Measured) -> None:
         self._subject = subject
-        self._peer = peer
+        self._other = other
         self._process = process
-        self._heard = heard
         self._measured = measured
         self._before: frozenset[str] = frozenset()
         self._timed = frozenset(port for row in subject.document.get("periodic") or () for port in sent_in_loop(row))
@@ -156,17 +149,17 @@ class _Trial:
         begin = time.monotonic()
         given = stimulus.given
         if given is not None:
-            place, message = self._subject.places[given.port], self._subject.message(given)
+            place, values = self._subject.places[given.port], self._subject.values(given)
             if place.service:
-                self._peer.call(place.name, message)
+                self._call(place, values, stimulus)
                 self._measured.responses[given.port].append(time.monotonic() - begin)
             else:
-                begin = self._peer.publish(place.name, message)
+                begin = self._other.publish(place, values)
         periods = [1 / hz for hz in self._subject.machine.loops.values() if hz]
         time.sleep(_PATIENCE + stimulus.rounds * max(periods, default=0.0))
-        if self._process.ended is not None:
-            raise _ProbeError(f"after {self.description(stimulus)} it {self._process.ended}")
-        late = {port: [at for at in list(times) if at >= begin] for port, times in self._heard.items()}
+        if (end := self._end_after(stimulus)) is not None:
+            raise _ProbeError(end)
+        late = {port: [at for at in times if at >= begin] for port, times in self._other.heard().items()}
         seen = {port for port, times in late.items() if times}
         trailing = {p for p in seen & self._before - stimulus.expected.may if max(late[p]) < begin + _GRACE}
         seen -= trailing
@@ -176,14 +169,25 @@ class _Trial:
         self._before = frozenset(seen)
         return self._before
 
+    def _call(self, place: Place, values: Values, stimulus: Stimulus) -> None:
+        try:
+            self._other.call(place, values)
+        except CallError as error:
+            raise _ProbeError(self._end_after(stimulus) or str(error)) from None
+
+    def _end_after(self, stimulus: Stimulus) -> str | None:
+        """How the node ended by itself."""
+        return None if self._process.ended is None else f"after {self.description(stimulus)} it {self._process.ended}"
+
     def measure(self, row: Row) -> None:
         """How often something is sent through the ports of a timed loop."""
         entry = self._subject.entry(row)
         hz = entry.get("hz")
         begin = time.monotonic()
         time.sleep(min(_LONGEST_MEASURE, _PERIODS / hz) if hz else 1.0)
+        heard = self._other.heard()
         for port in entry["publishes"]:
-            times = [at for at in list(self._heard.get(port, ())) if at >= begin]
+            times = [at for at in heard.get(port, ()) if at >= begin]
             intervals = [after - before for before, after in pairwise(times)]
             if intervals:
                 self._measured.rates[row, port] = 1 / median(intervals)

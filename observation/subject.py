@@ -13,7 +13,7 @@ from rosarch.models.machine.cells import Document, value_in
 from rosarch.models.machine.logic import BOOLEAN
 from rosarch.models.machine.logic import Subject as Asked
 from rosarch.models.machine.steps import Row
-from rosarch.observation.content import ContentError, encoded, needed
+from rosarch.observation.content import ContentError, Values, encoded, needed
 from rosarch.observation.machine import Input, Machine, machine
 
 _INLETS = ("subscriber", "service_server")
@@ -63,7 +63,7 @@ class Subject:
     @cached_property
     def inlets(self) -> list[Place]:
         """What something can be put into."""
-        return [place for place in self.places.values() if place.kind in _INLETS and self._encoded(place, {}) is not None]
+        return [place for place in self.places.values() if place.kind in _INLETS and self._can_be_made(place, {})]
 
     @cached_property
     def outlets(self) -> list[Place]:
@@ -112,20 +112,21 @@ class Subject:
 
     def _solves(self, port: str, asked: Asked, value: str) -> bool:
         values = needed(asked, value, self.component.members, self._numbers)
-        return values is not None and self._encoded(self.places[port], values) is not None
+        return values is not None and self._can_be_made(self.places[port], values)
 
-    def message(self, given: Input) -> bytes:
-        """The bytes of an input.
+    def values(self, given: Input) -> Values:
+        """The fields of an input that matter."""
+        values: dict[str, float | str] = {}
+        for asked, value in given.content:
+            values.update(needed(asked, value, self.component.members, self._numbers) or {})
+        return values
+
+    def encoded(self, place: Place, values: Values) -> bytes:
+        """The bytes of a message or a request with these values.
 
         Raises:
             ContentError: none can be made.
         """
-        values: dict[str, float | str] = {}
-        for asked, value in given.content:
-            values.update(needed(asked, value, self.component.members, self._numbers) or {})
-        return self._bytes(self.places[given.port], values)
-
-    def _bytes(self, place: Place, values: Mapping[str, float | str]) -> bytes:
         type_ = place.type
         if place.service:
             service = self.store.services.get(type_)
@@ -134,11 +135,12 @@ class Subject:
             type_ = service.request
         return encoded(self.store, type_, values)
 
-    def _encoded(self, place: Place, values: Mapping[str, float | str]) -> bytes | None:
+    def _can_be_made(self, place: Place, values: Values) -> bool:
         try:
-            return self._bytes(place, values)
+            self.encoded(place, values)
         except ContentError:
-            return None
+            return False
+        return True
 
     def description(self, given: Input) -> str:
         """An input for people: the name, and what of its content matters."""

@@ -72,7 +72,7 @@ def probe(
     results = experiment(subject, found, command, seconds, trials)
     if is_open(model):
         with suppress(StartError, CallError):  # then verdicts report it
-            names = settle(model, subject.name, command, system_rules(question.rules()), question.engine.value)
+            names = settle(subject, model, command, system_rules(question.rules()), question.engine.value)
             results = replace(results, names=names)
     if scenario is not None:
         write_output(scenario, scenario_text(subject, results))
@@ -94,7 +94,15 @@ def _subject(question: Question, node: str) -> tuple[ComponentModel, Subject]:
     if len(models) != 1:
         raise InputError(f"{node} is several nodes: {', '.join(f'{model.package}/{model.component}' for model in models)}")
     store = load_messages(discover(question.folder).packages)
-    return models[0], Subject(to_json(models[0]), store, f"/{models[0].component}")
+    return models[0], Subject(to_json(models[0]), store, f"/{_name(models[0])}")
+
+
+def _name(model: ComponentModel) -> str:
+    """What a node is called in an experiment: in ROS 2, where a program may have several, as its code says if that is known."""
+    from rosarch.observation.company import ROS2
+
+    told = model.node_name if model.middleware == ROS2 else None
+    return told if told and "?" not in told and "/" not in told else model.component
 
 
 def _program(executable: Path | None) -> Path:

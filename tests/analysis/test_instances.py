@@ -384,7 +384,10 @@ def generate_launch_description():
 """
 
 
-FILLED = ECHO.replace('prefix_ = declare_parameter<std::string>("prefix", "");', 'declare_parameter<std::string>("prefix", ""); get_parameter("prefix", prefix_);')
+FILLED = ECHO.replace(
+    'prefix_ = declare_parameter<std::string>("prefix", "");',
+    'declare_parameter<std::string>("prefix", ""); get_parameter("prefix", prefix_);',
+)
 FILLED = FILLED.replace("if (prefix_", "if (!prefix_")
 ANEW = ECHO.replace("if (prefix_", 'get_parameter("prefix", prefix_);\n      if (prefix_')
 
