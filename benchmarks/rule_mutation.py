@@ -93,7 +93,8 @@ def cases_of_systems(program: Program, jobs: int | None) -> Iterator[Case]:
             yield Case(f"systems/{case.id}", rows, frozenset(rule_cases.expectations(case)))
             continue
         check = read_check(TOP / "rules" / "checks" / case.path.name)
-        told = {relation for _, type_ in check.columns for relation in (evidence_of(type_), shown_as(type_))} & program.relations.keys()
+        told = {check.fix_relation} & program.relations.keys()
+        told |= {relation for _, type_ in check.columns for relation in (evidence_of(type_), shown_as(type_))} & program.relations.keys()
         yield Case(case.id, rows, frozenset({check.relation, *told}), partial(finds_other, check, program, rows))
 
 
@@ -138,10 +139,11 @@ def finds_other(check: Check, program: Program, usual: Rows, changed: Rows) -> b
     return findings_of(check, program, {**usual, **changed}) != findings_of(check, program, usual)
 
 
-def findings_of(check: Check, program: Program, rows: Rows) -> set[tuple[str, str]]:
-    """The findings of a check, as `tests/rules/test_checks.py` compares them."""
+def findings_of(check: Check, program: Program, rows: Rows) -> set[tuple[object, ...]]:
+    """The findings of a check with their fixes, as `tests/rules/test_checks.py` compares them."""
     places = {row[0]: Place(*row[1:]) for row in rows["place"]}
-    return {(finding.message, str(finding.place)) for finding in findings([check], Result.of(rows, program), places, "demo")}
+    found = findings([check], Result.of(rows, program), places, "demo")
+    return {(finding.message, str(finding.place), finding.fix) for finding in found}
 
 
 def main() -> int:
