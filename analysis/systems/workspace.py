@@ -60,7 +60,7 @@ def _names(repository: str, package: str) -> bool:
 
 
 def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:
-    """Which packages launch files of the workspace name, and which file is the first, by its name, that names one that is not found."""
+    """Which packages launch files of the workspace name, which of them are not found, and the first file, by its name, that names one of these."""
     top = os.path.abspath(root)
     files = defaultdict(set)
     everywhere: set[str] = set()
@@ -73,6 +73,7 @@ def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:
     inside = {package: sorted(path for path in paths if not os.path.isabs(path)) for package, paths in files.items()}
     return {
         "package_named_somewhere": {(package,) for package in everywhere},
+        "package_absent_somewhere": {(package,) for package in files},
         "package_first_named": {(package, paths[0]) for package, paths in inside.items() if paths},
     }
 
