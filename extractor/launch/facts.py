@@ -43,6 +43,7 @@ if TYPE_CHECKING:
 
 Rows = dict[str, set[tuple[Any, ...]]]
 _LONG = 4096  # characters of a value; a robot's description is no name of anything
+_DOMAIN = "ROS_DOMAIN_ID"
 
 
 def launch_rows(composition: Composition, root: Path) -> Rows:
@@ -124,6 +125,8 @@ class _Writer:
         self.add("started_version", start, node.ros)
         if node.name is None:
             self.add("started_unnamed", start)
+        if _DOMAIN in dict(node.environment):
+            self.add("started_domain", start, dict(node.environment)[_DOMAIN])
         if node.container is not None:
             self.add("loaded_into", start, node.container)
         for depth, place in enumerate(node.lines):

@@ -153,6 +153,7 @@ def _start(
         conditions=context.conditions,
         held=context.held,
         ros=2,
+        environment=_environment(world, made, context),
         called=called,
         container=container,
     )
@@ -160,6 +161,15 @@ def _start(
     started = _with_parameters(world, started, params, context, specified=specified)
     world.state.add_node(started, fatal=False, anew=context.anew)
     return started
+
+
+def _environment(world: World, made: Made, context: Context) -> tuple[tuple[str, str], ...]:
+    """The variables that a process gets from the launch files; what is loaded gets none of its own."""
+    found = {name: value for name, value in context.environment.items() if value is not None}
+    given = made.arguments.get("additional_env")
+    for name, value in given.items() if isinstance(given, dict) else ():
+        found[perform(world, name, context)] = perform(world, value, context)
+    return tuple(sorted(found.items()))
 
 
 def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], context: Context, *, specified: bool) -> NodeStart:

@@ -105,9 +105,9 @@ def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Occurrence]:
             for one in parts:
                 yield from _written(one, names, path, "is no path: TypeError")
         case ast.Call(func=ast.Name(id=kind) | ast.Attribute(attr=kind), keywords=keywords) if kind in ACTIONS:
-            for one in keywords:
-                if one.arg == "condition":
-                    yield from _written(one.value, names, path, "is no condition: IfCondition makes one of it")
+            for keyword in keywords:
+                if keyword.arg == "condition":
+                    yield from _written(keyword.value, names, path, "is no condition: IfCondition makes one of it")
         case ast.Compare(left=left, ops=[ast.Eq() | ast.NotEq() | ast.Is() | ast.IsNot()], comparators=[right]):
             yield from _compared(node, left, right, names, path)
 

@@ -244,7 +244,7 @@ from launch_ros.descriptions import ComposableNode
 def generate_launch_description():
     inner = ComposableNode(package="here", plugin="here::Inner")
     here = os.path.dirname(__file__)
-    viewer = Node(package="rviz2", executable="rviz2", name="viewer", remappings=[("rostopic://a", "b")], arguments=["-d", os.path.join(here, "demo.rviz")])
+    viewer = Node(package="rviz2", executable="rviz2", name="viewer", remappings=[("rostopic://a", "b")], arguments=["-d", os.path.join(here, "demo.rviz")], additional_env={"ROS_DOMAIN_ID": "7"})
     arm = os.path.join(here, "arm.launch.xml")
     forgotten = Node(package="here", executable="forgotten")
     arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]

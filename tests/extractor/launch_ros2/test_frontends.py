@@ -210,3 +210,17 @@ def test_an_argument_may_be_used_in_a_file_of_parameters_that_is_not_known(tmp_p
     passed = '<arg name="file" value="$(var given)"/><arg name="locked" value="true"/>'
     found = xml(tmp_path, f'<arg name="given"/><include file="$(dirname)/inner.launch.xml">{passed}</include>', inner_launch_xml=inner)
     assert [problem.kind for problem in found.problems] == ["argument"]
+
+
+def test_the_environment_of_nodes(tmp_path: Path) -> None:
+    """What is set for all that follows, and for a node alone; what leaves its group is as it was."""
+    found = xml(
+        tmp_path,
+        '<group><set_env name="ROS_DOMAIN_ID" value="3"/><node pkg="p" exec="a"/><node pkg="p" exec="b"><env name="ROS_DOMAIN_ID" value="7"/></node></group>'
+        '<node pkg="p" exec="c"/>',
+    )
+    assert {node.type: node.environment for node in found.nodes} == {
+        "a": (("ROS_DOMAIN_ID", "3"),),
+        "b": (("ROS_DOMAIN_ID", "7"),),
+        "c": (),
+    }
