@@ -60,7 +60,7 @@ def _names(repository: str, package: str) -> bool:
 
 
 def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:
-    """Which packages launch files of the workspace name, which of them are not found, and the first file, by its name, that names one of these."""
+    """Which packages launch files of the workspace name, which are not found, and the first file, by its name, that names one of these."""
     top = os.path.abspath(root)
     files = defaultdict(set)
     everywhere: set[str] = set()
