@@ -86,9 +86,8 @@ class Participant:
                     silent[full] = " ".join(str(error).split())
                     continue
                 for port, port_types in found:
-                    if "/_action/" not in port:
-                        ports.append((kind, full, port))
-                        types[kind.split("_")[0], port] = port_types[0]
+                    ports.append((kind, full, port))
+                    types[kind.split("_")[0], port] = port_types[0]
             try:
                 held += [f"{full}/{parameter}" for parameter in self._parameters(full)] if parameters else []
             except TimeoutError as error:

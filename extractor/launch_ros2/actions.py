@@ -15,6 +15,7 @@ from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch_ros2.conditions import condition_held, holds
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.expressions import Raised
+from rosarch.extractor.launch_ros2.parameters import evaluated
 from rosarch.extractor.launch_ros2.registry import NATIVES
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import NOTHING, Bound, Either, Function, Instance, Made, Native, Unknown, is_derived
@@ -274,6 +275,7 @@ def _unset_environment(world: World, made: Made, context: Context) -> None:
 def _namespace(world: World, made: Made, context: Context) -> None:
     context.namespace = joined(context.namespace, perform(world, made.get("namespace"), context))
     require_namespace(context.namespace)
+    context.is_in_namespace = True
 
 
 _WORD = r"[A-Za-z_][A-Za-z0-9_]*"
@@ -316,7 +318,8 @@ def _remap(world: World, made: Made, context: Context) -> None:
 @carries_out("SetParameter")
 def _parameter(world: World, made: Made, context: Context) -> None:
     name = perform(world, made.get("name"), context)
-    context.add_params(Given(made.arguments.get("value"), world.state.here, context.conditions, name=name, shared=True))
+    value = evaluated(world, made.arguments.get("value"), context)  # as it is now, whatever changes later
+    context.add_params(Given(value, world.state.here, context.conditions, name=name, shared=True))
 
 
 @carries_out("SetUseSimTime")

@@ -58,6 +58,8 @@ class Context:
 
     Remappings and parameters for all nodes are lists that groups share, as in launch: what a group adds to one of before stays.
 
+    It `is_in_namespace` when one was pushed, be that the root.
+
     `origins` are those of configurations that are arguments; `environment` is what differs from the environment `outside`, with None for a
     variable that was unset.
     """
@@ -68,6 +70,7 @@ class Context:
     outside: Mapping[str, str] = field(default_factory=dict)
     environment: dict[str, str | None] = field(default_factory=dict)
     namespace: str = ""
+    is_in_namespace: bool = False
     remaps: list[Remap] = field(default_factory=list)
     params: list[Given] = field(default_factory=list)
     conditions: tuple[Condition, ...] = ()
@@ -96,7 +99,7 @@ class Context:
     def clear(self) -> None:
         """Forget all configurations, of which namespace, remappings and parameters for all nodes are some."""
         self.configurations.clear()
-        self.namespace, self.remaps, self.params = "", [], []
+        self.namespace, self.is_in_namespace, self.remaps, self.params = "", False, [], []
 
     def put(self, values: Mapping[str, str]) -> None:
         """Set configurations, for all that follows."""
@@ -143,7 +146,8 @@ class Context:
             yield
         finally:
             self.configurations, self.origins, self.environment = kept.configurations, kept.origins, kept.environment
-            self.namespace, self.remaps, self.params = kept.namespace, kept.remaps, kept.params
+            self.namespace, self.is_in_namespace = kept.namespace, kept.is_in_namespace
+            self.remaps, self.params = kept.remaps, kept.params
 
     @contextmanager
     def within(self, *conditions: Condition) -> Iterator[None]:

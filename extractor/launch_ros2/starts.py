@@ -157,8 +157,8 @@ def _start(
         called=called,
         container=container,
     )
-    specified = name is not None and (namespace != "" or made.get("namespace", "node_namespace") is not None)
-    started = _with_parameters(world, started, params, context, specified=specified)
+    in_namespace = namespace != "" or context.is_in_namespace or made.get("namespace", "node_namespace") is not None
+    started = _with_parameters(world, started, params, context, specified=name is not None and in_namespace)
     world.state.add_node(started, fatal=False, anew=context.anew)
     return started
 

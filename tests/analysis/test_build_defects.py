@@ -153,7 +153,9 @@ setup(name='lens', packages=[], data_files=[
     ('share/lens', ['package.xml', 'gone.yaml'])])
 """
     one = built(tmp_path / "d", "lens", "ament_python", **{"setup.py": setup})
-    assert [(each.path.name, each.line, each.kind, each.about) for each in of_build(one)] == [("setup.py", 3, "install source", "gone.yaml")]
+    assert [(each.path.name, each.line, each.kind, each.about) for each in of_build(one)] == [
+        ("setup.py", 3, "install source", "gone.yaml")
+    ]
 
 
 def test_names_and_build_types(tmp_path: Path) -> None:
@@ -190,7 +192,12 @@ def test_descriptions_of_plugins(tmp_path: Path) -> None:
 def test_scripts_in_python_2(tmp_path: Path) -> None:
     for ros, first, expected in ((2, "python", [("knob.py", 2)]), (1, "python3", [("knob.py", 2)]), (1, "python", [])):
         root = tmp_path / f"{ros}{first}"
-        built(root, "light", "ament_cmake", **{"scripts/knob.py": f"#!/usr/bin/env {first}\nprint 'on'\n", "CMakeLists.txt": "project(light)\n"})
+        built(
+            root,
+            "light",
+            "ament_cmake",
+            **{"scripts/knob.py": f"#!/usr/bin/env {first}\nprint 'on'\n", "CMakeLists.txt": "project(light)\n"},
+        )
         suffix = ".launch.xml" if ros == 2 else ".launch"
         node = '<node pkg="light" exec="knob.py"/>' if ros == 2 else '<node pkg="light" type="knob.py" name="knob"/>'
         (root / f"a{suffix}").write_text(f"<launch>{node}</launch>")

@@ -99,9 +99,7 @@ def test_rows(tmp_path: Path) -> None:
     assert found["plugin_base_registered"] == {("demo", "part", "demo::plugins", "base::Other")}
     assert found["registering_open"] == {("demo", "part")}  # for a source that is not there
     assert found["plugin_exported"] == {("demo/plugins.xml:1:1", "demo", name) for name in ("demo/plugins", "demo::plugins")}
-    assert found["plugin_exported_for"] == {
-        ("demo/CMakeLists.txt:5:1", "demo", "base", name) for name in ("demo/plugins", "demo::plugins")
-    }
+    assert found["plugin_exported_for"] == {("demo/CMakeLists.txt:5:1", "demo", "base", name) for name in ("demo/plugins", "demo::plugins")}
     assert found["plugin_left_out"] == {("demo/CMakeLists.txt:7:1", "demo", "more.xml", name) for name in ("demo/more", "demo::more")}
     assert found["descriptions_open"] == {("demo",)}
     declared = load_declarations(rules_folder() / "schema" / "build.dl")

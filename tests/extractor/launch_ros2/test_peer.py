@@ -414,3 +414,22 @@ def test_environment_variables_are_appended_as_said(tmp_path: Path) -> None:
 def test_substitutions_in_a_list_of_yaml(tmp_path: Path) -> None:
     text = "launch:\n- node: {pkg: here, exec: run, name: n, param: [{name: p, value: [$(var x), w]}]}\n"
     assert params(composed(tmp_path, {"main.launch.yaml": text}, {"x": "z"})) == {"/n/p": ["z", "w"]}
+
+
+def test_parameters_for_all_nodes_are_what_they_were_when_they_were_set(tmp_path: Path) -> None:
+    actions = (
+        "SetLaunchConfiguration('a', 'one'), SetParameter('p', LaunchConfiguration('a')), SetLaunchConfiguration('a', 'two'), node('n')"
+    )
+    assert params(described(tmp_path / "b", actions)) == {"/n/p": "one"}
+    unset = described(tmp_path / "c", "SetParameter('p', LaunchConfiguration('gone'))")
+    assert unset.refusal is not None
+    assert unset.refusal.message == "launch configuration `gone` is not set"
+
+
+def test_a_node_in_the_root_namespace_that_was_pushed_is_named_in_full(tmp_path: Path) -> None:
+    """What is given as a map is for it alone then; what is for all nodes came first."""
+    file = "os.path.join(os.path.dirname(__file__), 'p.yaml')"
+    for pushed, rate in (("PushRosNamespace(''), ", 1), ("", 2)):
+        text = _ends(f"SetParameter('q', 0), {pushed}Node(package='here', executable='run', name='n', parameters=[{{'rate': 1}}, {file}])")
+        found = composed(tmp_path / str(rate), {"main.launch.py": HEAD + text, "p.yaml": "/**:\n  ros__parameters: {rate: 2}\n"})
+        assert params(found) == {"/n/q": 0, "/n/rate": rate}
