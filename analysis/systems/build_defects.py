@@ -19,6 +19,8 @@ from rosarch.extractor.workspace.installs import line_with
 
 _GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
 _PROJECT = re.compile(r"^[ \t]*project[ \t]*\([ \t]*([A-Za-z][\w-]*)", re.MULTILINE | re.IGNORECASE)
+_ADDED = ("message", "service", "action")
+_ADDS = re.compile(rf"^[ \t]*add_({'|'.join(_ADDED)})_files\s*\(([^()]*)\)", re.MULTILINE)
 _COMMENT = re.compile(r"#[^\n]*")
 _INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
 _FIELD = re.compile(r"[ \t]*[\w/]+(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
@@ -51,11 +53,13 @@ def defects(composition: Composition, builds: Sequence[Built]) -> Iterator[tuple
 
 @lru_cache(maxsize=256)
 def of_interfaces(package: Built) -> tuple[Defect, ...]:
-    """What keeps the interfaces of a package of ROS 2 from being generated."""
+    """What keeps the interfaces of a package from being generated."""
     cmake = package.folder / "CMakeLists.txt"
-    text = _COMMENT.sub("", text_or_nothing(cmake)) if package.build_type == "ament_cmake" else ""
+    text = _COMMENT.sub("", text_or_nothing(cmake))
+    if package.build_type == "catkin":
+        return tuple(_of_catkin_interfaces(package, cmake, text))
     found = _GENERATES.search(text)
-    if found is None:
+    if found is None or package.build_type != "ament_cmake":
         return ()
     line = 1 + text.count("\n", 0, found.start(1))
     manifest = package.folder / "package.xml"
@@ -90,6 +94,18 @@ def of_build(package: Built) -> tuple[Defect, ...]:
     if project is not None and project[1] != package.name:
         result.append(Defect(build, line_with(build, project[0].strip()), "project name", project[1]))
     return tuple(result)
+
+
+def _of_catkin_interfaces(package: Built, cmake: Path, text: str) -> Iterator[Defect]:
+    """Interfaces of ROS 1 that no call lists, and lists of which nothing is made."""
+    calls = list(_ADDS.finditer(text))
+    for call in calls:
+        line, kind = 1 + text.count("\n", 0, call.start(1)), _KINDS[_ADDED.index(call[1])]
+        for path in sorted((package.folder / kind).glob(f"*.{kind}")) if len(calls) == len({one[1] for one in calls}) else ():
+            if "${" not in call[2] and not package.unsure and not package.brings(f"share/{package.name}/{kind}/{path.name}"):
+                yield Defect(cmake, line, "interface left out", f"{package.name}/{path.stem}")
+    if calls and not re.search(r"\bgenerate_messages\s*\(", text) and not package.unsure:
+        yield Defect(cmake, 1 + text.count("\n", 0, calls[0].start(1)), "interfaces not made", "")
 
 
 def _of_interface(package: Built, cmake: Path, line: int, path: Path, *, known: bool) -> Iterator[Defect]:

@@ -97,6 +97,23 @@ def test_launch_files(tmp_path: Path) -> None:
     assert list(defects(compose([tmp_path / "lamp" / "launch" / "a.launch.xml"], files=Files(PackagePath([tmp_path]))), [package])) == []
 
 
+def test_interfaces_of_ros1(tmp_path: Path) -> None:
+    def found(name: str, calls: str, **files: str) -> list[tuple[int, str, str]]:
+        cmake = f"project(lamp)\nfind_package(catkin REQUIRED COMPONENTS message_generation)\n{calls}\ncatkin_package()\n"
+        messages = {"msg/Dim.msg": "float32 level\n", "msg/Hue.msg": "float32 level\n", "srv/Off.srv": "---\n"}
+        one = built(tmp_path / name, "lamp", "catkin", **{"CMakeLists.txt": cmake, **messages, **files})
+        return [(each.line, each.kind, each.about) for each in of_interfaces(one)]
+
+    listed = "add_message_files(\n  FILES Dim.msg)\ngenerate_messages(DEPENDENCIES std_msgs)"
+    assert found("a", listed) == [(3, "interface left out", "lamp/Hue")]
+    assert found("b", "add_message_files()\nadd_service_files(FILES Off.srv)\ngenerate_messages()") == []
+    assert found("c", "add_message_files(FILES Dim.msg Hue.msg)") == [(3, "interfaces not made", "")]
+    assert found("d", "add_message_files(FILES ${ALL})\ngenerate_messages()") == []
+    assert found("e", "add_message_files(FILES Dim.msg)\nadd_message_files(FILES Hue.msg)\ngenerate_messages()") == []
+    assert found("f", "somebody_generates()\nadd_message_files(FILES Dim.msg)") == []
+    assert found("g", "") == []
+
+
 COMPONENTS = """project({})
 find_package(rclcpp_components REQUIRED)
 add_library(focus SHARED focus.cpp)
