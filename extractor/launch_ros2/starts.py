@@ -189,6 +189,8 @@ def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], 
             files[found.path] = _sections(found)
             continue
         setting = _setting(world, found, context)
+        if isinstance(found, Setting) and found.source is None and not loaded:
+            _require_one_type(world, found)
         if isinstance(found, Unread):
             kept.append(ProcessSetting(ALL, setting, read=False))
             world.state.unread.append(replace(setting, name=started.full_name))
@@ -205,6 +207,15 @@ def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], 
         process=() if loaded else tuple(kept),
         own_params=tuple(own_params),
     )
+
+
+def _require_one_type(world: World, found: Setting) -> None:
+    """Report a list that arrives with elements of several types: launch_ros quotes the text `true` and leaves `y` and `1e3` as they are."""
+    if isinstance(found.value, list):
+        kinds = {type(item) for item in found.value if not (isinstance(item, str) and world.state.unknowns.is_open(item))}
+        if len(kinds) > 1:
+            message = f"the parameter `{found.name}`: its elements arrive as several types, {found.value}"
+            world.state.report(LaunchError("ros-argument", found.name, message), fatal=False, place=found.place)
 
 
 def _sections(read: Read) -> ParamsGiven:

@@ -433,3 +433,12 @@ def test_a_node_in_the_root_namespace_that_was_pushed_is_named_in_full(tmp_path:
         text = _ends(f"SetParameter('q', 0), {pushed}Node(package='here', executable='run', name='n', parameters=[{{'rate': 1}}, {file}])")
         found = composed(tmp_path / str(rate), {"main.launch.py": HEAD + text, "p.yaml": "/**:\n  ros__parameters: {rate: 2}\n"})
         assert params(found) == {"/n/q": 0, "/n/rate": rate}
+
+
+def test_a_list_that_arrives_as_several_types(tmp_path: Path) -> None:
+    """PyYAML writes `y` as it is, which is a Boolean for rcl, and so the node does not start."""
+    found = described(tmp_path, "node('n', parameters=[{'axes': ['x', 'y', 'z'], 'flags': ['y', 'n'], 'words': ['true', 'x']}])")
+    assert problems(found, tmp_path) == [
+        "launch/main.launch.py:16:12: the parameter `axes`: its elements arrive as several types, ['x', True, 'z']"
+    ]
+    assert found.refusal is None
