@@ -151,6 +151,28 @@ def test_a_renamed_parameter(tmp_path: Path, rosarch: Callable, monkeypatch: pyt
     assert ("parameter-renamed" in again.out, again.err.count("rosarch: 1 change in 1 file\n")) == (False, 1)
 
 
+@pytest.mark.slow
+def test_a_program_by_the_name_of_its_file(tmp_path: Path, rosarch: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    setup = "from setuptools import setup\nsetup(name='kitchen', packages=['kitchen'], entry_points={'console_scripts': ['cook = kitchen.cook:main']})\n"
+    files = {
+        "package.xml": MANIFEST.replace("robot</name>", "kitchen</name>").replace("ament_cmake<", "ament_python<"),
+        "setup.py": setup,
+        "setup.cfg": "[install]\ninstall_scripts=$base/lib/kitchen\n",
+        "kitchen/__init__.py": "",
+        "kitchen/cook.py": "import rclpy\n\n\ndef main():\n    rclpy.init()\n    rclpy.spin(rclpy.create_node('cook'))\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    launch = tmp_path / "a.launch.xml"
+    launch.write_text('<launch>\n  <node pkg="kitchen" exec="cook.py" name="cook"/>\n</launch>\n')
+    assert "  fix: a.launch.xml:2: `cook.py` becomes `cook`\n" in rosarch("check", ".").out
+    again = rosarch("check", ".", "--fix")
+    assert 'exec="cook" name' in launch.read_text()
+    assert "program-not-installed" not in again.out
+
+
 def test_fix_and_diff_exclude_each_other(tmp_path: Path, rosarch: Callable) -> None:
     outcome = rosarch("check", tmp_path, "--fix", "--diff")
     assert outcome.code == 2
