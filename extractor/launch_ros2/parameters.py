@@ -111,8 +111,27 @@ def _of_map(world: World, value: Mapping[Any, Any], given: Given, context: Conte
         if isinstance(item, Mapping):
             yield from _of_map(world, item, given, context, f"{name}.")
         elif item is not NOTHING:
-            value = _arriving(evaluated(world, item, context), given)
+            value = _arriving(evaluated(world, _of_one_type(name, item), context), given)
             yield Setting(name, value, given.place, given.conditions, nodes=given.node or ALL)
+
+
+_PLAIN = (bool, int, float, str)
+
+
+def _of_one_type(name: str, value: Any) -> Any:
+    """A list as launch_ros takes it: whole numbers among doubles become doubles.
+
+    Raises:
+        LaunchError: its elements are of other several types.
+    """
+    if not isinstance(value, (list, tuple)) or not all(type(item) in _PLAIN for item in value):
+        return value
+    kinds = {type(item) for item in value}
+    if kinds == {int, float}:
+        return [float(item) for item in value]
+    if len(kinds) > 1:
+        raise LaunchError("parameter", name, f"the elements of the parameter `{name}` are of several types")
+    return value
 
 
 def _arriving(value: Any, given: Given) -> Any:

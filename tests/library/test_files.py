@@ -41,7 +41,7 @@ def generate_launch_description():
         DeclareLaunchArgument("other", default_value="false", choices=["true", "false"]),
         GroupAction([
             PushRosNamespace("robot"),
-            Node(package="base", executable="drive", name="drive", parameters=[rewritten, {{"list": [1, 2.5, True]}}], remappings=[("a", "b")]),
+            Node(package="base", executable="drive", name="drive", parameters=[rewritten, {{"list": [1, 2.5]}}], remappings=[("a", "b")]),
         ], condition=UnlessCondition(LaunchConfiguration("other"))),
         IncludeLaunchDescription(PythonLaunchDescriptionSource(elsewhere), condition=IfCondition(LaunchConfiguration("other"))),
         Declared("kind", default_value="none"),

@@ -442,3 +442,14 @@ def test_a_list_that_arrives_as_several_types(tmp_path: Path) -> None:
         "launch/main.launch.py:16:12: the parameter `axes`: its elements arrive as several types, ['x', True, 'z']"
     ]
     assert found.refusal is None
+
+
+def test_lists_of_several_types(tmp_path: Path) -> None:
+    """As launch_ros said: numbers become doubles, and it stops at others."""
+    taken = described(tmp_path / "b", "node('n', parameters=[{'p': [1, 2.5]}])")
+    assert params(taken) == {"/n/p": [1.0, 2.5]}
+    assert taken.problems == ()
+    for values in ("[1, 2.5, True]", "[True, 1]", "['a', 1]", "[True, 'x']"):
+        found = described(tmp_path / values, f"node('n', parameters=[{{'p': {values}}}])")
+        assert found.refusal is not None
+        assert found.refusal.message == "the elements of the parameter `p` are of several types"
