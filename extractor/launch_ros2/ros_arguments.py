@@ -76,14 +76,16 @@ def require_rule(world: World, source: str, target: str, place: Place) -> None:
 def _remap(world: World, rule: str, found: RosArguments) -> None:
     given, _, target = rule.partition(":=")
     node, source = prefixed(given)
-    if source in ("__node", "__name", "__ns"):
-        require_rule(world, given, target, world.state.here)
-        if source == "__ns":
-            found.namespaces.append((node, target))
-        elif not node:
-            found.name = found.name or target
-    else:
-        found.remaps.append(Remap(given, target, world.state.here))
+    if source == "__ns":
+        found.namespaces.append((node, target))
+    if node or source not in ("__node", "__name", "__ns"):
+        found.remaps.append(
+            Remap(given, target, world.state.here)
+        )  # of several nodes of a process, it may be for one that only its code names
+        return
+    require_rule(world, given, target, world.state.here)
+    if source != "__ns":
+        found.name = found.name or target
 
 
 def _param(world: World, text: str, found: RosArguments) -> None:
