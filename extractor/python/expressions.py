@@ -232,7 +232,7 @@ def _subscript(body: Body, node: ast.expr) -> str:
     assert isinstance(node, ast.Subscript)
     value, index = lower(body, node.value), lower(body, node.slice)
     expr = body.operator(node, "[]", value, index)
-    if body.flow.guarded and isinstance(node.ctx, ast.Load):
+    if isinstance(node.ctx, ast.Load):
         body.flow.evaluate(expr)  # there may be no such element
     return expr
 
