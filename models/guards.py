@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -22,6 +23,8 @@ LOCAL = "local_"
 
 MOST_STEPS = 20_000
 """For one guard: among functions that call each other in circles the ways multiply. What lies beyond is taken as possible."""
+
+_CAST = re.compile(r"\w+_cast<(?P<type>[^<>]*)>\s*\((?P<inner>.*)\)|\((?P<plain>[\w: ]+)\)\s*(?P<bare>.*)", re.DOTALL)
 
 CREATION = "creation "
 """Begins the root of what is made at any time, the start of the program included; a function may follow that is taken as entered."""
@@ -96,7 +99,7 @@ class Guards:
             self._locals[node].append((name, value))
         shadowing = sorted(relations.get("shadows_state", ()))
         shadows = {name for _, name in shadowing}
-        self._meant = _apart_from_state(self._texts, shadowing, self._locals)
+        self._meant = _converted(_apart_from_state(self._texts, shadowing, self._locals), relations.get("cast_written", ()))
         self._tests: dict[str, list[tuple[str, str]]] = defaultdict(list)
         for node, written, function in sorted(relations.get("test_written", ())):
             self._tests[node].append((written, function))
@@ -277,6 +280,15 @@ def _apart_from_state(
     for node, name in shadowing:
         if node in found and name not in {local for local, _ in settled.get(node, ())}:
             found[node] = replaced(found[node], name, LOCAL + name)
+    return found
+
+
+def _converted(texts: Mapping[str, str], casts: Iterable[Row]) -> Mapping[str, str]:
+    """The texts in which casts that may give another number than they are given are calls: they do not stand for what is in them."""
+    found = dict(texts)
+    for node, written in sorted(casts):
+        if node in found and (match := _CAST.fullmatch(written)):
+            found[node] = replaced(found[node], written, f"{match['type'] or match['plain']}({match['inner'] or match['bare']})")
     return found
 
 

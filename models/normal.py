@@ -142,6 +142,8 @@ def _operand(operand: Operand, holds: bool) -> str:
 
 def _comparison(parsed: Comparison, holds: bool) -> str:
     left, right = (f"({side})" if loosest(side) in _LOOSE or _compares(side) else side for side in (parsed.left, parsed.right))
+    if parsed.op == "is":
+        return f"{left} {'is' if holds else 'is not'} {right}"
     if parsed.op == "==":
         return f"{left} {'==' if holds else '!='} {right}"
     source = f"{left} {parsed.op} {right}"

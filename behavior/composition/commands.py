@@ -13,7 +13,6 @@ from rosarch.behavior.composition.model import Command, Model, Queue, Variable
 from rosarch.behavior.composition.reactions import Effect, cases_of, effects
 from rosarch.behavior.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.elapsed import LONG
-from rosarch.models.machine.limits import below_zero
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
 from rosarch.models.machine.reactions import is_ambiguous
 from rosarch.models.machine.steps import Step
@@ -335,7 +334,7 @@ def _taken_for_granted(
     for subject, values in effect.choices.items():
         text = _condition_text(subject, values)
         from_outside = topic is not None and not topic.senders and component.is_content(trigger, subject.text)
-        from_outside = from_outside and not (component.is_unsigned(trigger) and all(map(below_zero, values)))
+        from_outside = from_outside and any(component.is_in_type(trigger, value) for value in values)
         if not (topic and builder.inputs.content(topic.name, subject) is not None):
             (inputs if from_outside and not subject.hidden else assumes).append(text)
     assumes += [f"{component.variables[key].text} is {value} then" for key, value in effect.before.items() if key in component.measured]

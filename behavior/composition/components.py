@@ -11,12 +11,14 @@ from typing import Any
 from rosarch.models.machine.cells import Document, Domains, value_in
 from rosarch.models.machine.counting import whole
 from rosarch.models.machine.elapsed import with_elapsed
+from rosarch.models.machine.limits import NO_NUMBER, is_beyond
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger, names_of_messages
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import START, gated, gates, starting
 from rosarch.models.rhythm import runnable_document
 
+_INTEGER = re.compile(r"std_msgs/(?:(?P<signed>Int)|UInt|Byte|Bool|Char)(?P<bits>8|16|32|64|)")
 _FIELD = re.compile(r"\(?\*?(?P<message>\w+)\)?(?:->|\.)(?P<path>[\w.>\[\]-]+)")
 
 
@@ -95,10 +97,14 @@ class Component:
             return False
         return self.document.get("traits") is None or match["message"] in names_of_messages(self.document, [trigger])
 
-    def is_unsigned(self, trigger: str) -> bool:
-        """Whether the only field of the message that a trigger is has no value below zero."""
+    def is_in_type(self, trigger: str, value: str) -> bool:
+        """Whether the only field of the message that a trigger is may be such a number."""
         types = {str(port["id"]): str(port.get("type")) for port in self.document.get("ports") or ()}
-        return re.fullmatch(r"std_msgs/(UInt(8|16|32|64)|Byte|Bool|Char)", types.get(trigger, "").replace("/msg/", "/")) is not None
+        match = _INTEGER.fullmatch(types.get(trigger, "").replace("/msg/", "/"))
+        if value == NO_NUMBER or match is None:
+            return value != NO_NUMBER
+        bits, signed = int(match["bits"] or 8), bool(match["signed"])
+        return not is_beyond(value, -(2.0 ** (bits - 1)) if signed else 0, 2.0 ** (bits - signed) - 1)
 
     @cached_property
     def together(self) -> Mapping[str, frozenset[str]]:

@@ -22,6 +22,7 @@ from rosarch.behavior.composition.system import ENVIRONMENT, End, System
 from rosarch.behavior.simulation.records import Event, Record
 from rosarch.models.machine.cells import value_in
 from rosarch.models.machine.conditions import spaced
+from rosarch.models.machine.limits import NO_NUMBER
 from rosarch.models.machine.logic import BOOLEAN, Subject
 
 Waits = Generator[simpy.Event, object, None]
@@ -224,7 +225,7 @@ class _Run:
         if chance is not None and subject.values == BOOLEAN:
             return BOOLEAN[self.random.random() >= chance]
         self.record.guessed[node.name, subject.text] += 1
-        return self.random.choice(subject.values)
+        return self.random.choice([value for value in subject.values if value != NO_NUMBER])
 
     def _finish(self, node: _Node, trigger: str, message: Message | None, effect: Effect, start: float) -> None:
         """What a reaction changes and sends."""

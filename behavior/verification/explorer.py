@@ -50,8 +50,8 @@ class Explorer:
         self._steps: list[tuple[Callable[[State], bool], Callable[[State], State]]] = []
         for transition in system.transitions:
             given = {self._places[name]: self._python(value) for name, value in transition.updates}
-            following = ", ".join(given.get(place, f"s[{place}]") for place in range(len(system.numbers)))
-            self._steps.append((self.function(transition.guard), _compiled(f"({following},)")))
+            following = "".join(given.get(place, f"s[{place}]") + ", " for place in range(len(system.numbers)))
+            self._steps.append((self.function(transition.guard), _compiled(f"({following})")))
 
     def _python(self, part: Expression) -> str:
         return written(part, _SIGNS, lambda name: f"s[{self._places[name]}]")

@@ -206,6 +206,7 @@ def _lower_cast(body: Body, tree: Tree) -> str:
         return lower_expression(body, stripped)
     expr = operator_expression(body, tree, "cast", "cast", inner[-1:])
     body.unit.add("expr_type", expr, declare_type(body.unit, libclang.cursor_type(tree.cursor)))
+    body.unit.add("expr_text", expr, body.unit.text(body.unit.span_of(tree)))
     return expr
 
 

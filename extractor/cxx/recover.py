@@ -31,6 +31,7 @@ _NO_CALLEE = (b"(", b")", b";", b"{", b"}", b"=")
 """Signs that are not in what `_CALL` finds, but for its end."""
 _KEYWORDS = frozenset(
     {"if", "while", "for", "switch", "return", "catch", "sizeof", "defined", "new", "delete", "throw", "else", "do", "and", "or", "not"}
+    | {"static_cast", "dynamic_cast", "const_cast", "reinterpret_cast", "decltype", "typeid", "alignof", "noexcept", "static_assert"}
 )
 _NUMBER = re.compile(r"[-+]?(\d+|\d*\.\d+|\d+\.\d*)([eE][-+]?\d+)?[fFuUlL]*")
 _NAME = re.compile(r"&?\s*(?:\w+\s*(?:\.|->|::)\s*)*\w+")

@@ -23,8 +23,21 @@ from rosarch.models.machine.conditions import (
     parse_condition,
     strip,
 )
-from rosarch.models.machine.counting import WIDE, Arithmetic, Counting, arithmetic, calculated, counting, step, stepped, whole, width
-from rosarch.models.machine.limits import MOST_LIMITS, are_ranges, is_path, range_of, ranges
+from rosarch.models.machine.counting import (
+    WIDE,
+    Arithmetic,
+    Counting,
+    arithmetic,
+    calculated,
+    counting,
+    is_integer,
+    step,
+    stepped,
+    stored,
+    whole,
+    width,
+)
+from rosarch.models.machine.limits import MOST_LIMITS, NO_NUMBER, are_ranges, is_path, range_of, ranges
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Subject
 from rosarch.models.machine.pointers import asked_object, begins_null, is_nothing, may_be_null
 
@@ -173,7 +186,8 @@ class Domains:
         self._counts = counts
         begins = (document.get("traits") or {}).get("field_begins", ())
         self._fields = {(str(name), str(path)): str(value) for name, path, value in begins}
-        self._repeated = {str(place) for (place,) in (document.get("traits") or {}).get("repeated", ())} if counts else set()
+        repeated = (document.get("traits") or {}).get("repeated", ()) if counts else ()
+        self._unknown = {str(place) for (place,) in (*repeated, *(document.get("traits") or {}).get("converted", ()))}
         self._variables = {v["name"]: v for v in reversed(document.get("state_variables") or ())}
         self._order = list(dict.fromkeys(v["name"] for v in document.get("state_variables") or ()))
         self.locator = Locator(self._order)
@@ -204,12 +218,23 @@ class Domains:
         draft = self._inputs.get(compact(text), _Draft())
         if (limits := self._limits(draft)) and is_path(compact(text)):
             return Subject(compact(text), strip(text), ranges(limits))
-        return Subject(compact(text), strip(text), _values(draft.constants, True) if draft.constants else BOOLEAN)
+        return Subject(compact(text), strip(text), _values(draft.constants, True) if draft.constants.keys() - set(BOOLEAN) else BOOLEAN)
+
+    def constant(self, text: str, owner: str) -> str | None:
+        """The constant that a text denotes: none where a state variable is called as constants are."""
+        known = constant(text)
+        return None if known is None or (is_name(known) and self.locator.locate(text, owner)) else known
 
     def assigned(self, row: Mapping[str, Any]) -> str | None:
-        """What a row gives its variable; of what may be done several times in a row that is known for constants only."""
+        """What a row gives its variable, as a number of its type.
+
+        Of what may be done several times in a row, or is a number of another type, that is known for constants only.
+        """
         text: str | None = row.get("value_normal") or row.get("value")
-        return None if text is not None and constant(text) is None and not self._repeated.isdisjoint(str(row.get("at")).split()) else text
+        if text is not None and constant(text) is None and not self._unknown.isdisjoint(str(row.get("at")).split()):
+            return None
+        variable, suffix = variable_and_field(row, self._variables)
+        return stored(_plain_type(self._variables[variable]), text) if text and not suffix and variable in self._variables else text
 
     def _read_condition(self, condition: Condition, owner: str) -> None:
         for leaf in atoms(condition):
@@ -224,7 +249,7 @@ class Domains:
         if sides := chosen_sides(asked) or boolean_sides(asked):
             for part in sides:
                 self._read_condition(part, owner)
-        elif asked.op == "==":
+        elif asked.op in ("==", "is"):
             self._read_equality(asked.left, asked.right, owner)
         else:
             if self._counts and (limit := number(asked.right)) is not None and is_path(compact(asked.left)):
@@ -244,7 +269,7 @@ class Domains:
                 self._drafts.setdefault(other, _Draft()).compared = True
 
     def _read_equality(self, left: str, right: str, owner: str) -> None:
-        draft, value = self._draft(left, owner), constant(right)
+        draft, value = self._draft(left, owner), self.constant(right, owner)
         if value is not None:
             draft.constants[value] = None
             return
@@ -278,7 +303,7 @@ class Domains:
         draft.given.append(value)
         if value is None:
             draft.open = True
-        elif (known := constant(value)) is not None:
+        elif (known := self.constant(value, owner)) is not None:
             draft.constants[known] = None
         elif place := self.locator.locate(value, owner):
             draft.copies.add(place)
@@ -314,6 +339,11 @@ class Domains:
         found = {size for size in sizes if size is not None} | draft.limits
         return found if draft.limits and None not in sizes and len(found) <= MOST_LIMITS else set()
 
+    def _ranges(self, place: Place, limits: Iterable[float]) -> tuple[str, ...]:
+        """The ranges that a variable may be in: a whole number is always in one."""
+        is_whole = place[1] == "" and is_integer(_plain_type(self._variables[place[0]]))
+        return tuple(value for value in ranges(limits) if not (is_whole and value == NO_NUMBER))
+
     def _settle(self) -> Iterator[Cell]:
         self._share_limits()
         distinct = {place for place, draft in self._drafts.items() if draft.constants or draft.tested}
@@ -338,7 +368,7 @@ class Domains:
                 yield self._counted(place, found)
                 continue
             limits = self._limits(draft) if draft.open else set()
-            values = ranges(limits) if limits and not place[1].endswith(EMPTY) else self._cell_values(place, draft)
+            values = self._ranges(place, limits) if limits and not place[1].endswith(EMPTY) else self._cell_values(place, draft)
             if draft.assigned and len(values) > 1 and (values == BOOLEAN or limits or place in distinct):
                 yield self._cell(place, values)
                 if values != BOOLEAN and not limits:
@@ -408,7 +438,7 @@ class Domains:
             return constant(self._fields[place])
         if text is not None and constant(str(text)) is not None:
             alone = suffix == "" or sum(place[0] == name for place in self._drafts) == 1
-            return constant(str(text)) if alone else None
+            return constant(stored(type_, str(text))) if alone else None
         if text is None and suffix == "":
             if begins_null(type_):
                 return NULL

@@ -8,6 +8,7 @@ that is not known costs precision, not the machine.
 from __future__ import annotations
 
 import re
+import struct
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -29,7 +30,10 @@ class Operand(Leaf):
 
 @dataclass(frozen=True)
 class Comparison(Leaf):
-    """`left op right`, where `op` is `==`, `<`, `<=`, `>` or `>=`; a constant, if there is one, stands on the right."""
+    """`left op right`, where `op` is `==`, `<`, `<=`, `>` or `>=`; a constant, if there is one, stands on the right.
+
+    Of Python's `x is True` and `x is False`, which are not so of everything that counts as true or false, `op` is `is`.
+    """
 
     op: str
     left: str
@@ -45,11 +49,14 @@ _LONGEST, _DEEPEST = 5000, 50  # tokens, brackets: beyond, a text is taken as a 
 _TOKEN = re.compile(
     r"""\s*(?:
     (?P<text>(?:u8|[uULRrbf])?"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')
-    | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fFuUlL]*)
+    | (?P<number>(?:0[xX][0-9a-fA-F]+|0[bBoO]\d+|(?:\d+(?:['_]\d+)*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[fFuUlL]*)
     | (?P<name>(?:::)?[A-Za-z_]\w*(?:::~?[A-Za-z_]\w*)*)
     | (?P<sign>&&|\|\||==|!=|<=|>=|->|<<|>>|\+\+|--|\+=|-=|\S)
     )""",
     re.VERBOSE,
+)
+_LITERAL = re.compile(
+    r"(?P<sign>[-+]?)\s*(?P<digits>0[xX][0-9a-fA-F]+|0[bBoO]\d+|(\d+(['_]\d+)*\.?\d*|\.\d+)([eE][-+]?\d+)?)(?P<suffix>[fFuUlL]*)"
 )
 _BRACKETS = {"(": ")", "[": "]", "{": "}"}
 _WORDS = {"and": "&&", "or": "||", "not": "!"}
@@ -185,14 +192,23 @@ def is_name(known: str) -> bool:
     return known.isidentifier() and known not in ("true", "false", NULL)
 
 
+def single(value: float) -> float:
+    """A number with as few digits as a `float` keeps."""
+    return float(struct.unpack("f", struct.pack("f", value))[0]) if abs(value) < 1e38 else value
+
+
 def number(text: str) -> float | None:
     """The value of a literal number."""
-    match = re.fullmatch(r"([-+]?)\s*(0[xX][0-9a-fA-F]+|((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?))[fFuUlL]*", text.strip())
+    match = _LITERAL.fullmatch(text.strip())
     if not match:
         return None
-    digits = match.group(2)
-    value = float(int(digits, 16)) if digits[:2] in ("0x", "0X") else float(digits)
-    return -value if match.group(1) == "-" else value
+    digits = re.sub("['_]", "", match["digits"])
+    based = digits.lower() if re.fullmatch(r"0[xXbBoO].*", digits) else f"0o{digits}" if re.fullmatch(r"0\d+", digits) else ""
+    try:
+        value = float(int(based, 0)) if based else single(float(digits)) if match["suffix"][:1] in ("f", "F") else float(digits)
+    except ValueError:
+        return None
+    return -value if match["sign"] == "-" else value
 
 
 def _tokens(text: str) -> list[_Token] | None:
@@ -313,9 +329,17 @@ def _comparison(tokens: Sequence[_Token], start: int, end: int, text: str) -> Co
     if len(found) > 1 or found[0] in (start, end - 1):
         return Operand(whole)
     op, rest = tokens[found[0]].text, found[0] + 1
+    left, right = _text(tokens, start, found[0], text), _text(tokens, rest, end, text)
     if op == "is":
-        op, rest = ("!=", rest + 1) if tokens[rest].text == "not" else ("==", rest)
-    return _normal(op, _text(tokens, start, found[0], text), _text(tokens, rest, end, text))
+        right = right.removeprefix("not ") if (negated := tokens[rest].text == "not") else right
+        same = Comparison("is", strip(left), right) if right in ("True", "False") and _is_operand(left) else _normal("==", left, right)
+        return opposite(same) if negated else same
+    return _normal(op, left, right)
+
+
+def _is_operand(text: str) -> bool:
+    """Whether a text is no condition itself."""
+    return isinstance(parse_condition(text), Operand)
 
 
 def _normal(op: str, left: str, right: str) -> Condition:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import lcm
 
-from rosarch.models.machine.conditions import compact, number, strip
+from rosarch.models.machine.conditions import compact, number, single, strip
 from rosarch.models.machine.logic import OTHER
 
 MOST_VALUES = 128
@@ -200,6 +200,7 @@ class Width:
 
 
 WIDE = Width(64, True)
+_WHOLE = re.compile(r"(?:(?:unsigned|signed|short|long|int|char|u?int\d+_t|size_t)\b ?)+")
 _BITS = (
     (r"\bu?int(8|16|32|64)_t\b", 0),
     (r"\bchar\b|\bbyte\b", 8), (r"\bshort\b", 16), (r"\bsize_t\b|\blong\b", 64), (r"\bint\b|\bunsigned\b", 32),
@@ -211,6 +212,22 @@ def width(type_: str) -> Width:
     signed = not re.search(r"\bunsigned\b|\buint|\bsize_t\b|\bbyte\b", type_)
     found = ((match, bits) for pattern, bits in _BITS if (match := re.search(pattern, type_)))
     return next((Width(bits or int(match[1]), signed) for match, bits in found), WIDE)
+
+
+def is_integer(type_: str) -> bool:
+    """Whether a type of C++ is one of whole numbers."""
+    return bool(_WHOLE.fullmatch(type_))
+
+
+def stored(type_: str, text: str) -> str:
+    """A literal number as a variable of a type keeps it: without its fraction, with as many bits as there are; other texts as they are."""
+    size, kept = number(strip(text)), width(type_)
+    if size is not None and type_ == "float":
+        return repr(single(size))
+    if size is None or not is_integer(type_):
+        return text
+    rest = int(size) % 2**kept.bits
+    return str(rest - 2**kept.bits if kept.signed and rest >= 2 ** (kept.bits - 1) else rest)
 
 
 def _falls(step: Arithmetic, number: int) -> bool:
@@ -264,4 +281,5 @@ def counting(
                 reached.add(after)
                 waiting.append(after)
     above = above or (below and not width.signed)  # below zero are the greatest numbers
+    below = below or (above and width.narrow and least > (-(2 ** (width.bits - 1)) if width.signed else 0))  # where it begins again
     return Counting(least if below else min(reached), most if above else max(reached), above, below, wraps=width.narrow)

@@ -33,13 +33,13 @@ class _Guard:
         return any(self.at[place].isdisjoint(other.at[place]) for place in shared)
 
 
-def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Collection[str] = ()) -> list[Step]:
+def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Collection[str] = (), anew: Collection[str] = ()) -> list[Step]:
     """The steps of a reaction, in order, with the epochs in which their guards test variables; `trees` are those of their guards.
 
-    What is called by an `unsteady` name need not be the same where it is asked again.
+    What is called by an `unsteady` name need not be the same where it is asked again, what a call `anew` gives not even in one condition.
     """
     guards = [_guard(trees.get(step)) for step in steps]
-    again = _asked_again(steps, guards, unsteady) if unsteady else []
+    again = (_asked_again(steps, guards, unsteady) if unsteady else []) + list(_called_again(guards, anew))
     found = []
     for number, step in enumerate(steps):
         epochs: dict[str, int] = {}
@@ -67,6 +67,15 @@ def _asked_again(steps: Sequence[Step], guards: Sequence[_Guard], names: Collect
         if len({place for guard in guards for place in guard.at if any(map(pattern.search, guard.texts(place)))}) > 1:
             found.append(pattern)
     return found
+
+
+def _called_again(guards: Sequence[_Guard], calls: Collection[str]) -> Iterator[re.Pattern[str]]:
+    """Those of the calls that conditions make several times."""
+    leaves = {(place, text) for guard in guards for place in guard.at for text in guard.texts(place)}
+    for call in sorted(calls):
+        pattern = re.compile(rf"(?<![\w.>]){re.escape(compact(call))}")
+        if sum(len(pattern.findall(text)) for _, text in leaves) > 1:
+            yield pattern
 
 
 def _places(guard: _Guard, text: str) -> set[str]:

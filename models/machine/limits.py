@@ -10,6 +10,8 @@ from rosarch.models.machine.conditions import constant, number
 from rosarch.models.machine.counting import COMPARE
 
 MOST_LIMITS = 6
+NO_NUMBER = "no number"
+"""What fractions may be beside: it compares with nothing."""
 _FIRST = "< "
 _PATH = re.compile(r"\*?(?:self\.|this->)?[A-Za-z_]\w*(?:(?:->|\.)[A-Za-z_]\w*)*")
 
@@ -20,13 +22,13 @@ def is_path(text: str) -> bool:
 
 
 def ranges(limits: Iterable[float]) -> tuple[str, ...]:
-    """What the ranges around limits, and the limits themselves, are called, from the least on."""
+    """What the ranges around limits, and the limits themselves, are called, from the least on, and what is none of them."""
     known = sorted(set(limits))
     names = [_text(limit) for limit in known]
     found = [f"{_FIRST}{names[0]}", names[0]]
     for before, name in itertools.pairwise(names):
         found += [f"{before} .. {name}", name]
-    return (*found, f"> {names[-1]}")
+    return (*found, f"> {names[-1]}", NO_NUMBER)
 
 
 def are_ranges(values: Sequence[str]) -> bool:
@@ -41,6 +43,8 @@ def range_of(size: float, values: Sequence[str]) -> str:
 
 def compares(op: str, value: str, limit: float) -> bool | None:
     """Whether what is in a range compares so with a limit; None where some does and some does not."""
+    if value == NO_NUMBER:
+        return False
     least, most = _ends(value)
     if least == most:
         return COMPARE[op](least, limit)
@@ -51,10 +55,12 @@ def compares(op: str, value: str, limit: float) -> bool | None:
     return None
 
 
-def below_zero(value: str) -> bool:
-    """Whether such a name, or a number, stands for numbers below zero alone."""
-    least, most = _ends(value) if value[:1] in "<>" or " .. " in value or number(value) is not None else (0.0, 0.0)
-    return least < 0 and most <= 0
+def is_beyond(value: str, least: float, most: float) -> bool:
+    """Whether such a name, or a number, stands for numbers alone that are less than `least` or more than `most`."""
+    if value == NO_NUMBER or not (value[:1] in "<>" or " .. " in value or number(value) is not None):
+        return False
+    low, high = _ends(value)
+    return high < least or low > most or (low != high and (high <= least or low >= most))
 
 
 def _text(limit: float) -> str:
@@ -73,5 +79,7 @@ def _ends(value: str) -> tuple[float, float]:
 
 
 def _has(value: str, size: float) -> bool:
+    if value == NO_NUMBER:
+        return False
     least, most = _ends(value)
     return least == size == most or least < size < most

@@ -25,7 +25,7 @@ from rosarch.models.machine.conditions import (
     parse_condition,
 )
 from rosarch.models.machine.counting import calculated, stepped
-from rosarch.models.machine.limits import are_ranges, compares, is_path
+from rosarch.models.machine.limits import NO_NUMBER, are_ranges, compares, is_path
 from rosarch.models.machine.logic import (
     BOOLEAN,
     OTHER,
@@ -37,9 +37,10 @@ from rosarch.models.machine.logic import (
 )
 from rosarch.models.machine.pointers import is_something
 
+_CHARACTER = re.compile(r"'(\\.|[^\\])'")
 _INCREMENT = re.compile(r"(?P<name>.+?)\s*(?P<sign>[-+])\s*(?P<step>\d+)")
 _FILLING = re.compile(r"\.(push|push_back|push_front|emplace|emplace_back|emplace_front|insert|append)\(")
-_OPPOSITE = {"==": "!=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
+_OPPOSITE = {"==": "!=", "is": "is not", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 _COMPARE = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 Table = tuple[tuple[Formula, str], ...]
 
@@ -52,9 +53,10 @@ class Assignment:
     table: Table
 
 
-def _may_be_same(value: str, other: str) -> bool:
-    """Whether one is a name and the other a number."""
-    return (is_name(value) and number(other) is not None) or (is_name(other) and number(value) is not None)
+def _may_be_same(value: str, other: str, characters: bool) -> bool:
+    """Whether one is a name, or a character where these are numbers, and the other a number."""
+    named = [is_name(text) or (characters and _CHARACTER.fullmatch(text) is not None) for text in (value, other)]
+    return (named[0] and number(other) is not None) or (named[1] and number(value) is not None)
 
 
 class Meaning:
@@ -92,7 +94,7 @@ class Meaning:
         if sides := boolean_sides(condition):
             one, other = (self.formula(side, owner) for side in sides)
             return Any((conjunction((one, other)), conjunction((negation(one), negation(other)))))
-        return self._equality(condition, owner) if condition.op == "==" else self._order(condition, owner)
+        return self._equality(condition, owner) if condition.op in ("==", "is") else self._order(condition, owner)
 
     def assignments(
         self, variable: str, suffix: str, value: str | None, owner: str, messages: frozenset[str] = frozenset()
@@ -144,7 +146,7 @@ class Meaning:
         limit = number(condition.right)
         if cell and limit is not None and cell.suffix.endswith(EMPTY) and not condition.left.rstrip().endswith(EMPTY[1:]):
             return self._size(cell, lambda size: size == limit, condition, limit)
-        value = constant(condition.right)
+        value = self._domains.constant(condition.right, owner)
         if value is None:
             other = self._domains.cell(self._domains.locator.locate(condition.right, owner))
             one = cell.subject if cell else self._domains.input(condition.left)
@@ -155,13 +157,14 @@ class Meaning:
         known = cell.value_of(condition.right) if cell else value
         if known not in subject.values or known == OTHER:
             return self._compared(condition)
-        unlike = frozenset(v for v in subject.values if v != OTHER and _may_be_same(v, str(known)))  # a name may stand for that number
+        characters = bool(cell and cell.type)  # which are numbers in C++
+        unlike = frozenset(v for v in subject.values if v != OTHER and _may_be_same(v, str(known), characters))
         same = Is(subject, frozenset({str(known)}))
         return Any((same, All((Is(subject, unlike), self._compared(condition))))) if unlike else same
 
     def _same(self, one: Subject, two: Subject, condition: Comparison) -> Formula:
         """Two operands are equal."""
-        shared = [value for value in one.values if value in two.values and value != OTHER]
+        shared = [value for value in one.values if value in two.values and value not in (OTHER, NO_NUMBER)]
         parts: list[Formula] = [All((Is(one, frozenset({value})), Is(two, frozenset({value})))) for value in shared]
         if OTHER in one.values and OTHER in two.values:
             rest = frozenset({OTHER})
@@ -221,7 +224,7 @@ class Meaning:
         if value is None:
             return self._unknown(cell)
         known = cell.value_of(value)
-        if known is not None:
+        if known is not None and not (constant(value) and self._domains.constant(value, owner) is None):
             return ((TRUE, known),)
         if cell.counting:
             return self._counted_on(cell, value)
@@ -303,9 +306,11 @@ class Meaning:
             if current in numbers:
                 reached = constant(repr(numbers[current] + step)) or OTHER
                 rows.append((here, cell.nearest(reached) or current))
-            else:  # counting on from a value without a name passes the outermost named one at most
+            elif current == OTHER:  # counting on from there passes the outermost number at most
                 beyond = sorted(numbers, key=lambda v: numbers[v] * step)[1:]
                 rows += self._choice(cell, here, [*beyond, current])
+            else:  # which number a name stands for is not known
+                rows += self._choice(cell, here, list(cell.subject.values))
         return tuple(rows)
 
     def _unknown(self, cell: Cell) -> Table:

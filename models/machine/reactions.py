@@ -86,8 +86,9 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             for trigger in _triggers(way, loops):
                 found.setdefault(trigger, []).append(own)
     later = _done_later(document)
-    unsteady = {str(name) for (name,) in (document.get("traits") or {}).get("unsteady_name", ())}
-    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees, unsteady) for trigger, steps in found.items()}
+    traits = document.get("traits") or {}
+    unsteady, anew = ({str(name) for (name,) in traits.get(trait, ())} for trait in ("unsteady_name", "gives_another"))
+    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees, unsteady, anew) for trigger, steps in found.items()}
     return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
 
 

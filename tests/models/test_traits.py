@@ -25,6 +25,7 @@ COUNTS = (
     "round_least",
     "names_message",
     "unsteady_name",
+    "gives_another",
 )  # `tests/rules/sources/flows_*.cpp` and `answers_*.cpp` have them
 MODES = (
     "begins_in",

@@ -157,6 +157,11 @@ def test_a_dropped_call_of_a_method_that_may_be_inherited(facts_of) -> None:
     assert facts.arguments(calls["make"])[:1] and facts.one("this_use", facts.one("call_receiver", calls["make"])) == "N"
 
 
+def test_a_cast_is_no_call_of_what_may_be_inherited(facts_of) -> None:
+    facts = facts_of("struct N : far::B { int x; void f(double y) { x = static_cast<int>(y); } };")
+    assert [name for _, name in facts["call"]] == []
+
+
 def test_an_assignment_that_is_kept_is_not_read_again(facts_of) -> None:
     facts = facts_of("struct N { int one(int); }; void f(N n, int k) { k = n.one(k, 2, 3); }")
     ((remnant, call),) = facts["call_remnant"]

@@ -54,6 +54,9 @@ A, B = Operand("a"), Operand("b")
         ("3 < x", Comparison(">", "x", "3")),
         ("x is None", Comparison("==", "x", "None")),
         ("x is not None", Not(Comparison("==", "x", "None"))),
+        ("x is True", Comparison("is", "x", "True")),
+        ("x is not False", Not(Comparison("is", "x", "False"))),
+        ("(x == 3) is True", Comparison("==", "x", "3")),
         ("static_cast<Mode>(m->mode) == Mode::AUTO", Comparison("==", "m->mode", "Mode::AUTO")),
         ("f(a && b, c) > 3.0f", Comparison(">", "f(a && b, c)", "3.0f")),
         ("std::max<int>(a, b) == 2", Comparison("==", "std::max<int>(a, b)", "2")),
@@ -83,7 +86,7 @@ def test_no_text_is_an_error(text: str) -> None:
     ("text", "value"),
     [
         ("true", "true"), ("False", "false"), ("NULL", "null"), ("nullptr", "null"), ("None", "null"), ("0", "0"), ("0.0f", "0"), ("-1", "-1"),
-        ("1.5", "1.5"), ("0x10", "16"), ("10UL", "10"), ("IDLE", "IDLE"), ("Mode::AUTO", "AUTO"), ("a::Mode::idle", "idle"), ("kIdle", "kIdle"),
+        ("1.5", "1.5"), ("0x10", "16"), ("010", "8"), ("0o10", "8"), ("0b101", "5"), ("1'000", "1000"), ("1_000", "1000"), ("08", None), ("10UL", "10"), ("IDLE", "IDLE"), ("Mode::AUTO", "AUTO"), ("a::Mode::idle", "idle"), ("kIdle", "kIdle"),
         ("State.IDLE", "IDLE"), ('"red"', '"red"'), ("'q'", "'q'"), ("(3)", "3"), ("static_cast<int>(3)", "3"),
         ("mode", None), ("mode_", None), ("msg->data", None), ("f()", None), ("a + 1", None), ("Mode::get()", None), ("", None),
     ],

@@ -54,3 +54,9 @@ def test_what_a_test_sees(transitions: list[dict[str, Any]], sent: dict[str, Any
     if sends is not None:
         found = {mode: list(courses(steps, ["N::mode_"], [mode], 10)) for mode in ("IDLE", "ARMED")}
         assert {mode for mode, ways in found.items() if any(way.outputs for way in ways)} == sends
+
+
+@pytest.mark.parametrize(("guard", "unclear"), [("q.pop() == 1 && q.pop() == 2", True), ("q.pop() == 1 && ready", False)])
+def test_a_call_that_gives_another_value_each_time(guard: str, unclear: bool) -> None:
+    document = {"reactive": [_sent(11, guard, _leaf(10, guard))], "traits": {"gives_another": [["q.pop()"]]}}
+    assert any(step.unclear for step in component_steps(document, Domains(document))["p1"]) is unclear

@@ -44,31 +44,31 @@ class Node:
 
     def caught(self, message):
         try:
-            value = int(message.data)
+            self.value = int(message.data)
         except ValueError:
-            value = 0
+            self.value = 0
         self.of_caught.publish(Empty())
 
     def number(self, message):
-        value = int(message.data)
+        self.value = int(message.data)
         self.of_number.publish(Empty())
 
     def default(self, message):
-        value = self.known.get(message.data, 0)
+        self.value = self.known.get(message.data, 0)
         if message.data in self.known:
-            value = self.known[message.data]
+            self.value = self.known[message.data]
         self.of_default.publish(Empty())
 
     def text(self, message):
-        value = int(message.data.strip())
+        self.value = int(message.data.strip())
         self.of_text.publish(Empty())
 
     def key(self, message):
-        value = self.known[message.data]
+        self.value = self.known[message.data]
         self.of_key.publish(Empty())
 
     def parts(self, message):
-        first, second = message.data.split(",")
+        self.first, self.second = message.data.split(",")
         self.of_parts.publish(Empty())
 
     def mode(self, message):
@@ -79,7 +79,7 @@ class Node:
         return Mode(number)
 
     def divisor(self, message):
-        value = 10 / message.data
+        self.value = 10 / message.data
         self.of_divisor.publish(Empty())
 
 

@@ -125,7 +125,7 @@ class Sender:
         send_all([self.left])
 
     def taken(self, message):
-        self.waiting.popleft().publish(message)  # expect: reactive taken -> waiting must
+        self.waiting.popleft().publish(message)  # expect: reactive taken -> waiting
 
     def by_key(self, message):
         self.keyed.get("keyed").publish(message)  # expect: reactive by_key -> keyed must
