@@ -54,8 +54,14 @@ class Step:
 
     @property
     def bounded(self) -> bool:
-        """Whether it is known how long something waits here at most."""
-        return self.kind not in ("deferred", "kept") or (self.kind == "deferred" and any(reason == "sending" for _, reason in self.waits))
+        """Whether it is known how long something waits here at most.
+
+        What a round sends only if other variables allow it may be sent by any later round.
+        """
+        if self.kind == "deferred":
+            alone = self.certain or set(self.filters) <= set(self.variables)
+            return alone and any(reason == "sending" for _, reason in self.waits)
+        return self.kind != "kept"
 
 
 @dataclass(frozen=True)
