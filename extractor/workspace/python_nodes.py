@@ -1,4 +1,4 @@
-"""Python nodes of a workspace: what setuptools and CMake install, and the scripts that rosrun finds in a package's folder; plug-ins.
+"""Python nodes of a workspace: those that are installed, that rosrun finds in a package, or that are started by hand; plug-ins.
 
 A file is a node's when it, or a module of the workspace that it imports, imports a client library of ROS.
 """
@@ -16,15 +16,24 @@ from rosarch.base.files import file_name, read_file
 from rosarch.extractor.workspace.model import PYTHON_NODE, Component, Package, PluginClass, PythonEntry, Workspace
 from rosarch.extractor.workspace.python_modules import Modules
 from rosarch.extractor.workspace.python_plugins import declared_classes, described_classes, pointed_at
+from rosarch.extractor.workspace.unused import unused_sources
 
 CLIENT_LIBRARIES = frozenset({"rospy", "rclpy"})
 _SHEBANG = re.compile(rb"#![^\n]*\bpython")
+_BEGINS = re.compile(rb"\b(?:rospy\.init_node|rclpy\.init)\s*\(")
 _NO_SCRIPTS = frozenset({"test", "tests", "launch", "cfg", "build", "devel", "install", "site-packages", "__pycache__"})
 
 
 def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[Component]:
     """The Python nodes of the selected packages. `problems` lists entry points without a module."""
     modules = Modules(workspace.underlay)
+    found = list(_installed_or_found(workspace, modules, problems))
+    yield from found
+    if workspace.searched:
+        yield from _started_by_hand(workspace, modules, {path for one in found for path in (*one.sources, *one.library_sources)})
+
+
+def _installed_or_found(workspace: Workspace, modules: Modules, problems: list[Diagnostic]) -> Iterator[Component]:
     named = [plugin for package in workspace.packages for plugin in (*declared_classes(package), *described_classes(package))]
     shared = [root for package in workspace.packages for root in _roots(package)]
     for package in workspace.packages:
@@ -68,6 +77,25 @@ def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules, *, 
         if modules.does_something(path):
             start = PythonEntry(path, "__main__", None, (path.parent, *roots))
             yield from _node(package, executables[0].removesuffix(".py"), executables, start, modules)
+
+
+def _started_by_hand(workspace: Workspace, modules: Modules, used: set[Path]) -> Iterator[Component]:
+    """Files that begin a node and are in no other component: `python file.py` runs them, and nothing else does."""
+    shared = [root for package in workspace.packages for root in _roots(package)]
+    packages = [package for package in workspace.packages if package.name in workspace.selected and not package.installed]
+    for package in sorted(packages, key=lambda package: package.path, reverse=True):  # inner ones first
+        files = (path for path in unused_sources([package.path], used) if path.suffix == ".py" and _begins_node(path))
+        for path in files:
+            used.add(path.resolve())
+            start = PythonEntry(path, "__main__", None, tuple(dict.fromkeys((path.parent, *_roots(package), *shared))))
+            yield from _node(package, path.stem, (), start, modules)
+
+
+def _begins_node(path: Path) -> bool:
+    try:
+        return _BEGINS.search(read_file(path)) is not None
+    except OSError:
+        return False
 
 
 def _of_plugins(

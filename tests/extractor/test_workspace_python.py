@@ -166,6 +166,20 @@ def test_scripts_in_folders_that_cmake_installs(tmp_path: Path) -> None:
     assert {name: one.executables for name, one in nodes(tmp_path).items()} == {"a": ("a.py",), "b": ("b",)}
 
 
+def test_scripts_that_are_started_by_hand(tmp_path: Path) -> None:
+    files = {
+        "scripts/probe.py": "import rclpy\nfrom tools import X\nrclpy.init()\n",
+        "scripts/tools.py": "import rclpy\nX = 1\n",
+        "scripts/unused.py": "import rclpy\n",
+        "test/tested.py": "import rclpy\nrclpy.init()\n",
+    }
+    ros2 = manifest("demo", export="<build_type>ament_cmake</build_type>")
+    write(tmp_path / "demo", {"package.xml": ros2, "CMakeLists.txt": "project(demo)\n", **files})
+    found = nodes(tmp_path)
+    assert {name: one.executables for name, one in found.items()} == {"probe": ()}
+    assert [path.name for path in found["probe"].sources] == ["probe.py", "tools.py"]
+
+
 def test_scripts_that_rosrun_finds(tmp_path: Path) -> None:
     package(
         tmp_path,
@@ -186,7 +200,9 @@ def test_scripts_that_rosrun_finds(tmp_path: Path) -> None:
     )
     (tmp_path / "demo/scripts/linked").symlink_to("bare")
     found = nodes(tmp_path)
-    assert {name: one.executables for name, one in found.items()} == {"bare": ("bare", "linked"), "old": ("old.py",), "run": ("run.py",)}
+    by_hand = {"no_first_line": ()}  # no program of the package, but `python no_first_line.py` runs it
+    started = {"bare": ("bare", "linked"), "old": ("old.py",), "run": ("run.py",)}
+    assert {name: one.executables for name, one in found.items()} == {**started, **by_hand}
     assert [path.name for path in found["run"].sources] == ["run.py", "core.py", "beside.py"]
 
 
