@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 import random
 import select
 import shutil
+import socket
 import subprocess
 import tempfile
 import time
@@ -19,7 +19,7 @@ from typing import Any
 from rosarch.observation.graph import Snapshot, State
 from rosarch.observation.processes import Process
 from rosarch.observation.recording import plain_type
-from rosarch.observation.rpc import CallError
+from rosarch.observation.rpc import LOOPBACK, CallError
 
 VARIABLE = "ROSARCH_ROS2_PYTHON"
 _PROGRAM = Path(__file__).with_name("participant.py")
@@ -181,10 +181,10 @@ def free_domain() -> Iterator[int]:
 
 @contextmanager
 def _locked(domain: int) -> Iterator[bool]:
-    """Keep other runs of rosarch out of a domain; whether none is in it."""
-    with Path(tempfile.gettempdir(), f"rosarch-domain-{os.getuid()}-{domain}").open("w", encoding="utf-8") as file:
+    """Keep other runs of rosarch out of a domain, by a port that DDS does not use; whether none is in it."""
+    with socket.socket() as lock:
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            lock.bind((LOOPBACK, _FIRST_PORT + _PORTS * domain))
         except OSError:
             yield False
         else:
