@@ -20,6 +20,8 @@ HERE = PortShown("/in", "subscriber", "/node", None)
         ("deferred", False, ("C::goal", "C::last"), ((0.1, "sending"),), False),  # something else may hold it back in any round
     ],
 )
-def test_waits_are_bounded(kind: str, certain: bool, filters: tuple[str, ...], waits: tuple[tuple[float, str], ...], expected: bool) -> None:
+def test_waits_are_bounded(
+    kind: str, certain: bool, filters: tuple[str, ...], waits: tuple[tuple[float, str], ...], expected: bool
+) -> None:
     step = Step(HERE, HERE, kind, "data", certain, variables=("C::goal",), filters=filters, waits=waits)
     assert step.bounded == expected
