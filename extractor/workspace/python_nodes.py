@@ -84,8 +84,7 @@ def _started_by_hand(workspace: Workspace, modules: Modules, used: set[Path]) ->
     shared = [root for package in workspace.packages for root in _roots(package)]
     packages = [package for package in workspace.packages if package.name in workspace.selected and not package.installed]
     for package in sorted(packages, key=lambda package: package.path, reverse=True):  # inner ones first
-        files = (path for path in unused_sources([package.path], used) if path.suffix == ".py" and _begins_node(path))
-        for path in files:
+        for path in filter(_begins_node, unused_sources([package.path], used, (".py",))):
             used.add(path.resolve())
             start = PythonEntry(path, "__main__", None, tuple(dict.fromkeys((path.parent, *_roots(package), *shared))))
             yield from _node(package, path.stem, (), start, modules)

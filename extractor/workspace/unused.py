@@ -17,20 +17,21 @@ _SUFFIXES = (".cpp", ".cc", ".cxx", ".py")
 _APART = frozenset({"test", "tests", "launch", "doc", "docs", "build", "devel", "install", "site-packages", "__pycache__"})
 
 
-def unused_sources(packages: Iterable[Path], used: Collection[Path]) -> list[Path]:
+def unused_sources(packages: Iterable[Path], used: Collection[Path], suffixes: tuple[str, ...] = _SUFFIXES) -> list[Path]:
     """The sources below the folders of `packages` that use ROS and are not `used`; tests, launch files and ignored folders left out."""
     found = {path.resolve() for path in used}
-    return sorted({path for package in packages for path in _sources(package) if path.resolve() not in found and uses_ros(path)})
+    sources = (path for package in packages for path in _sources(package, suffixes))
+    return sorted({path for path in sources if path.resolve() not in found and uses_ros(path)})
 
 
-def _sources(package: Path) -> Iterator[Path]:
+def _sources(package: Path, suffixes: tuple[str, ...]) -> Iterator[Path]:
     for here, folders, names in os.walk(package):
         if not IGNORE_MARKERS.isdisjoint(names):
             folders.clear()
             continue
         folders[:] = [name for name in folders if name not in _APART and not name.startswith(".")]
         yield from (
-            Path(here, name) for name in names if name.endswith(_SUFFIXES) and name != "setup.py" and not name.endswith(".launch.py")
+            Path(here, name) for name in names if name.endswith(suffixes) and name != "setup.py" and not name.endswith(".launch.py")
         )
 
 
