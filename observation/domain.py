@@ -16,7 +16,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from rosarch.observation.graph import Snapshot, State
+from rosarch.observation.graph import Snapshot, State, snapshots
 from rosarch.observation.processes import Process
 from rosarch.observation.recording import plain_type
 from rosarch.observation.rpc import LOOPBACK, CallError
@@ -151,14 +151,7 @@ def watch_domain(domain: int, seconds: float, every: float) -> Iterator[Snapshot
     """
     with Participant(python_with_ros(), domain, private=False) as participant:
         participant.settle()
-        begin = time.monotonic()
-        number = 0
-        while True:
-            yield participant.snapshot(round(time.monotonic() - begin, 3))
-            number += 1
-            if number * every > seconds:
-                return
-            time.sleep(max(0.0, begin + number * every - time.monotonic()))
+        yield from snapshots(participant.snapshot, seconds, every)
 
 
 @contextmanager

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -132,10 +132,15 @@ def watch(graph: Graph, seconds: float, every: float) -> Iterator[Snapshot]:
     Raises:
         CallError: the master does not answer.
     """
+    return snapshots(graph.snapshot, seconds, every)
+
+
+def snapshots(taken_at: Callable[[float], Snapshot], seconds: float, every: float) -> Iterator[Snapshot]:
+    """Snapshots, each with how many seconds after the first one it is taken."""
     begin = time.monotonic()
     number = 0
     while True:
-        yield graph.snapshot(round(time.monotonic() - begin, 3))
+        yield taken_at(round(time.monotonic() - begin, 3))
         number += 1
         if number * every > seconds:
             return

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -12,7 +11,7 @@ from rosarch.base.files import text_or_nothing
 from rosarch.extractor.workspace.cmake_expand import generator_expression, split_list
 from rosarch.extractor.workspace.cmake_state import TargetDraft
 from rosarch.extractor.workspace.evaluator import Evaluator
-from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure, library_path, line_with
+from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure, library_path, line_with, may_be_no_text
 from rosarch.extractor.workspace.manifests import Manifest
 from rosarch.extractor.workspace.model import (
     EXECUTABLE,
@@ -111,7 +110,7 @@ def _obstacles(run: Evaluator, sources: Iterable[Diagnostic]) -> Iterator[Obstac
                 yield Obstacle("target source", name, diagnostic.path, diagnostic.line)
     for path, file, line in run.draft.installed_files:
         real = Path(os.path.normpath(path))
-        if not os.path.exists(real) and not _is_generated(run, str(real), ()) and _has_files(real) and not _may_be_no_text(real):
+        if not os.path.exists(real) and not _is_generated(run, str(real), ()) and _has_files(real) and not may_be_no_text(real):
             yield Obstacle("install source", os.path.relpath(path, file.parent), file, line)
 
 
@@ -127,18 +126,6 @@ def _undescribed(exports: Iterable[tuple[str, Path]], manifest: Manifest, proble
             yield Obstacle("description broken", name, path, broken[path])
         elif not os.path.exists(path) and _has_files(path):
             yield Obstacle("description absent", name, at, line_with(at, path.name))
-
-
-_NO_TEXT = re.compile(
-    r"(?:mesh|stl|dae|icon|image|img|media|model|map|world|bag|material|texture|sound|audio|font|weight|rosbag|doc|data|picture|asset)s?"
-    r"|mesh(?:es)?|.*\.(?!xml$|ya?ml$|py$|launch$|urdf$|xacro$|srdf$|rviz$|cfg$|txt$|json$|sh$|h(?:pp)?$)\w+",
-    re.IGNORECASE,
-)
-
-
-def _may_be_no_text(path: Path) -> bool:
-    """Whether a file, or what is in a folder, may be no text: a checkout may be without it."""
-    return _NO_TEXT.fullmatch(path.name) is not None
 
 
 def _has_files(path: Path) -> bool:

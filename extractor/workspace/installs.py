@@ -9,6 +9,7 @@ from __future__ import annotations
 import fnmatch
 import os
 import posixpath
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -168,6 +169,18 @@ def installing(words: Sequence[str]) -> Installing:
 def library_path(name: str) -> str:
     """The path below the prefix that stands for those of a library that is installed, wherever that is."""
     return f"lib/lib{name}.so"
+
+
+_NO_TEXT = re.compile(
+    r"(?:mesh|stl|dae|icon|image|img|media|model|map|world|bag|material|texture|sound|audio|font|weight|rosbag|doc|data|picture|asset)s?"
+    r"|mesh(?:es)?|.*\.(?!xml$|ya?ml$|py$|launch$|urdf$|xacro$|srdf$|rviz$|cfg$|txt$|json$|sh$|h(?:pp)?$)\w+",
+    re.IGNORECASE,
+)
+
+
+def may_be_no_text(path: Path) -> bool:
+    """Whether a file, or what is in a folder, may be no text: a checkout may be without it."""
+    return _NO_TEXT.fullmatch(path.name) is not None
 
 
 def line_with(path: Path, word: str) -> int:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
+from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure, may_be_no_text
 from rosarch.extractor.workspace.model import EntryPoint, Program
 from rosarch.extractor.workspace.setup_values import SetupValues
 
@@ -58,7 +58,7 @@ class DataFiles:
             else:
                 source = self.path.parent / file
                 self.installs.append(Install(posixpath.normpath(f"{folder}/{posixpath.basename(file)}"), source))
-                if not os.path.exists(source):
+                if not os.path.exists(source) and not may_be_no_text(source):
                     self.obstacles.append(Obstacle("install source", file, self.path, item.lineno))
 
 

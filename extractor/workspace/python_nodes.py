@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from rosarch.base.diagnostics import Diagnostic
-from rosarch.base.files import file_name, read_file
+from rosarch.base.files import file_name, read_file, text_or_nothing
 from rosarch.extractor.workspace.model import PYTHON_NODE, Component, Package, PluginClass, PythonEntry, Workspace
 from rosarch.extractor.workspace.python_modules import Modules
 from rosarch.extractor.workspace.python_plugins import declared_classes, described_classes, pointed_at
@@ -20,25 +20,28 @@ from rosarch.extractor.workspace.unused import unused_sources
 
 CLIENT_LIBRARIES = frozenset({"rospy", "rclpy"})
 _SHEBANG = re.compile(rb"#![^\n]*\bpython")
-_BEGINS = re.compile(rb"\b(?:rospy\.init_node|rclpy\.init)\s*\(")
+_BEGINS = re.compile(r"\b(?:rospy\.init_node|rclpy\.init)\s*\(")
+_Roots = Mapping[str, tuple[Path, ...]]
+"""The folders that modules of a package are imported from: its own, then those of others."""
 _NO_SCRIPTS = frozenset({"test", "tests", "launch", "cfg", "build", "devel", "install", "site-packages", "__pycache__"})
 
 
 def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[Component]:
     """The Python nodes of the selected packages. `problems` lists entry points without a module."""
     modules = Modules(workspace.underlay)
-    found = list(_installed_or_found(workspace, modules, problems))
+    shared = [root for package in workspace.packages for root in _roots(package)]
+    roots = {one.name: tuple(dict.fromkeys((*_roots(one), *shared))) for one in workspace.packages if one.name in workspace.selected}
+    found = list(_installed_or_found(workspace, roots, modules, problems))
     yield from found
     if workspace.searched:
-        yield from _started_by_hand(workspace, modules, {path for one in found for path in (*one.sources, *one.library_sources)})
+        yield from _started_by_hand(workspace, roots, modules, {path for one in found for path in (*one.sources, *one.library_sources)})
 
 
-def _installed_or_found(workspace: Workspace, modules: Modules, problems: list[Diagnostic]) -> Iterator[Component]:
+def _installed_or_found(workspace: Workspace, found_in: _Roots, modules: Modules, problems: list[Diagnostic]) -> Iterator[Component]:
     named = [plugin for package in workspace.packages for plugin in (*declared_classes(package), *described_classes(package))]
-    shared = [root for package in workspace.packages for root in _roots(package)]
     for package in workspace.packages:
         if package.name in workspace.selected:
-            roots = tuple(dict.fromkeys((*_roots(package), *shared)))
+            roots = found_in[package.name]
             yield from _of_entry_points(package, roots, modules, problems)
             yield from _of_scripts(package, roots, modules, searched=workspace.searched)
             yield from _of_plugins(package, roots, named, modules)
@@ -79,22 +82,18 @@ def _of_scripts(package: Package, roots: tuple[Path, ...], modules: Modules, *, 
             yield from _node(package, executables[0].removesuffix(".py"), executables, start, modules)
 
 
-def _started_by_hand(workspace: Workspace, modules: Modules, used: set[Path]) -> Iterator[Component]:
+def _started_by_hand(workspace: Workspace, roots: _Roots, modules: Modules, used: set[Path]) -> Iterator[Component]:
     """Files that begin a node and are in no other component: `python file.py` runs them, and nothing else does."""
-    shared = [root for package in workspace.packages for root in _roots(package)]
     packages = [package for package in workspace.packages if package.name in workspace.selected and not package.installed]
     for package in sorted(packages, key=lambda package: package.path, reverse=True):  # inner ones first
         for path in filter(_begins_node, unused_sources([package.path], used, (".py",))):
             used.add(path.resolve())
-            start = PythonEntry(path, "__main__", None, tuple(dict.fromkeys((path.parent, *_roots(package), *shared))))
+            start = PythonEntry(path, "__main__", None, (path.parent, *roots[package.name]))
             yield from _node(package, path.stem, (), start, modules)
 
 
 def _begins_node(path: Path) -> bool:
-    try:
-        return _BEGINS.search(read_file(path)) is not None
-    except OSError:
-        return False
+    return _BEGINS.search(text_or_nothing(path)) is not None
 
 
 def _of_plugins(

@@ -224,3 +224,8 @@ def test_of_setups_that_are_not_understood_no_entry_point_is_told(tmp_path: Path
     (tmp_path / "demo" / "setup.py").write_text(setup.replace("**more", "name='demo'"))
     (tmp_path / "demo" / "demo" / "__init__.py").write_text("__path__ = __import__('pkgutil').extend_path(__path__, __name__)\n")
     assert [one.lacks for one in builds(discover(tmp_path))] == [()]
+
+
+def test_a_checkout_may_be_without_what_is_no_text(tmp_path: Path) -> None:
+    found = python(tmp_path, SETUP.format(more="('share/demo', ['config/gone.yaml', 'config/arm.stl', 'config/eye.png'])", other=""))
+    assert [(one.kind, one.about) for one in found.obstacles] == [("install source", "config/gone.yaml")]
