@@ -41,7 +41,10 @@ def unincluded(where: LaunchEnvironment, jobs: int | None = None) -> list[Launch
     """A launch for each launch file of the workspace that no other includes; see `top_level`."""
     files = where.files()
     found = top_level(launch_files(os.path.abspath(where.root)), files, where.variables(), jobs)
-    return [Launch(_shown(path, where.root), (_shown(path, where.root),), composed, files.packages) for path, composed in found.items()]
+    return [
+        Launch(_shown(path, where.root), (_shown(path, where.root),), composed.with_controllers(), files.packages)
+        for path, composed in found.items()
+    ]
 
 
 def by_themselves(where: LaunchEnvironment, defines: Mapping[str, str]) -> list[Launch]:
@@ -93,7 +96,7 @@ def _launch(paths: Sequence[str], arguments: Mapping[str, str], where: LaunchEnv
     files = where.files()
     composition = compose(paths, arguments, files=files, environment=where.variables())
     words = (*(_shown(path, where.root) for path in paths), *(f"{name}:={value}" for name, value in arguments.items()))
-    return Launch(" ".join(words), words, composition, files.packages)
+    return Launch(" ".join(words), words, composition.with_controllers(), files.packages)
 
 
 def _shown(path: str, root: Path) -> str:

@@ -221,6 +221,7 @@ def finished(state: State, references: Iterable[Reference]) -> Composition:
     return Composition(
         nodes=nodes,
         tests=tuple(_rendered_node(node, state) for node in state.tests),
+        controllers=tuple(_rendered_node(node, state) for node in state.controllers),
         params=tuple(_rendered_param(setting, state) for settings in state.params.values() for setting in settings),
         includes=tuple(replace(include, text=shown(include.text)) for include in state.includes),
         problems=tuple(state.problems),

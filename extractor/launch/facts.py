@@ -128,7 +128,7 @@ class _Writer:
         if _DOMAIN in dict(node.environment):
             self.add("started_domain", start, dict(node.environment)[_DOMAIN])
         if node.container is not None:
-            self.add("loaded_into", start, node.container)
+            self.add("controlled_by" if node.is_controller else "loaded_into", start, node.container)
         for depth, place in enumerate(node.lines):
             self.add("started_at", start, depth, self.place(place))
         for condition in node.conditions:

@@ -84,8 +84,9 @@ class NodeStart:
     `namespace` begins and ends with a slash; `respawn_delay` is in seconds. `ros` is the version of ROS. Where a launch file of ROS 2 does
     not name a node, `called` is what it may be called and `given` what its process sets; with a `container` (its absolute name), `type` is
     a class that is loaded there. `params_files` are the files of parameters that it is given, `own_params` is what it is given itself,
-    `process` what is set for all nodes of its process. `conditions` are those that cannot be known, `held` those that are known to
-    hold. `first` are the lines of the first node of this name, when this is another one.
+    `process` what is set for all nodes of its process. The container of a controller is its manager, a node like others. `conditions` are
+    those that cannot be known, `held` those that are known to hold. `first` are the lines of the first node of this name, when this is
+    another one.
     """
 
     package: str
@@ -114,6 +115,7 @@ class NodeStart:
     params_files: tuple[ParamsGiven, ...] = ()
     process: tuple[ProcessSetting, ...] = ()
     own_params: tuple[ParamSetting, ...] = ()
+    is_controller: bool = False
 
     @property
     def full_name(self) -> str:
@@ -388,7 +390,8 @@ class Composition:
     removed first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could
     not be read sets parameters in; the `source` of each is that file. `views` are the configurations that viewers are given,
     `commands` where events are emitted and commands run that are no nodes, `references` what the files read name, in all branches. `ros` is
-    the version of ROS that they are for.
+    the version of ROS that they are for. `controllers` are nodes that launch knows nothing of: controllers that spawners ask for, and the
+    managers that simulators make.
     """
 
     nodes: tuple[NodeStart, ...]
@@ -408,6 +411,12 @@ class Composition:
     commands: tuple[Place, ...] = ()
     references: tuple[Reference, ...] = ()
     ros: int = 1
+    controllers: tuple[NodeStart, ...] = ()
+
+    def with_controllers(self) -> Composition:
+        """The composition with its `controllers` among the nodes, as the graph has them, and with their parameters."""
+        params = (setting for node in self.controllers for setting in node.own_params)
+        return replace(self, nodes=(*self.nodes, *self.controllers), params=(*self.params, *params), controllers=())
 
     @property
     def refusal(self) -> Problem | None:

@@ -65,6 +65,7 @@ class State:
         self.deleted: list[str] = []
         self.machines: dict[str, tuple[object, ...]] = {"": ("this computer",)}
         self.default_machine: str | None = None
+        self.controllers: list[NodeStart] = []
         self.named: dict[str, list[NodeStart]] = {}
         self.started_anew: set[tuple[str, Place]] = set()
         self.here = Place("", 1)

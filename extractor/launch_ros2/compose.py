@@ -18,6 +18,7 @@ from rosarch.extractor.launch.unknowns import cleaned, is_known
 from rosarch.extractor.launch_ros2 import starts  # noqa: F401  (registers its actions)
 from rosarch.extractor.launch_ros2.actions import joined, visit
 from rosarch.extractor.launch_ros2.context import Context
+from rosarch.extractor.launch_ros2.controllers import controllers
 from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
 from rosarch.extractor.launch_ros2.includes import read
 from rosarch.extractor.launch_ros2.left_out import left_out
@@ -63,6 +64,8 @@ def _top(world: World, path: str, context: Context) -> None:
         state.report(error)
     except Raised as error:
         world.interpreter.raised(error, Place(path, 1))
+    with suppress(Exhausted):
+        state.controllers += controllers(world, context)
 
 
 def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:

@@ -24,6 +24,7 @@ from rosarch.extractor.launch.model import (
 from rosarch.extractor.launch.names import canonical, ns_join
 from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined, require_namespace, require_node_name
 from rosarch.extractor.launch_ros2.context import Context, Given
+from rosarch.extractor.launch_ros2.controllers import asked_by_command, asked_by_spawner
 from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
@@ -87,7 +88,10 @@ def start_node(world: World, made: Made, context: Context) -> NodeStart:
     remaps = [*given.remaps, *context.remaps, *_remaps(world, made, context)]  # as they stand on the command line
     _refer(world, package, executable, made.place)
     params = [*given.params, *context.params, *_given(made)]
-    return _start(world, made, context, (package, executable, name, namespace), remaps, params, " ".join(map(shlex.quote, given.plain)))
+    args = " ".join(map(shlex.quote, given.plain))
+    node = _start(world, made, context, (package, executable, name, namespace), remaps, params, args)
+    asked_by_spawner(world, node, given.plain)
+    return node
 
 
 def load(world: World, descriptions: Any, container: str, context: Context) -> None:
@@ -384,4 +388,5 @@ def _process(world: World, made: Made, context: Context) -> None:
         start_node(world, node, context)
     else:
         world.state.commands.setdefault(world.state.here)
+        asked_by_command(world, words, context)
     world.agenda.started(made, context)

@@ -21,6 +21,7 @@ from rosarch.extractor.launch_ros2.values import Class, Either, Function, PathTe
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 if TYPE_CHECKING:
+    from rosarch.extractor.launch_ros2.controllers import Asked
     from rosarch.extractor.launch_ros2.params_files import ParamsFile
 
 MAX_HANDED = 1000
@@ -46,6 +47,7 @@ class World:
         self.references: list[Reference] = []
         self.read: dict[tuple[str, Place], None] = {}
         self.looked_for: set[str] = set()
+        self.controllers: list[Asked] = []
         self.asked: list[str] = []
         self.handed: list[str] = []
         self.temporary = 0

@@ -1,0 +1,189 @@
+"""Controllers that controller managers load when they are asked to: each is a node, in the manager's process.
+
+A spawner, or `ros2 control load_controller`, asks for them by name. The parameter `NAME.type` of the manager says which class a controller
+is; its parameters are what the manager's process is given for it. A simulator's plug-in makes a manager, too, as a robot's description has
+it. Source: ros2_control (controller_manager.cpp, spawner.py, ros2controlcli), gz_ros2_control and gazebo_ros2_control, Humble to Rolling.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from rosarch.extractor.launch.model import Condition, LaunchError, NodeStart, ParamSetting, Place, ProcessSetting, Remap, exclusive
+from rosarch.extractor.launch.names import canonical, ns_join
+from rosarch.extractor.launch_ros2.context import Context, Given
+from rosarch.extractor.launch_ros2.parameters import Setting, settings
+from rosarch.extractor.launch_ros2.params_files import matches
+
+if TYPE_CHECKING:
+    from rosarch.extractor.launch_ros2.world import World
+
+_PACKAGE, _MANAGER = "controller_manager", "ros2_control_node"
+_SPAWNERS = ("spawner", "spawner.py")
+_LOAD = ["ros2", "control", "load_controller"]
+_WITH_VALUE = re.compile(
+    r"-[cnptu]|--(controller-manager|namespace|param-file|controller-type|controller-ros-args|set-state|spin-time|[\w-]*timeout)"
+)
+"""Options that a word follows which is no controller; `-u` is among them for `--unload-on-kill`, which has none."""
+_SIMULATED = re.compile(r"(lib)?(gz|ign|gazebo)_ros2_control(-system)?(\.so)?")
+
+
+@dataclass(frozen=True)
+class Asked:
+    """The manager called `manager` (absolute) is asked for controllers, at the last of `lines`; `options` are those of the command line."""
+
+    manager: str
+    controllers: tuple[str, ...]
+    options: tuple[tuple[str, str], ...]
+    lines: tuple[Place, ...]
+    conditions: tuple[Condition, ...]
+    held: tuple[Condition, ...]
+
+    def values(self, *names: str) -> list[str]:
+        """What is given for an option, which has several names."""
+        return [value for name, value in self.options if name in names]
+
+
+def asked_by_spawner(world: World, node: NodeStart, words: Sequence[str]) -> None:
+    """Note what a node asks for, if it is a spawner."""
+    if node.package == _PACKAGE and node.type in _SPAWNERS:
+        _note(world, words, node.namespace, (node.lines, node.conditions, node.held))
+
+
+def asked_by_command(world: World, words: Sequence[str], context: Context) -> None:
+    """Note what a command asks for, if it loads controllers; of a shell it may be one text."""
+    words = [part for word in words for part in word.split()]
+    if words[: len(_LOAD)] == _LOAD:
+        _note(world, words[len(_LOAD) :], "/", ((*context.lines, world.state.here), context.conditions, context.held))
+
+
+def _note(
+    world: World, words: Sequence[str], namespace: str, where: tuple[tuple[Place, ...], tuple[Condition, ...], tuple[Condition, ...]]
+) -> None:
+    plain: list[str] = []
+    options: list[tuple[str, str]] = []
+    rest = list(words)
+    while rest:
+        word, joined, value = rest.pop(0).partition("=")
+        if _WITH_VALUE.fullmatch(word) and word != "-u" and (joined or rest):
+            options.append((word, value if joined else rest.pop(0)))
+        elif not word.startswith("-"):
+            plain.append(word)
+    space = next((value for name, value in options if name in ("-n", "--namespace")), namespace)
+    named = next((value for name, value in options if name in ("-c", "--controller-manager")), _PACKAGE)
+    manager = canonical(ns_join(f"/{space.strip('/')}/" if space.strip("/") else "/", named))
+    world.controllers.append(Asked(manager, tuple(plain), tuple(options), *where))
+
+
+def controllers(world: World, context: Context) -> Iterator[NodeStart]:
+    """The controllers that are loaded, and the managers that simulators make; those of which the class is not known are left out."""
+    if not world.controllers:
+        return
+    asked_for = {asked.manager for asked in world.controllers}
+    managers = [node for node in world.state.nodes if node.full_name in asked_for]
+    simulated = [one for one in _simulated(world, context) if one.full_name not in {node.full_name for node in managers}]
+    yield from simulated
+    found: dict[tuple[str, tuple[Condition, ...]], NodeStart] = {}
+    for asked in world.controllers:
+        for manager in (*managers, *simulated):
+            if manager.full_name == asked.manager and not exclusive(manager.conditions, asked.conditions):
+                for name in asked.controllers:
+                    for node in _controller(world, name, manager, asked, context):
+                        found.setdefault((node.full_name, node.conditions), node)
+    yield from found.values()
+
+
+def _controller(world: World, name: str, manager: NodeStart, asked: Asked, context: Context) -> Iterator[NodeStart]:
+    own = replace(manager, name=name, called=name)
+    files = [*asked.values("-p", "--param-file"), *_texts(manager, f"{name}.params_file")]
+    process = (*manager.process, *_of_files(world, files, asked.lines, context))
+    of_controller = [one for one in process if one.read and matches(one.nodes, own.full_name)]
+    types = [
+        *asked.values("-t", "--controller-type"),
+        *_texts(manager, f"{name}.type"),
+        *(str(one.setting.value) for one in of_controller if one.setting.name == "type" and not one.setting.conditions),
+    ]
+    if len(set(types)) != 1 or any(map(world.state.unknowns.is_open, (name, *types))):
+        return
+    given = {one.setting.name: one.setting for one in of_controller}
+    clock = [one.setting for one in manager.process if one.setting.name == "use_sim_time" and matches(one.nodes, manager.full_name)]
+    params = {**{setting.name: setting for setting in clock}, **given}  # the manager gives its clock on
+    yield NodeStart(
+        package=re.split(r"/|::", types[0])[0],
+        type=types[0],
+        name=name,
+        namespace=manager.namespace,
+        lines=asked.lines,
+        remaps=(*_rules(asked, context), *manager.remaps),
+        conditions=tuple(dict.fromkeys((*manager.conditions, *asked.conditions))),
+        held=tuple(dict.fromkeys((*manager.held, *asked.held))),
+        ros=2,
+        environment=manager.environment,
+        called=name,
+        container=manager.full_name,
+        is_controller=True,
+        own_params=tuple(replace(setting, name=f"{own.full_name}/{setting.name}") for setting in params.values()),
+    )
+
+
+def _texts(node: NodeStart, name: str) -> list[str]:
+    """The text that a parameter of a node is: the last that is set for it, if nothing is open about it."""
+    found = [one.setting for one in node.process if one.read and one.setting.name == name and matches(one.nodes, node.full_name)]
+    always = found and set(found[-1].conditions) <= set(node.conditions)
+    return [found[-1].value] if always and isinstance(found[-1].value, str) else []
+
+
+def _rules(asked: Asked, context: Context) -> Iterator[Remap]:
+    """The remappings of `--controller-ros-args`."""
+    for text in asked.values("--controller-ros-args"):
+        for rule in re.findall(r"(?:-r|--remap)\s+(\S+)", text):
+            source, assigned, target = rule.partition(":=")
+            if assigned:
+                yield Remap(source.replace("~/", "~"), target, asked.lines[-1])
+
+
+def _of_files(world: World, files: Sequence[str], lines: tuple[Place, ...], context: Context) -> Iterator[ProcessSetting]:
+    """What files of parameters set for nodes; a file that cannot be read sets nothing that is known."""
+    for file in files:
+        with suppress(LaunchError):
+            for found in settings(world, Given(file, lines[-1]), None, context):
+                if isinstance(found, Setting):
+                    setting = ParamSetting(
+                        found.name, found.value, (*lines[:-1], found.place), found.conditions, found.source, found.written
+                    )
+                    yield ProcessSetting(found.nodes, setting)
+
+
+def _simulated(world: World, context: Context) -> Iterator[NodeStart]:
+    """The managers that plug-ins of simulators make, as descriptions of robots and worlds have them."""
+    described = [plugin for plugins in world.described.values() for plugin in plugins]
+    worlds = [plugin for one in world.state.worlds.values() for plugin in one.plugins]
+    for plugin in dict.fromkeys((*described, *worlds)):
+        if not _SIMULATED.fullmatch(plugin.filename.rpartition("/")[2]):
+            continue
+        elements = dict(plugin.elements)
+        files = [text.strip() for name, text in plugin.elements if name == "parameters"]
+        rules = [
+            text.strip().partition(":=") for name, text in plugin.elements if name in ("ros/remapping", "ros/argument") and ":=" in text
+        ]
+        name = elements.get("controller_manager_name", elements.get("controller_manager_node_name", _PACKAGE))
+        space = elements.get("ros/namespace", elements.get("namespace", "")).strip("/")
+        node = NodeStart(
+            package=_PACKAGE,
+            type=_MANAGER,
+            name=name,
+            namespace=f"/{space}/" if space else "/",
+            lines=(plugin.place,),
+            remaps=tuple(Remap(source.replace("~/", "~"), target, plugin.place) for source, _, target in rules),
+            ros=2,
+            called=name,
+        )
+        process = tuple(_of_files(world, files, (plugin.place,), context))
+        own = tuple(
+            replace(one.setting, name=f"{node.full_name}/{one.setting.name}") for one in process if matches(one.nodes, node.full_name)
+        )
+        yield replace(node, process=process, own_params=own)
