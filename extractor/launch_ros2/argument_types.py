@@ -20,7 +20,11 @@ _REQUIRED = {  # by any of their names
     ),
     "ComposableNode": (("package",), ("plugin", "node_plugin")),
 }
-_RENAMING = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
+RENAMED = {"node_executable": "executable", "node_name": "name", "node_namespace": "namespace", "node_plugin": "plugin"}
+"""Arguments by the names that they had until Foxy, and their names since Galactic."""
+WITH_OLD_NAMES = frozenset({"dashing", "eloquent", "foxy"})
+OF_NODES = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
+"""The classes that describe nodes."""
 
 
 def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
@@ -33,7 +37,7 @@ def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         yield "parameters", "parameters must be a list"
     if kind == "IncludeLaunchDescription" and isinstance(given.get("launch_arguments"), dict):
         yield "launch_arguments", "launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
-    if kind in _RENAMING and any(not _is_rule(rule) for rule in _rules(given.get("remappings"))):
+    if kind in OF_NODES and any(not _is_rule(rule) for rule in _rules(given.get("remappings"))):
         yield "remappings", "each of the remappings must be a tuple of two names"
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from rosarch.extractor.launch.evaluation import PYTHON_ERRORS
 from rosarch.extractor.launch.formulas import Test
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
-from rosarch.extractor.launch_ros2.argument_types import refused
+from rosarch.extractor.launch_ros2.argument_types import OF_NODES, RENAMED, WITH_OLD_NAMES, refused
 from rosarch.extractor.launch_ros2.decisions import is_certain
 from rosarch.extractor.launch_ros2.expressions import Expressions, Raised, Undecided
 from rosarch.extractor.launch_ros2.natives import attribute
@@ -326,7 +326,12 @@ class Calls(Expressions):
         """An object of a class of launch."""
         names = CLASSES[kind]
         for name in named.keys() - {MORE} - KEYWORDS.get(kind, named.keys()):
-            self.world.state.report(LaunchError("keyword", name, f"{kind} has no argument `{name}`"), place=place)
+            now = RENAMED.get(name) if kind in OF_NODES else None
+            if now is None:
+                self.world.state.report(LaunchError("keyword", name, f"{kind} has no argument `{name}`"), place=place)
+            elif self.world.environment.get("ROS_DISTRO") not in WITH_OLD_NAMES:
+                message = f"{kind} has no argument `{name}`: since Galactic it is `{now}`"
+                self.world.state.report(LaunchError("keyword", name, message, (name, now)), place=place)
         given = {**dict(zip(names, arguments, strict=False)), **named}
         for name, reason in refused(kind, given):
             self.world.state.report(LaunchError("type", name, f"{kind}: {reason}"), place=place)

@@ -95,12 +95,13 @@ def _actions(world: World, children: list[Entity], inside: str) -> Iterator[Made
 def _report_unexpected(world: World, child: Entity) -> None:
     """Report the attributes and elements that an element cannot have: launch reads no file with one."""
     known = ATTRIBUTES.get(child.name.replace("-", "_"), child.attributes.keys())
+    allowed = _CHILDREN.get(child.name)
     for name, value in child.attributes.items():
-        if name not in known and not isinstance(value, (list, dict)):
+        is_list = isinstance(value, (list, dict))  # of YAML: perhaps one of children, which is empty
+        if name not in known and not (is_list and (allowed is None or name in allowed)):
             meant = only_candidate(name, set(known) - set(child.attributes))
             error = LaunchError("attribute", name, f"<{child.name}> cannot have the attribute `{name}`", (name, meant) if meant else None)
             world.state.report(error, place=child.at.get(name, child.place))
-    allowed = _CHILDREN.get(child.name)
     for inner in child.children:
         if allowed is not None and inner.name not in allowed:
             problem = LaunchError("unknown-element", inner.name, f"<{child.name}> cannot hold <{inner.name}>")

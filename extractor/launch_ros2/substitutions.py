@@ -190,7 +190,7 @@ def _command(world: World, made: Made, context: Context) -> str:
     command = perform(world, made.get("command"), context)
     unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
     words = words_of(command)
-    made_here = any(world.is_made(word) for word in words)
+    made_here = any(world.is_made(word.rpartition(":=")[2]) for word in words)
     world.hand(command)
     call = xacro_call(words)
     if made_here or (call is not None and _is_open(world, call.file)):

@@ -335,6 +335,15 @@ def test_keywords_that_no_version_has(tmp_path: Path) -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.parametrize(("distribution", "expected"), [("foxy", []), ("humble", ["executable"]), (None, ["executable"])])
+def test_keywords_of_old_versions(tmp_path: Path, distribution: str | None, expected: list[str]) -> None:
+    environment = {"ROS_DISTRO": distribution} if distribution else {}
+    found = described(tmp_path, "Node(package='here', node_executable='run')", environment=environment)
+    assert [meant for problem in found.problems if (meant := (problem.meant or ("", ""))[1])] == expected
+    assert all("since Galactic it is `executable`" in problem.message for problem in found.problems)
+    assert [node.type for node in found.nodes] == ["run"]
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -364,3 +373,13 @@ def test_arguments_of_an_include_that_are_no_pairs(tmp_path: Path) -> None:
 def test_a_launch_file_that_returns_nothing(tmp_path: Path) -> None:
     found = composed(tmp_path, {"main.launch.py": "def generate_launch_description():\n    return_later = []\n"})
     assert [problem.message for problem in found.problems] == ["generate_launch_description of main.launch.py returns nothing"]
+
+
+def test_a_description_that_two_nodes_get(tmp_path: Path) -> None:
+    entities = """*[node(name, parameters=[{'robot': Command(['xacro ', os.path.dirname(__file__) + '/r.urdf',
+      ' config:=', os.path.dirname(__file__) + '/config.yaml'])}]) for name in ('a', 'b')]"""
+    robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="config" default=""/></robot>'
+    text = f"{HEAD}def generate_launch_description():\n    return LaunchDescription([{entities}])\n"
+    found = params(composed(tmp_path, {"main.launch.py": text, "r.urdf": robot, "config.yaml": "a: 1\n"}))
+    assert "<robot" in str(found["/a/robot"])
+    assert found["/b/robot"] == found["/a/robot"]

@@ -107,7 +107,7 @@ def test_conditions(tmp_path: Path) -> None:
     manager = MANAGER.removesuffix(")") + ", condition=IfCondition(Command('decide')))"
     spawn = "Node(package='controller_manager', executable='spawner', arguments=['wheels'], condition={}(Command('decide')))"
     with_it = _composed(tmp_path, f"{manager}, {spawn.format('IfCondition')}")
-    assert [{str(each) for each in node.conditions} for node in with_it.controllers] == [{"$(command decide)"}]
+    assert [{str(each) for each in node.conditions} for node in with_it.controllers] == [{"if $(command decide)"}]
     without = _composed(tmp_path, f"{manager}, {spawn.format('UnlessCondition')}")
     assert without.controllers == ()
 

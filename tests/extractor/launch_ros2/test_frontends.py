@@ -109,6 +109,14 @@ def test_what_was_meant(tmp_path: Path, content: str, meant: tuple[str, str] | N
         ("- a", "main.launch.yaml:1:1: a launch file in YAML is a map with the key `launch`"),
         ("launch:\n- nope: {}\n", "main.launch.yaml:2:3: unknown element <nope> in <launch>"),
         ("launch:\n- arg:\n    name: a\n    default: b\n    defalt: b\n", "main.launch.yaml:5:5: <arg> cannot have the attribute `defalt`"),
+        (
+            "launch:\n- node:\n    pkg: here\n    exec: run\n    parameters:\n      - a.yaml\n",
+            "main.launch.yaml:5:5: <node> cannot have the attribute `parameters`",
+        ),
+        (
+            "launch:\n- node:\n    pkg: here\n    exec: run\n    parameters:\n      - {name: a, value: 1}\n",
+            "main.launch.yaml:6:9: <node> cannot hold <parameters>",
+        ),
         ("launch:\n- arg: {name: a, default: 2000-99-99}\n", "main.launch.yaml:1:1: month must be in 1..12"),
         ("launch:\n- arg: {name: a, default: !own x}\n", "main.launch.yaml:2:27: could not determine a constructor for the tag '!own'"),
         ("launch:\n- group: &a [group: *a]\n", "main.launch.yaml:1:1: a value that contains itself"),
