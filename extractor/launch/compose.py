@@ -14,6 +14,7 @@ from typing import Any
 
 from rosarch.base.xml_reader import XmlError
 from rosarch.extractor.launch import elements, nodes
+from rosarch.extractor.launch.bridges import read_files
 from rosarch.extractor.launch.descriptions import note_worlds
 from rosarch.extractor.launch.files import Files
 from rosarch.extractor.launch.meant import files_meant, meshes_meant
@@ -234,6 +235,7 @@ def finished(state: State, references: Iterable[Reference]) -> Composition:
         remaps=tuple(_rendered_remap(remap, state) for remap in state.remaps),
         worlds=tuple(state.worlds.values()),
         views=views_of(state, nodes),
+        bridges=read_files(state, nodes),
         commands=tuple(state.commands),
         references=(*references, *meshes_meant(state.meshes, state.files.packages)),
     )

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.base.files import path_text
 from rosarch.extractor.launch.arguments import NodeArguments, node_arguments
+from rosarch.extractor.launch.bridges import Bridged, files_of, of_arguments
 from rosarch.extractor.launch.model import (
     ActionLeftOut,
     ArgumentDeclared,
@@ -61,10 +62,16 @@ class _Writer:
     def write(self, composition: Composition) -> Rows:
         nodes = dict(starts(composition))
         views = {view.path: view for view in composition.views}
+        bridges = {file.path: file for file in composition.bridges}
         for start, node in nodes.items():
             self.node(start, node)
             for view in (views[word] for word in node_arguments(node).plain if word in views):
                 self.view(start, view)
+            for entry in (*of_arguments(node), *(entry for path in files_of(node) if path in bridges for entry in bridges[path].entries)):
+                self.bridged(start, entry)
+            for path in files_of(node):
+                if path not in bridges:
+                    self.add("bridge_unread", start, self.path(path))
             if node.first:
                 first = next(other for other, one in nodes.items() if one.lines == node.first and one.full_name == node.full_name)
                 self.add("started_again", start, first)
@@ -179,6 +186,19 @@ class _Writer:
                 self.add("interface_port_at", port, place)
                 for policy, setting in topic.qualities:
                     self.add("interface_port_quality", port, policy, setting)
+
+    def bridged(self, start: str, entry: Bridged) -> None:
+        """What a bridge passes on, as its arguments or its configuration say."""
+        place = self.place(entry.place)
+        package, _, name = entry.type.partition("/")
+        for kind in entry.kinds:
+            port = f"{start}#{place}#{entry.name}#{kind}"
+            self.add("bridge_port", start, port)
+            self.add("interface_port", start, port, kind, entry.name)
+            self.add("interface_port_type", port, f"{package}/{name.rpartition('/')[2]}")
+            self.add("interface_port_at", port, place)
+            if entry.way == "both":
+                self.add("interface_port_conditional", port, "the other side has it")
 
     def declared(self, argument: ArgumentDeclared) -> None:
         """An argument that a launch file declares."""

@@ -11,6 +11,7 @@ from rosarch.extractor.launch.formulas import Formula, Not, possible
 from rosarch.extractor.launch.names import ns_join
 
 if TYPE_CHECKING:
+    from rosarch.extractor.launch.bridges import BridgeFile
     from rosarch.extractor.launch.views import View
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
@@ -388,10 +389,10 @@ class Composition:
 
     `params` has one setting per parameter, and more only where conditions are unknown; `cleared` are namespaces whose parameters are
     removed first, `deleted` the parameters that `<rosparam command="delete">` removes. `unread` are namespaces that a YAML file which could
-    not be read sets parameters in; the `source` of each is that file. `views` are the configurations that viewers are given,
-    `commands` where events are emitted and commands run that are no nodes, `references` what the files read name, in all branches. `ros` is
-    the version of ROS that they are for. `controllers` are nodes that launch knows nothing of: controllers that spawners ask for, and the
-    managers that simulators make.
+    not be read sets parameters in; the `source` of each is that file. `views` and `bridges` are the configurations that viewers and bridges
+    are given, `commands` where events are emitted and commands run that are no nodes, `references` what the files read name, in all
+    branches. `ros` is the version of ROS that they are for. `controllers` are nodes that launch knows nothing of: controllers that spawners
+    ask for, and the managers that simulators make.
     """
 
     nodes: tuple[NodeStart, ...]
@@ -408,6 +409,7 @@ class Composition:
     remaps: tuple[Remap, ...] = ()
     worlds: tuple[World, ...] = ()
     views: tuple[View, ...] = ()
+    bridges: tuple[BridgeFile, ...] = ()
     commands: tuple[Place, ...] = ()
     references: tuple[Reference, ...] = ()
     ros: int = 1

@@ -1,0 +1,97 @@
+"""What bridges to another middleware pass on: topics that arguments and configuration files of nodes name.
+
+Source: ros_gz_bridge (parameter_bridge.cpp, bridge_config.cpp): `TOPIC@ROS_TYPE@TYPE` on the command line, with `[` or `]` in the place of
+the second `@` for one direction; a list of maps in the file that the parameter `config_file` names. Ignition had other words for some.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import yaml
+
+from rosarch.extractor.launch.arguments import node_arguments
+from rosarch.extractor.launch.model import LaunchError, NodeStart, Place
+from rosarch.extractor.launch.state import State
+from rosarch.extractor.launch.unknowns import is_known
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened
+
+_WORD = re.compile(r"(?P<topic>[^@\[\]\s]+)@(?P<type>\w+(/\w+)?/\w+)(?P<way>[@\[\]])\w[\w.:]*")
+_FILE = "config_file"
+_WAYS = {
+    **{"@": "both", "[": "from", "]": "to"},
+    **{"BIDIRECTIONAL": "both", "GZ_TO_ROS": "from", "ROS_TO_GZ": "to", "IGN_TO_ROS": "from", "ROS_TO_IGN": "to"},
+}
+_TOPICS = ("topic_name", "ros_topic_name", "gz_topic_name", "ign_topic_name")
+"""Which entry of a file is the name in ROS: the first that is there."""
+
+
+@dataclass(frozen=True)
+class Bridged:
+    """The topic or service `name` of ROS, of `type` (as written), is passed on: `from` the other middleware, `to` it, or `both` ways."""
+
+    name: str
+    type: str
+    way: str
+    place: Place
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The ports that the bridge has in ROS."""
+        if "/srv/" in self.type:
+            return ("service_server",)
+        return {"from": ("publisher",), "to": ("subscriber",)}.get(self.way, ("publisher", "subscriber"))
+
+
+@dataclass(frozen=True)
+class BridgeFile:
+    """A configuration file of a bridge, read."""
+
+    path: str
+    entries: tuple[Bridged, ...]
+
+
+def of_arguments(node: NodeStart) -> Iterator[Bridged]:
+    """What the arguments of a node say, if they are those of a bridge."""
+    for word in node_arguments(node).plain:
+        if found := _WORD.fullmatch(word):
+            yield Bridged(found["topic"], found["type"], _WAYS[found["way"]], node.lines[-1])
+
+
+def files_of(node: NodeStart) -> list[str]:
+    """The configuration files that a node may be given."""
+    values = [setting.value for setting in node.own_params if setting.name == f"{node.full_name}/{_FILE}"]
+    return [value for value in values if isinstance(value, str) and value]
+
+
+def read_files(state: State, nodes: Iterable[NodeStart]) -> tuple[BridgeFile, ...]:
+    """The configuration files of bridges; one that cannot be read, or is none, is left out."""
+    found: dict[str, BridgeFile] = {}
+    for path in (path for node in nodes for path in files_of(node)):
+        if path in found or not is_known(path) or not state.files.is_file(path):
+            continue
+        try:
+            entries = state.files.parsed(path, _entries)
+        except (LaunchError, YamlError):
+            continue
+        if entries is not None:
+            found[path] = BridgeFile(path, entries)
+    return tuple(found.values())
+
+
+def _entries(data: bytes, path: str) -> tuple[Bridged, ...] | None:
+    with opened(data.decode("utf-8", "replace"), Loader) as (_loader, root):
+        if not isinstance(root, yaml.SequenceNode) or not all(isinstance(item, yaml.MappingNode) for item in root.value):
+            return None
+        return tuple(entry for item in root.value for entry in _entry(item, path))
+
+
+def _entry(item: yaml.MappingNode, path: str) -> Iterator[Bridged]:
+    texts = {key.value: value for key, value in item.value if isinstance(key, yaml.ScalarNode) and isinstance(value, yaml.ScalarNode)}
+    name = next((texts[key] for key in _TOPICS if key in texts), None)
+    way = _WAYS.get(texts["direction"].value if "direction" in texts else "BIDIRECTIONAL")
+    if name is not None and way is not None and "ros_type_name" in texts:
+        place = Place(path, name.start_mark.line + 1, name.start_mark.column + 1)
+        yield Bridged(name.value.strip(), texts["ros_type_name"].value.strip(), way, place)

@@ -1,0 +1,82 @@
+"""What bridges to another middleware pass on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosarch.extractor.launch import Files, PackagePath, compose
+from rosarch.extractor.launch.bridges import of_arguments
+from rosarch.extractor.launch.facts import launch_rows
+from rosarch.extractor.launch.model import NodeStart, Place
+
+
+def _bridge(args: str) -> NodeStart:
+    return NodeStart("ros_gz_bridge", "parameter_bridge", "bridge", "/", (Place("l.launch.py", 3),), args=args, ros=2)
+
+
+@pytest.mark.parametrize(
+    ("word", "expected"),
+    [
+        ("/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock", ("/clock", ("publisher",))),
+        ("cmd_vel@geometry_msgs/Twist]gz.msgs.Twist", ("cmd_vel", ("subscriber",))),
+        ("/odom@nav_msgs/msg/Odometry@ignition.msgs.Odometry", ("/odom", ("publisher", "subscriber"))),
+        ("/world/w/control@ros_gz_interfaces/srv/ControlWorld", None),
+        ("/world/w/control@ros_gz_interfaces/srv/ControlWorld@gz.msgs.WorldControl@gz.msgs.Boolean", None),
+        ("somebody@example.com", None),
+        ("/scan", None),
+    ],
+)
+def test_arguments(word: str, expected: tuple[str, tuple[str, ...]] | None) -> None:
+    found = [(one.name, one.kinds) for one in of_arguments(_bridge(f"--verbose {word}"))]
+    assert found == ([] if expected is None else [expected])
+
+
+LAUNCH = """
+<launch>
+  <node pkg="ros_gz_bridge" exec="parameter_bridge" name="bridge" args="/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V">
+    <param name="config_file" value="$(dirname)/{}"/>
+  </node>
+</launch>
+"""
+CONFIG = """
+- {topic_name: /scan, ros_type_name: sensor_msgs/msg/LaserScan, gz_type_name: gz.msgs.LaserScan, direction: GZ_TO_ROS}
+- {ros_topic_name: cmd, gz_topic_name: other, ros_type_name: geometry_msgs/msg/Twist, gz_type_name: gz.msgs.Twist, direction: ROS_TO_GZ}
+- {topic_name: both, ros_type_name: std_msgs/msg/Bool, gz_type_name: gz.msgs.Boolean}
+- {topic_name: nowhere, ros_type_name: std_msgs/msg/Bool, gz_type_name: gz.msgs.Boolean, direction: SOMEWHERE}
+- {topic_name: untyped}
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "expected"),
+    [
+        (
+            "bridge.yaml",
+            {("/tf", "publisher"), ("/scan", "publisher"), ("cmd", "subscriber"), ("both", "publisher"), ("both", "subscriber")},
+        ),
+        ("absent.yaml", {("/tf", "publisher")}),
+        ("other.yaml", {("/tf", "publisher")}),
+        ("broken.yaml", {("/tf", "publisher")}),
+    ],
+)
+def test_files(tmp_path: Path, file: str, expected: set[tuple[str, str]]) -> None:
+    package = tmp_path / "here"
+    package.mkdir()
+    (package / "package.xml").write_text("<package><name>here</name></package>")
+    (package / "main.launch.xml").write_text(LAUNCH.format(file))
+    (package / "bridge.yaml").write_text(CONFIG)
+    (package / "other.yaml").write_text("here: {ros__parameters: {a: 1}}\n")
+    (package / "broken.yaml").write_text("- [\n")
+    composition = compose([package / "main.launch.xml"], files=Files(PackagePath([tmp_path]), str(tmp_path)))
+    rows = launch_rows(composition, tmp_path)
+    ports = {port for _, port in rows["bridge_port"]}
+    assert {(name, kind) for _, port, kind, name in rows["interface_port"] if port in ports} == expected
+    assert ("bridge_unread" in rows) == (file != "bridge.yaml")
+    if file == "bridge.yaml":
+        types = {type_ for port, type_ in rows["interface_port_type"] if port in ports}
+        assert types == {"tf2_msgs/TFMessage", "sensor_msgs/LaserScan", "geometry_msgs/Twist", "std_msgs/Bool"}
+        places = {place for port, place in rows["interface_port_at"] if "/scan" in port}
+        assert places == {"here/bridge.yaml:2:16"}
+        assert {port.rpartition("#")[2] for port, _ in rows["interface_port_conditional"]} == {"publisher", "subscriber"}
