@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
 from rosarch.extractor.launch.names import canonical
@@ -17,16 +18,24 @@ from rosarch.extractor.launch_ros2.params_files import ALL, matches
 from rosarch.models.component import ComponentModel
 
 
-def with_nodes(composition: Composition, models: Mapping[tuple[str, str], Sequence[ComponentModel]]) -> Composition:
+def with_nodes(
+    composition: Composition,
+    models: Mapping[tuple[str, str], Sequence[ComponentModel]],
+    names: Mapping[tuple[str, str], str] = MappingProxyType({}),
+) -> Composition:
     """The composition, in which a process starts the nodes that it makes, by the names that these have then.
 
-    `models` are those of the nodes of each program or class, by package and by the name that launch files know it by.
+    `models` are those of the nodes of each program or class, by package and by the name that launch files know it by; `names` those that
+    other programs give their node.
     """
     nodes: list[NodeStart] = []
     changed: list[tuple[NodeStart, list[_Made]]] = []
     moved: dict[str, str] = {}
     for start in composition.nodes:
-        made = [_made(start, model) for model in models.get((start.package, start.type), ())]
+        program = (start.package, start.type)
+        made = [_made(start, model) for model in models.get(program, ())]
+        if not made and program in names:
+            made = [_called(start, names[program])]
         nodes += [one.node for one in made] or [start]
         if start.given and made:
             changed.append((start, made))
@@ -60,12 +69,14 @@ def _made(start: NodeStart, model: ComponentModel) -> _Made:
     """The node of a process that a model is of."""
     if model.executable:
         start = replace(start, type=model.component)
-    start = _in_namespace(start, model)
+    return _called(_in_namespace(start, model), model.node_name)
+
+
+def _called(start: NodeStart, name: str | None) -> _Made:
+    """The node of a process that its code calls `name`."""
     if start.name is not None or start.called is None:
         return _Made(start, named=True)
-    if model.node_name is None:
-        return _Made(start, named=False)
-    return _Made(replace(start, called=_renamed(start, model.node_name)), named=True)
+    return _Made(start, named=False) if name is None else _Made(replace(start, called=_renamed(start, name)), named=True)
 
 
 def _in_namespace(start: NodeStart, model: ComponentModel) -> NodeStart:

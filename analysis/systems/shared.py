@@ -82,7 +82,7 @@ class Components:
 
     `interfaces` begin with those of `models`, in their order. `programs` are package and name of all executables that the workspace builds
     and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows or that
-    are in the `underlay`.
+    are in the `underlay`, `names` those that programs of the library give their nodes.
     """
 
     root: Path
@@ -91,13 +91,14 @@ class Components:
     programs: frozenset[tuple[str, str]]
     builds: tuple[Built, ...]
     expected: frozenset[str]
+    names: Mapping[tuple[str, str], str]
     interfaces: tuple[Interface, ...]
     shared: Interface
     diagnostics: tuple[Diagnostic, ...]
 
     def with_nodes(self, launch: Launch) -> tuple[Launch, Configured]:
         """The launch, with the nodes that programs make, by the names that their code has where no launch file names them; their models."""
-        found = configure(with_nodes(launch.composition, made_by(self.models)), self._model_index)
+        found = configure(with_nodes(launch.composition, made_by(self.models), self.names), self._model_index)
         return replace(launch, composition=found.composition), found
 
     @cached_property
@@ -294,10 +295,12 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         models += analyzed(None, is_plugin).models
     known = load(tuple(method.library))
     diagnostics += known.problems
-    interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, needed.of(known, models, underlay)))]
+    of_library = needed.of(known, models, underlay)
+    names = {(one.package, one.component): one.node_name for one in of_library if one.node_name and 1 not in one.ros}
+    interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, of_library))]
     expected = known.packages | underlay.packages.keys()
     shared = _shared(models, interfaces)
-    return Components(root, underlay, models, found.programs, found.builds, expected, tuple(interfaces), shared, tuple(diagnostics))
+    return Components(root, underlay, models, found.programs, found.builds, expected, names, tuple(interfaces), shared, tuple(diagnostics))
 
 
 def _plugins(wanted: Mapping[str, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:

@@ -113,6 +113,15 @@ class PackagePath:
             self._names[folder] = frozenset(found)
         return self._names[folder]
 
+    def describing(self, plugin: str) -> str | None:
+        """The package of the folders that has a description of the plug-in called so."""
+        attribute = re.compile(rb"""\bname\s*=\s*["']""" + re.escape(plugin).encode() + rb"""["']""")
+        for package, folder in self.own.items():
+            for name, paths in self.paths_in(folder).items():
+                if name.endswith(".xml") and name != "package.xml" and any(attribute.search(_content(path)) for path in paths):
+                    return package
+        return None
+
     def makes(self, path: str) -> bool:
         """Whether the file is made: by its package, from a template beside it or by a command that names it, or on each machine.
 
@@ -149,6 +158,13 @@ class PackagePath:
                     found.setdefault(name, []).append(os.path.join(here, name))
             self._paths[folder] = found
         return self._paths[folder]
+
+
+def _content(path: str) -> bytes:
+    try:
+        return read_file(path)
+    except OSError:
+        return b""
 
 
 def _names_and_words(paths: Mapping[str, Sequence[str]]) -> frozenset[str]:

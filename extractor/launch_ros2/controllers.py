@@ -26,15 +26,18 @@ _PACKAGE, _MANAGER = "controller_manager", "ros2_control_node"
 _SPAWNERS = ("spawner", "spawner.py")
 _LOAD = ["ros2", "control", "load_controller"]
 _WITH_VALUE = re.compile(
-    r"-[cnptu]|--(controller-manager|namespace|param-file|controller-type|controller-ros-args|set-state|spin-time|[\w-]*timeout)"
+    r"-[cnpt]|--(controller-manager|namespace|param-file|controller-type|controller-ros-args|set-state|spin-time|[\w-]*timeout)"
 )
-"""Options that a word follows which is no controller; `-u` is among them for `--unload-on-kill`, which has none."""
+"""Options that a word follows which is no controller."""
 _SIMULATED = re.compile(r"(lib)?(gz|ign|gazebo)_ros2_control(-system)?(\.so)?")
 
 
 @dataclass(frozen=True)
 class Asked:
-    """The manager called `manager` (absolute) is asked for controllers, at the last of `lines`; `options` are those of the command line."""
+    """The manager called `manager` (absolute) is asked for controllers, at the last of `lines`.
+
+    `options` are those of the command line, `process` is what a spawner is given.
+    """
 
     manager: str
     controllers: tuple[str, ...]
@@ -42,6 +45,7 @@ class Asked:
     lines: tuple[Place, ...]
     conditions: tuple[Condition, ...]
     held: tuple[Condition, ...]
+    process: tuple[ProcessSetting, ...] = ()
 
     def values(self, *names: str) -> list[str]:
         """What is given for an option, which has several names."""
@@ -51,32 +55,32 @@ class Asked:
 def asked_by_spawner(world: World, node: NodeStart, words: Sequence[str]) -> None:
     """Note what a node asks for, if it is a spawner."""
     if node.package == _PACKAGE and node.type in _SPAWNERS:
-        _note(world, words, node.namespace, (node.lines, node.conditions, node.held))
+        names, options, manager = _read(words, node.namespace)
+        world.controllers.append(Asked(manager, names, options, node.lines, node.conditions, node.held, node.process))
 
 
 def asked_by_command(world: World, words: Sequence[str], context: Context) -> None:
     """Note what a command asks for, if it loads controllers; of a shell it may be one text."""
     words = [part for word in words for part in word.split()]
     if words[: len(_LOAD)] == _LOAD:
-        _note(world, words[len(_LOAD) :], "/", ((*context.lines, world.state.here), context.conditions, context.held))
+        names, options, manager = _read(words[len(_LOAD) :], "/")
+        world.controllers.append(Asked(manager, names, options, (*context.lines, world.state.here), context.conditions, context.held))
 
 
-def _note(
-    world: World, words: Sequence[str], namespace: str, where: tuple[tuple[Place, ...], tuple[Condition, ...], tuple[Condition, ...]]
-) -> None:
-    plain: list[str] = []
+def _read(words: Sequence[str], namespace: str) -> tuple[tuple[str, ...], tuple[tuple[str, str], ...], str]:
+    """The names and options of a command line, and the manager that it is for."""
+    names: list[str] = []
     options: list[tuple[str, str]] = []
     rest = list(words)
     while rest:
         word, joined, value = rest.pop(0).partition("=")
-        if _WITH_VALUE.fullmatch(word) and word != "-u" and (joined or rest):
+        if _WITH_VALUE.fullmatch(word) and (joined or rest):
             options.append((word, value if joined else rest.pop(0)))
         elif not word.startswith("-"):
-            plain.append(word)
-    space = next((value for name, value in options if name in ("-n", "--namespace")), namespace)
+            names.append(word)
+    space = next((value for name, value in options if name in ("-n", "--namespace")), namespace).strip("/")
     named = next((value for name, value in options if name in ("-c", "--controller-manager")), _PACKAGE)
-    manager = canonical(ns_join(f"/{space.strip('/')}/" if space.strip("/") else "/", named))
-    world.controllers.append(Asked(manager, tuple(plain), tuple(options), *where))
+    return tuple(names), tuple(options), canonical(ns_join(f"/{space}/" if space else "/", named))
 
 
 def controllers(world: World, context: Context) -> Iterator[NodeStart]:
@@ -84,7 +88,7 @@ def controllers(world: World, context: Context) -> Iterator[NodeStart]:
     if not world.controllers:
         return
     asked_for = {asked.manager for asked in world.controllers}
-    managers = [node for node in world.state.nodes if node.full_name in asked_for]
+    managers = [node for node in map(_by_its_own_name, world.state.nodes) if node.full_name in asked_for]
     simulated = [one for one in _simulated(world, context) if one.full_name not in {node.full_name for node in managers}]
     yield from simulated
     found: dict[tuple[str, tuple[Condition, ...]], NodeStart] = {}
@@ -97,28 +101,31 @@ def controllers(world: World, context: Context) -> Iterator[NodeStart]:
     yield from found.values()
 
 
+def _by_its_own_name(node: NodeStart) -> NodeStart:
+    """A manager that no launch file gives a name has that of its code."""
+    return replace(node, called=_PACKAGE) if node.name is None and (node.package, node.type) == (_PACKAGE, _MANAGER) else node
+
+
 def _controller(world: World, name: str, manager: NodeStart, asked: Asked, context: Context) -> Iterator[NodeStart]:
     own = replace(manager, name=name, called=name)
     files = [*asked.values("-p", "--param-file"), *_texts(manager, f"{name}.params_file")]
     process = (*manager.process, *_of_files(world, files, asked.lines, context))
-    of_controller = [one for one in process if one.read and matches(one.nodes, own.full_name)]
-    types = [
-        *asked.values("-t", "--controller-type"),
-        *_texts(manager, f"{name}.type"),
-        *(str(one.setting.value) for one in of_controller if one.setting.name == "type" and not one.setting.conditions),
-    ]
+    types = [*asked.values("-t", "--controller-type"), *_texts(manager, f"{name}.type"), *_texts(replace(own, process=process), "type")]
+    if not types:  # Rolling gives on what spawners are given
+        process = (*process, *asked.process)
+        types = _texts(replace(own, process=process), "type")
     if len(set(types)) != 1 or any(map(world.state.unknowns.is_open, (name, *types))):
         return
-    given = {one.setting.name: one.setting for one in of_controller}
+    given = {one.setting.name: one.setting for one in process if one.read and matches(one.nodes, own.full_name)}
     clock = [one.setting for one in manager.process if one.setting.name == "use_sim_time" and matches(one.nodes, manager.full_name)]
     params = {**{setting.name: setting for setting in clock}, **given}  # the manager gives its clock on
     yield NodeStart(
-        package=re.split(r"/|::", types[0])[0],
+        package=_package_of(world, types[0]),
         type=types[0],
         name=name,
         namespace=manager.namespace,
         lines=asked.lines,
-        remaps=(*_rules(asked, context), *manager.remaps),
+        remaps=(*_rules(asked), *manager.remaps),
         conditions=tuple(dict.fromkeys((*manager.conditions, *asked.conditions))),
         held=tuple(dict.fromkeys((*manager.held, *asked.held))),
         ros=2,
@@ -130,6 +137,13 @@ def _controller(world: World, name: str, manager: NodeStart, asked: Asked, conte
     )
 
 
+def _package_of(world: World, controller: str) -> str:
+    """The package of a class: most names begin with it."""
+    first = re.split(r"/|::", controller)[0]
+    packages = world.state.files.packages
+    return first if packages.find(first) else packages.describing(controller) or first
+
+
 def _texts(node: NodeStart, name: str) -> list[str]:
     """The text that a parameter of a node is: the last that is set for it, if nothing is open about it."""
     found = [one.setting for one in node.process if one.read and one.setting.name == name and matches(one.nodes, node.full_name)]
@@ -137,7 +151,7 @@ def _texts(node: NodeStart, name: str) -> list[str]:
     return [found[-1].value] if always and isinstance(found[-1].value, str) else []
 
 
-def _rules(asked: Asked, context: Context) -> Iterator[Remap]:
+def _rules(asked: Asked) -> Iterator[Remap]:
     """The remappings of `--controller-ros-args`."""
     for text in asked.values("--controller-ros-args"):
         for rule in re.findall(r"(?:-r|--remap)\s+(\S+)", text):

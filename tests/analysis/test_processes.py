@@ -56,6 +56,14 @@ def test_a_program_with_one_node_is_called_as_its_code_says(tmp_path: Path) -> N
     assert set_by(found) == {"/left/common": 1, "/left/side": "l"}
 
 
+def test_a_program_of_which_only_the_name_of_its_node_is_known(tmp_path: Path) -> None:
+    found = with_nodes(nodes_of(tmp_path, "parameters=[FILE]"), {}, {("here", "run"): "left"})
+    assert [node.full_name for node in found.nodes] == ["/left"]
+    assert set_by(found) == {"/left/common": 1, "/left/side": "l"}
+    named = with_nodes(nodes_of(tmp_path, "name='run', parameters=[FILE]"), {}, {("here", "run"): "left"})
+    assert [node.full_name for node in named.nodes] == ["/run"]
+
+
 def test_a_name_that_a_launch_file_gives_is_that_of_all_nodes(tmp_path: Path) -> None:
     found = nodes_of(tmp_path, "name='run', parameters=[FILE], remappings=[('left:a', 'b')]", *TWO)
     assert [(node.full_name, node.type, node.own_remaps) for node in found.nodes] == [("/run", "left", ()), ("/run", "right", ())]

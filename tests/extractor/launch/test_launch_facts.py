@@ -248,7 +248,10 @@ def generate_launch_description():
     arm = os.path.join(here, "arm.launch.xml")
     forgotten = Node(package="here", executable="forgotten")
     arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]
-    return LaunchDescription([*arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
+    bridge = Node(package="ros_gz_bridge", executable="parameter_bridge", name="bridge", arguments=["/odom@nav_msgs/msg/Odometry@gz.msgs.Odometry"], parameters=[{"config_file": "/none.yaml"}])
+    manager = Node(package="controller_manager", executable="ros2_control_node", parameters=[{"arm.type": "here/Arm"}])
+    spawner = Node(package="controller_manager", executable="spawner", arguments=["arm"])
+    return LaunchDescription([bridge, manager, spawner, *arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
                                                       composable_node_descriptions=[inner],
                                                       parameters=[os.path.join(here, "box.yaml"), {"map": os.path.join(here, "gone.yaml"), "own": os.path.join(here, "made.yaml")}])])
 
@@ -283,7 +286,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"
     (tmp_path / "here" / "demo.rviz").write_text(view)
     in_python = compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path])))
-    filled |= launch_rows(in_python, tmp_path)
+    filled |= launch_rows(in_python.with_controllers(), tmp_path)
     filled |= container_rows([in_python])
     filled |= first_rows([composition], tmp_path)
     filled |= workspace_rows(dependencies(manifests.declared(tmp_path)), [composition], {("here", "built")}, load().packages)

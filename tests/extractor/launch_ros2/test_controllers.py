@@ -127,3 +127,17 @@ def test_managers_that_simulators_make(tmp_path: Path) -> None:
     values = {setting.name: setting.value for setting in found.with_controllers().params}
     assert (values["/controller_manager/update_rate"], values["/wheels/publish_rate"]) == (30, 50.0)
     assert [remap.target for remap in found.controllers[1].own_remaps] == ["/cmd_vel"]
+
+
+def test_a_class_that_is_called_otherwise_than_its_package(tmp_path: Path) -> None:
+    description = '<library path="l"><class name="special/Grip" type="special::Grip" base_class_type="controller_interface::C"/></library>'
+    spawn = "Node(package='controller_manager', executable='spawner', arguments=['grip', '-t', 'special/Grip'])"
+    found = _composed(tmp_path, f"{MANAGER}, {spawn}", plugins_xml=description)
+    assert [(node.package, node.type) for node in found.controllers] == [("here", "special/Grip")]
+
+
+def test_what_spawners_are_given(tmp_path: Path) -> None:
+    spawn = """Node(package='controller_manager', executable='spawner', arguments=['late'],
+      parameters=[os.path.dirname(__file__) + '/late.yaml'])"""
+    found = _composed(tmp_path, f"{MANAGER}, {spawn}", late_yaml="late:\n  ros__parameters: {type: c/D, gain: 3}\n")
+    assert [(node.type, node.own_params[-1].name) for node in found.controllers] == [("c/D", "/late/gain")]
