@@ -12,17 +12,21 @@ from typing import TYPE_CHECKING, Any
 from rosarch.analysis.cache import ModelCache
 from rosarch.analysis.method import PLAIN, Method
 from rosarch.base.limits import LIMITS
+from rosarch.base.places import Place
 from rosarch.base.pool import Failure, default_jobs, meanwhile, run_tasks
 from rosarch.extractor.stored_facts import Facts, read_stored
-from rosarch.models.component import ComponentModel, Relations, build_models, distinct
+from rosarch.models.component import UNUSED, ComponentModel, Relations, build_models, distinct
 from rosarch.models.node_configuration import NodeConfiguration
-from rosarch.rule_programs.sets import is_loaded_soon, model_program, rules_digest
+from rosarch.models.openness import Unseen
+from rosarch.rule_programs.sets import component_program, is_loaded_soon, model_program, rules_digest
 
 if TYPE_CHECKING:
     from rosarch.datalog import Program
     from rosarch.extractor.pipeline import ComponentFacts
+    from rosarch.extractor.unit_store import Makers
     from rosarch.extractor.workspace import Component, Diagnostic
     from rosarch.extractor.workspace.built import Built
+    from rosarch.rule_programs.choice import RuleSet
 
 
 Configurations = Callable[["ComponentFacts | Facts"], Iterable[NodeConfiguration | None]]
@@ -40,6 +44,7 @@ class Wanted:
 
 
 ALONE = Wanted()
+_LEFT_OUT = "left_out"
 MAX_ROUNDS = 12
 """With more elements in the loops of a component, their rounds are not derived one by one: each costs what the component costs, twice."""
 
@@ -72,7 +77,8 @@ def analyze(
         @lru_cache(maxsize=1)
         def kept() -> ModelCache | None:
             rules_compiled()
-            return ModelCache(cache, system, method.engine, rules_digest(rules)) if cache else None
+            told = rules_digest(rules) + " whole" * method.sources.whole
+            return ModelCache(cache, system, method.engine, told) if cache else None
 
         def is_cached(component: ComponentFacts) -> bool:
             models = kept()
@@ -158,7 +164,19 @@ def _evaluate(
                 method.sources.progress("components", len(seen) - len(open_), len(seen))
     if kept and changed:
         kept.cache.trim()
-    return distinct(models), sorted(failures, key=str)
+    return _told_once(distinct(models)), sorted(failures, key=str)
+
+
+def _told_once(models: Iterable[ComponentModel]) -> tuple[ComponentModel, ...]:
+    """The models, each with what is left out of all of them, once."""
+    models = tuple(models)
+    seen = {(port.at.path, port.at.line) for model in models for port in model.ports}
+    told: list[ComponentModel] = []
+    for model in models:
+        own = [each for each in model.left_out if (each.at.path, each.at.line) not in seen]
+        seen.update((each.at.path, each.at.line) for each in own)
+        told.append(replace(model, left_out=tuple(own)))
+    return tuple(told)
 
 
 def _models(
@@ -167,7 +185,9 @@ def _models(
     kind = "node" if configuration and configuration.entry else component.kind
     found = build_models(system, component.name, component.package, kind, component.sources, relations)
     if configuration is None:
-        return found
+        reason = UNUSED if kind == UNUSED else "uncalled"
+        more = (Unseen("ports", reason, function, Place(*at)) for function, *at in relations.get(_LEFT_OUT, ()))
+        return (replace(found[0], left_out=tuple(sorted({*found[0].left_out, *more}))), *found[1:])
     # of a program that makes several nodes, the one of this name
     own = next((model for model in found if model.executable and model.node_name == configuration.name), found[0])
     return (replace(own, configuration=configuration.key),)
@@ -176,16 +196,36 @@ def _models(
 def _derived(jobs_open: Sequence[_Job], method: Method) -> Iterator[tuple[_Job, Relations | Failure]]:
     """What the rules derive of each component, in worker processes."""
     program, engine = model_program(method.rules), method.engine
+    makers = _makers(method.rules) if method.sources.whole else None
     largest_first = sorted(jobs_open, key=lambda job: -job[0].size)  # so that many processes end evenly
 
     def work(job: _Job) -> Relations:
         component, configuration = job
         if configuration is None:
-            return program.evaluate(component.rows(), engine=engine).all_rows()
+            # nothing of an unused source runs: there is nothing to derive
+            rows = component.rows() if component.kind != UNUSED else {}
+            return {**program.evaluate(rows, engine=engine).all_rows(), _LEFT_OUT: _left_out(component, makers)}
         return configured_rows(program, component.rows(), configuration, engine)
 
     for index, outcome in run_tasks(work, largest_first, jobs=method.sources.jobs or default_jobs(), timeout=LIMITS.evaluation):
         yield largest_first[index], outcome
+
+
+def _left_out(component: ComponentFacts | Facts, makers: Makers | None) -> Iterable[tuple[Any, ...]]:
+    """Where code makes ports that no facts are kept of; of stored facts that is not known."""
+    from rosarch.extractor.pipeline import ComponentFacts
+
+    return component.left_out(makers) if makers and isinstance(component, ComponentFacts) else ()
+
+
+def _makers(rules: RuleSet) -> Makers:
+    """What makes ports, as the rules know it."""
+    from rosarch.extractor.unit_store import Makers
+
+    found = component_program(rules).evaluate({}, keep=["api_port", "makes_port_called"])
+    return Makers(
+        frozenset(str(row[0]) for row in found.rows("api_port")), frozenset(str(row[0]) for row in found.rows("makes_port_called"))
+    )
 
 
 def configured_rows(

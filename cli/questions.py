@@ -87,9 +87,12 @@ class ReadingOptions:
         sources = replace(self.sources(), underlay=replace(self.underlay, libraries=prefixes(library)))
         return Method(rules, self.engine.value, sources, library)
 
-    def analysis(self, rules: RuleSet, folder: Path, packages: Sequence[str] | None, component: str | None = None) -> Analysis:
-        """The models of the components in a folder, by these rules; see `load_analysis`."""
-        return load_analysis(folder, packages, self.method(rules), component)
+    def analysis(
+        self, rules: RuleSet, folder: Path, packages: Sequence[str] | None, component: str | None = None, *, whole: bool = False
+    ) -> Analysis:
+        """The models of the components in a folder, by these rules; see `load_analysis`, and `Settings` for `whole`."""
+        method = self.method(rules)
+        return load_analysis(folder, packages, replace(method, sources=replace(method.sources, whole=whole)), component)
 
     def systems_in(self, folder: Path, launches: Sequence[str] | None, rules: RuleSet) -> SystemInputs:
         """Systems of a folder of sources."""

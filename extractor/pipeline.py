@@ -36,7 +36,7 @@ from rosarch.extractor.settings import DEFAULT, Settings
 from rosarch.extractor.sources import Sources, diagnostics
 from rosarch.extractor.underlay import Underlay
 from rosarch.extractor.unit_index import UnitIndex
-from rosarch.extractor.unit_store import read_rows
+from rosarch.extractor.unit_store import Makers, read_left_out, read_rows
 from rosarch.extractor.units import Outcome, UnitFile
 from rosarch.extractor.workspace import (
     Component,
@@ -52,7 +52,8 @@ from rosarch.extractor.workspace import (
 from rosarch.extractor.workspace.built import Built, builds
 from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
 from rosarch.extractor.workspace.graph import is_brought
-from rosarch.extractor.workspace.model import ROS1, ROS2
+from rosarch.extractor.workspace.loose import is_ros2
+from rosarch.extractor.workspace.model import ROS1, ROS2, UNUSED
 
 
 @dataclass(frozen=True)
@@ -89,6 +90,10 @@ class ComponentFacts:
         if rows["source_language"]:  # what other languages are compiled
             rows.update(self.fields.used(rows["message_class"]))
         return rows
+
+    def left_out(self, makers: Makers) -> list[tuple[str, str, int, int]]:
+        """Where code that `rows` leaves out makes ports: the name of the function, then path, line and column. Of an unused source: all."""
+        return sorted(set(read_left_out(self.units, self.own, makers, unused=self.kind == UNUSED)))
 
 
 @dataclass
@@ -162,7 +167,11 @@ def extract(
         unfinished.push(extraction)  # its temporary files go also when this ends early
         scratch = extraction._stack.enter_context(scratch_folder())
         tracing.ignore(scratch)
-        found = [component for component in components(workspace, extraction.diagnostics) if only is None or only(component)]
+        found = [
+            component
+            for component in components(workspace, extraction.diagnostics, unused=settings.whole)
+            if only is None or only(component)
+        ]
         commands = read_compile_commands(workspace.root)
         extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
         units_of = {one: [one.python] if one.python else compile_units(workspace, one, commands) for one in found}
@@ -213,7 +222,7 @@ def compile_units(workspace: Workspace, component: Component, commands: CompileC
     """The sources of a component, those of a library as the library's own target compiles them."""
     target = component.target.name if component.target else component.name
     middleware = {package.name: package.middleware for package in workspace.packages}
-    used = middleware.get(component.package, ROS1)
+    used = middleware.get(component.package) or (ROS2 if any(map(is_ros2, component.sources)) else ROS1)  # one of no package
     own = [_unit(source, target, component.include_dirs, component.definitions, commands, used) for source in component.sources]
     wanted = set(component.library_sources)
     linked = [

@@ -21,7 +21,7 @@ class Settings:
     """How sources are read: by `jobs` processes, or as many as there are processors, with `timeout` as the limit in seconds for one source.
 
     `defines` are CMake cache variables, `underlay` is what is installed. With a `cache`, only what has changed since an
-    earlier time is read again.
+    earlier time is read again. `whole`: sources that nothing builds, imports or starts are read, too, as components of their own.
     """
 
     jobs: int | None = None
@@ -30,10 +30,11 @@ class Settings:
     cache: Cache | None = None
     progress: Progress | None = None
     underlay: Underlay = NOTHING_INSTALLED
+    whole: bool = False
 
     def key(self) -> list[str]:
         """All that the result depends on, but for the sources."""
-        return [repr(sorted(self.defines.items())), repr(self.timeout), *self.underlay.key()]
+        return [repr(sorted(self.defines.items())), repr(self.timeout), repr(self.whole), *self.underlay.key()]
 
 
 DEFAULT = Settings()

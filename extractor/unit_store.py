@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import marshal
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from rosarch.base.whole import write_whole
 from rosarch.extractor.live_code import Mentions, by_function, entry_classes, live_functions, mentions_of
 
 Row = tuple[str | int, ...]
+Rows = Mapping[str, Iterable[Row]]
 
 
 @dataclass(frozen=True)
@@ -59,12 +61,70 @@ class UnitStore:
         write_whole(self.path(key), sealed(data))
 
 
-def read_rows(paths: Iterable[Path], own: Mapping[str, Iterable[Row]]) -> dict[str, AbstractSet[Row]]:
+def read_rows(paths: Iterable[Path], own: Rows) -> dict[str, AbstractSet[Row]]:
     """The rows in files of units and headers of a component and its own, but for those of functions that are not live (see `live_code`).
 
     They come in the order of the files, so that who goes through them finds neighbours in memory side by side.
     """
-    pieces: dict[str, list[Iterable[Row]]] = defaultdict(list)
+    pieces, _, bodies, live = _read(paths, own)
+    for function, compiled in bodies.items():
+        if function in live:
+            for body in compiled:
+                _add(pieces, marshal.loads(body))
+    # equal identifiers mean equal entities
+    return defaultdict(set, {relation: dict.fromkeys(chain.from_iterable(found)).keys() for relation, found in pieces.items()})
+
+
+def read_left_out(paths: Iterable[Path], own: Rows, makers: Makers, *, unused: bool) -> Iterator[tuple[str, str, int, int]]:
+    """Where functions that are not live call what makes a port: name of the function, then path, line and column.
+
+    Of an `unused` source no function is live.
+    """
+    _, declared, bodies, live = _read(paths, own)
+    names, files = _first_to_second(declared, "function_name"), _first_to_second(declared, "source_file")
+    for function, compiled in bodies.items():
+        if unused or function not in live:
+            for body in map(marshal.loads, filter(makers.may_be_in, compiled)):
+                places = {row[0]: row[1:] for row in body.get("location", ()) if row[1] in files}
+                for call in makers.calls(body, names):
+                    if call in places:
+                        file, line, column = places[call]
+                        yield names.get(function, function), files[file], line, column
+
+
+@dataclass(frozen=True)
+class Makers:
+    """What makes ports: `functions` by their qualified names, and calls of certain `names` where it is not known what they call."""
+
+    functions: frozenset[str]
+    names: frozenset[str]
+
+    @cached_property
+    def _words(self) -> tuple[bytes, ...]:
+        return tuple(name.encode() for name in sorted(self.functions | self.names))
+
+    def may_be_in(self, body: bytes) -> bool:
+        """Whether a packed body may call one of them."""
+        return any(word in body for word in self._words)
+
+    def calls(self, body: Rows, names: Mapping[str, str]) -> Iterator[str]:
+        """The calls of one of them, by the `names` of functions."""
+        called = _first_to_second(body, "call_function")
+        for call, name in _first_to_second(body, "call").items():
+            if (names.get(called[call], called[call]) in self.functions) if call in called else (name in self.names):
+                yield call
+
+
+def _first_to_second(rows: Rows, relation: str) -> dict[str, str]:
+    return {str(row[0]): str(row[1]) for row in rows.get(relation, ())}
+
+
+_Pieces = dict[str, list[Iterable[Row]]]
+
+
+def _read(paths: Iterable[Path], own: Rows) -> tuple[_Pieces, dict[str, list[Row]], dict[str, list[bytes]], set[str]]:
+    """Pieces of what is outside of functions, the same in one, the packed rows of each function, and which of these are live."""
+    pieces: _Pieces = defaultdict(list)
     mentions: dict[str, list[Mentions]] = defaultdict(list)
     bodies: dict[str, list[bytes]] = defaultdict(list)
     _add(pieces, own)
@@ -80,13 +140,7 @@ def read_rows(paths: Iterable[Path], own: Mapping[str, Iterable[Row]]) -> dict[s
     if "component_class" in declared:
         declared["component_class"] = entry_classes(declared)
         pieces["component_class"] = [declared["component_class"]]
-    live = live_functions(declared, mentions)
-    for function, compiled in bodies.items():
-        if function in live:
-            for body in compiled:
-                _add(pieces, marshal.loads(body))
-    # equal identifiers mean equal entities
-    return defaultdict(set, {relation: dict.fromkeys(chain.from_iterable(found)).keys() for relation, found in pieces.items()})
+    return pieces, declared, bodies, live_functions(declared, mentions)
 
 
 def _add(pieces: dict[str, list[Iterable[Row]]], more: Mapping[str, Iterable[Row]]) -> None:

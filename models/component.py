@@ -84,7 +84,7 @@ class ComponentModel:
     """One component.
 
     `reconfigurable` are the parameters that servers of dynamic_reconfigure keep, `loads` the names of the plug-ins that it loads,
-    `unseen` says what it may have beside all that,
+    `unseen` says what it may have beside all that, `left_out` what its sources have and nothing makes,
     `loads_any` the base classes of those whose names are not known, `executables` what launch files start it as, where that need not be its
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
@@ -111,6 +111,7 @@ class ComponentModel:
     executable: str | None = None
     middleware: str | None = None
     unseen: tuple[Unseen, ...] = ()
+    left_out: tuple[Unseen, ...] = ()
     configuration: str = ""
     inner: tuple[InnerNode, ...] = ()
     plugin_arguments: tuple[PluginArgument, ...] = ()
@@ -186,6 +187,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         tuple(sorted(name for (name,) in relations["component_executable"])),
         middleware=" and ".join(sorted(name for (name,) in relations["component_middleware"])) or None,
         unseen=tuple(sorted(Unseen(what, kind, subject, Place(*at)) for what, kind, subject, *at in relations["unseen"])),
+        left_out=tuple(sorted(Unseen("ports", "uncalled", function, Place(*at)) for function, *at in relations["port_unreached"])),
         inner=_inner_nodes(relations),
         asks_name=any(relations["own_name_call"]),
         asks_namespace=any(relations["own_namespace_call"]),
@@ -206,6 +208,7 @@ def _inner_nodes(relations: Relations) -> tuple[InnerNode, ...]:
     return tuple(InnerNode(class_, name, namespaces, tuple(given[class_])) for class_, name in made)
 
 
+UNUSED = "unused"  # a source that nothing builds, imports or starts
 MANAGED, _MAY_BE_MANAGED = "lifecycle_node", ("node", "component")
 
 
@@ -334,7 +337,7 @@ def to_json(model: ComponentModel) -> dict[str, Any]:
         "ports": list(map(port_json, model.ports)),
         "params": list(map(parameter_json, model.params)),
         **_behavior_json(model.behavior, {port.id for port in model.ports if port.kind in _ASKED}),
-        "open": _open_json(model.unseen),
+        "open": _open_json((*model.unseen, *model.left_out)),
         **({"plugin": vars(model.plugin)} if model.plugin else {}),
         **({"executables": list(model.executables)} if model.executables else {}),
         **({"loads": list(model.loads)} if model.loads else {}),

@@ -18,6 +18,9 @@ _REASONS = {
     "source": "the source was not analysed: {}",
     "lost": "a function was not understood: {}",
     "macro": "the macro {} stands in a class of nodes and was not seen",
+    # of code that does not run
+    "uncalled": "nothing calls {}",
+    "unused": "nothing builds, imports or starts the source",
     # of nodes
     "model": "{} has no model",
     "library": "the model of {} in the library is not complete",

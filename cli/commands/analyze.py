@@ -39,7 +39,7 @@ def analyze(
     if out:
         check_output(out)
     rules = question.rules()
-    analysis = question.analysis(rules, question.folder, question.packages)
+    analysis = question.analysis(rules, question.folder, question.packages, whole=True)
     if out:
         from rosarch.base.whole import write_whole
         from rosarch.reports.json_models import write_models
@@ -56,10 +56,13 @@ def analyze(
 
         emit(models_text(analysis.models))
         return
+    from rosarch.models.component import UNUSED
+
+    running = [model for model in analysis.models if model.kind != UNUSED]
     if output_format or not out:
         from rosarch.reports.table import models_text as table_text
 
-        emit(table_text(analysis.models, parameters=True, terminal=is_terminal()))
+        emit(table_text(running, parameters=True, terminal=is_terminal()))
     from rosarch.reports.summary import summary_line
 
-    emit(summary_line(analysis.models, time.perf_counter() - start, question.underlay) + "\n")
+    emit(summary_line(running, time.perf_counter() - start, question.underlay) + "\n")

@@ -16,6 +16,7 @@ from rosarch.extractor.workspace.model import EXECUTABLE, LIBRARY, LIBRARY_KINDS
 from rosarch.extractor.workspace.plugins import Registration, own_headers, registrations
 from rosarch.extractor.workspace.python_modules import Modules
 from rosarch.extractor.workspace.python_nodes import component_of, python_nodes
+from rosarch.extractor.workspace.unused import unused_components
 
 NODELET_BASE = "nodelet::Nodelet"
 COMPONENT_BASE = "rclcpp_components"
@@ -54,8 +55,10 @@ def registered(workspace: Workspace) -> frozenset[tuple[str, str]]:
     return frozenset((package.name, plugin.name) for package, plugin in found if plugin.base == COMPONENT_BASE)
 
 
-def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -> tuple[Component, ...]:
+def components(workspace: Workspace, problems: list[Diagnostic] | None = None, *, unused: bool = False) -> tuple[Component, ...]:
     """The components of the selected packages, by package, kind and name; of installed ones those in Python. Tests are none.
+
+    With `unused`, sources that belong to none of them are components, too.
 
     No two components of a package have one name: of equal ones, all but the first get a number. `problems` lists these.
     """
@@ -66,8 +69,10 @@ def components(workspace: Workspace, problems: list[Diagnostic] | None = None) -
             result.extend(_plugins(workspace, package))
     problems = [] if problems is None else problems
     result.extend(python_nodes(workspace, problems))
-    if workspace.selected.issuperset(package.name for package in workspace.packages):  # else something else may run them
+    if workspace.is_whole:  # else something else may run them
         result.extend(_libraries(workspace, result))
+    if unused:
+        result.extend(unused_components(workspace, result))
     result.sort(key=lambda c: (c.package, c.kind, c.name, c.plugin_name or ""))
     return tuple(_distinct(workspace, result, problems))
 

@@ -25,10 +25,11 @@ def _package(root: Path, source: Path) -> Package:
         return Package(name, source.parent, source, build_type="", programs=(Program(source.stem, source),))
     kind = SHARED if registrations(source) else EXECUTABLE
     target = Target(source.stem, source.stem, kind, name, source, 1, sources=(source,))
-    return Package(name, source.parent, source, build_type="ament_cmake" if _is_ros2(source) else "catkin", targets=(target,))
+    return Package(name, source.parent, source, build_type="ament_cmake" if is_ros2(source) else "catkin", targets=(target,))
 
 
-def _is_ros2(source: Path) -> bool:
+def is_ros2(source: Path) -> bool:
+    """Whether a source of C++ is one for ROS 2."""
     try:
         return _ROS2.search(read_file(source)) is not None
     except OSError:

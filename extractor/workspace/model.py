@@ -21,6 +21,7 @@ IMPORTED = "imported"
 TEST = "test"
 PYTHON_NODE = "python_node"
 LIBRARY = "library"
+UNUSED = "unused"
 LIBRARY_KINDS = frozenset({SHARED, STATIC, MODULE, OBJECT, INTERFACE})
 _ROS2_TOOLS = frozenset({"rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
 
@@ -164,6 +165,11 @@ class Workspace:
     searched: bool = True
     underlay: Underlay = NOTHING_INSTALLED
 
+    @property
+    def is_whole(self) -> bool:
+        """Whether all packages below the root are selected."""
+        return self.selected.issuperset(package.name for package in self.packages if not package.installed)
+
     def package(self, name: str) -> Package | None:
         """The package called `name`."""
         return next((package for package in self.packages if package.name == name), None)
@@ -198,10 +204,10 @@ class PythonEntry:
 class Component:
     """A unit of the running system: a node executable, a nodelet class, another plug-in class.
 
-    `kind` is `node`, `nodelet`, `component` (rclcpp_components), `gazebo_plugin`, `plugin`, `python_node` or `library` (which nothing in
-    the workspace runs). `sources` are the component's own sources, `library_sources` those of the workspace libraries it is linked with, or
-    of the modules of other packages that it imports. `executables` are the names that a Python node is started by, where `python` says how
-    it begins.
+    `kind` is `node`, `nodelet`, `component` (rclcpp_components), `gazebo_plugin`, `plugin`, `python_node`, `library` (which nothing in
+    the workspace runs) or `unused` (a source that nothing builds, imports or starts). `sources` are the component's own sources,
+    `library_sources` those of the workspace libraries it is linked with, or of the modules of other packages that it imports.
+    `executables` are the names that a Python node is started by, where `python` says how it begins.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Sources of packages that use ROS and belong to no component: no target builds them, nothing installs or imports them."""
+"""Sources that use ROS and belong to no component: no target builds them, nothing installs or imports them."""
 
 from __future__ import annotations
 
@@ -7,8 +7,12 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
-from rosarch.base.files import read_file
+from rosarch.base.files import file_name, read_file
 from rosarch.extractor.package_names import IGNORE_MARKERS
+from rosarch.extractor.workspace.loose import loose_name
+from rosarch.extractor.workspace.model import EXECUTABLE, UNUSED, Component, Package, PythonEntry, Target, Workspace
+from rosarch.extractor.workspace.plugins import own_headers
+from rosarch.extractor.workspace.python_modules import Modules
 
 _USES_ROS = re.compile(
     rb"^[ \t]*(?:#[ \t]*include[ \t]*[<\"](?:ros/ros\.h|rclcpp\w*/)|(?:import|from)[ \t]+(?:rospy|rclpy)\b)", re.MULTILINE
@@ -20,8 +24,56 @@ _APART = frozenset({"test", "tests", "launch", "doc", "docs", "build", "devel", 
 def unused_sources(packages: Iterable[Path], used: Collection[Path], suffixes: tuple[str, ...] = _SUFFIXES) -> list[Path]:
     """The sources below the folders of `packages` that use ROS and are not `used`; tests, launch files and ignored folders left out."""
     found = {path.resolve() for path in used}
-    sources = (path for package in packages for path in _sources(package, suffixes))
-    return sorted({path for path in sources if path.resolve() not in found and uses_ros(path)})
+    sources = ((package, path) for package in packages for path in _sources(package, suffixes))
+    return sorted({path for package, path in sources if path.resolve() not in found and _uses_ros_itself(path, package)})
+
+
+def _uses_ros_itself(path: Path, folder: Path) -> bool:
+    """Whether a source names a client library of ROS, or a header of the same folder that it includes does."""
+    if uses_ros(path) or path.suffix == ".py":
+        return uses_ros(path)
+    above = [parent / "include" for parent in path.parents if parent.is_relative_to(folder)]
+    return any(map(uses_ros, own_headers(path, above, folder)))
+
+
+def unused_components(workspace: Workspace, found: Iterable[Component]) -> list[Component]:
+    """Each source that is in none of the components that were `found`, but for modules that others of them import."""
+    used = {path for component in found for path in (*component.sources, *component.library_sources)}
+    selected = [package for package in workspace.packages if package.name in workspace.selected and not package.installed]
+    folders = [workspace.root] if workspace.is_whole else [package.path for package in selected]
+    inner_first = sorted(selected, key=lambda package: package.path, reverse=True)
+    modules = Modules()
+    made = [_component(workspace.root, path, _owner(path, inner_first), modules) for path in unused_sources(folders, used)]
+    imported = {path for component in made for path in component.library_sources}
+    return [component for component in made if imported.isdisjoint(component.sources)]
+
+
+def _owner(path: Path, packages: Iterable[Package]) -> Package | None:
+    return next((package for package in packages if path.is_relative_to(package.path)), None)
+
+
+def _component(root: Path, source: Path, package: Package | None, modules: Modules) -> Component:
+    """A source as a component; one that is in no package is a package of its own."""
+    name = loose_name(package.path if package else root, source)
+    owner = package.name if package else name
+    if source.suffix == ".py":
+        roots = (source.parent, *(package.python_roots if package else ()))
+        start = PythonEntry(source, _module(source, roots[1:]), None, roots)
+        imported, _ = modules.closure(start.file, start.module, roots)
+        others = tuple(path for _, path in imported if path != source)
+        start = PythonEntry(source, start.module, None, roots, imported)
+        return Component(file_name(name), owner, UNUSED, None, (), (source,), others, python=start)
+    folders = {folder: None for target in (package.targets if package else ()) for folder in target.include_dirs}
+    if package:
+        folders[package.path / "include"] = None
+    target = Target(source.stem, source.stem, EXECUTABLE, owner, source, 1, sources=(source,))
+    return Component(file_name(name), owner, UNUSED, target, (), (source,), (), include_dirs=tuple(folders))
+
+
+def _module(source: Path, roots: Iterable[Path]) -> str:
+    """What a module below the roots of its package is called; else it is a file that is run."""
+    root = next((root for root in roots if source.is_relative_to(root)), None)
+    return ".".join(source.relative_to(root).with_suffix("").parts) if root else "__main__"
 
 
 def _sources(package: Path, suffixes: tuple[str, ...]) -> Iterator[Path]:

@@ -323,3 +323,27 @@ def test_libraries_that_nothing_runs(tmp_path: Path) -> None:
     # another package may run what is asked for
     package(tmp_path, "above", "", {}, depends=("demo",))
     assert [one.name for one in components(discover(tmp_path, ["above"]))] == []
+
+
+def test_sources_of_no_component_are_components_where_they_are_asked_for(tmp_path: Path) -> None:
+    package(
+        tmp_path,
+        "demo",
+        "add_executable(main main.cpp)",
+        {
+            "main.cpp": "#include <ros/ros.h>\n",
+            "old/once.cpp": "#include <ros/ros.h>\n",
+            "src/by_header.cpp": '#include "demo/by_header.h"\n',
+            "include/demo/by_header.h": "#include <ros/ros.h>\n",
+            "src/plain.cpp": "int one();\n",
+            "test/tested.cpp": "#include <ros/ros.h>\n",
+            "nodes/tool.py": "import rospy\nimport helper\n",
+            "nodes/helper.py": "import rospy\n",
+        },
+    )
+    (tmp_path / "tools").mkdir()
+    (tmp_path / "tools/look.py").write_text("import rclpy\n")
+    workspace = discover(tmp_path)
+    assert [one.name for one in components(workspace)] == ["main"]
+    unused = [(one.package, one.name) for one in components(workspace, unused=True) if one.kind == "unused"]
+    assert unused == [("demo", "nodes.tool"), ("demo", "old.once"), ("demo", "src.by_header"), ("tools.look", "tools.look")]

@@ -15,7 +15,7 @@ NAMES = (
     "port", "port_type", "port_parameter", "port_in_namespace", "port_callback", "port_handler", "port_queue", "port_latched", "port_quality", "port_unknown", "port_made_through", "port_via",
     "implicit_port", "implicit_port_callback", "node_location",
     "function_display", "lambda_within", "parameter_access", "parameter_access_default", "parameter_access_type",
-    "reconfigure_parameter", "node_name", "node_element", "port_of_other_node", "unseen", "component_middleware", "managed_node",
+    "reconfigure_parameter", "node_name", "node_element", "port_of_other_node", "unseen", "port_unreached", "component_middleware", "managed_node",
     "reacts", "always_reacts", "periodic", "period", "sends_periodically", "state_variable", "configuration_variable",
     "transition", "done_for_others", "initial_value", "assignment_parts", "activity", "activity_part", "activity_enters", "guard_step",
     "loop_condition", "silent_condition", "switch_case",
