@@ -12,6 +12,7 @@ from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.urdf.command import XacroCall, run
 from rosarch.extractor.urdf.document import DocumentError, Element, parse
+from rosarch.extractor.urdf.hardware import hardware
 from rosarch.extractor.urdf.plugins import SimulatorPlugin, plugins
 from rosarch.extractor.urdf.writer import write
 
@@ -34,20 +35,24 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
     for problem in expansion.problems:
         kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
+    if expansion.document is None or expansion.problems:
+        state.hardware_unseen = True
     if expansion.document is None:
         return None, ()
     _note_meshes(state, expansion.document.root)
+    state.hardware.update(dict.fromkeys(hardware(expansion.document.root)))
     return write(expansion.document, call.file), plugins(expansion.document.root)
 
 
 def plugins_of_file(state: State, path: str, text: str) -> tuple[SimulatorPlugin, ...]:
     """The plugins of a file with the content `text`; none, with a report, when it is no document."""
-    if "<plugin" not in text and "<mesh" not in text:
+    if not any(tag in text for tag in ("<plugin", "<mesh", "<ros2_control")):
         return ()
     state.spend(len(text))
     try:
         root = state.files.parsed(path, parse).root
         _note_meshes(state, root)
+        state.hardware.update(dict.fromkeys(hardware(root)))
         return plugins(root)
     except DocumentError as error:
         state.problems.setdefault(Problem("urdf", path, error.message, error.place, fatal=False, conditions=state.scope.conditions))

@@ -107,6 +107,13 @@ class _Writer:
             self.add("commands_run", self.place(command))
         for reference in composition.references:
             self.reference(reference)
+        for asked in composition.controllers_asked:
+            self.add("controller_asked", self.place(asked.place), asked.name, asked.manager)
+        for one in composition.hardware:
+            self.add("hardware_interface", one.kind, one.owner, one.name, self.place(one.place))
+            self.add("hardware_driver", one.plugin)
+        if composition.hardware_unseen:
+            self.add("hardware_unseen")
         return self.rows
 
     def add(self, relation: str, *row: Any) -> None:
@@ -160,6 +167,9 @@ class _Writer:
         """A parameter's value."""
         place = self.place(setting.place)
         self.add("param_set", setting.name, *kind_and_text(setting.value), place)
+        if isinstance(setting.value, list) and all(isinstance(item, str) for item in setting.value):
+            for index, item in enumerate(setting.value):
+                self.add("param_item", setting.name, index, item, place)
         for condition in setting.conditions:
             self.add("param_set_if", setting.name, str(condition))
         if setting.source:

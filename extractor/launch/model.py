@@ -13,6 +13,7 @@ from rosarch.extractor.launch.names import ns_join
 if TYPE_CHECKING:
     from rosarch.extractor.launch.bridges import BridgeFile
     from rosarch.extractor.launch.views import View
+    from rosarch.extractor.urdf.hardware import HardwareInterface
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
 
@@ -196,6 +197,15 @@ class ParamsGiven:
 
     path: str
     sections: tuple[ParamsSection, ...]
+
+
+@dataclass(frozen=True)
+class ControllerAsked:
+    """The controller `name` is asked for, of the manager called `manager` (absolute)."""
+
+    name: str
+    manager: str
+    place: Place
 
 
 @dataclass(frozen=True)
@@ -392,7 +402,8 @@ class Composition:
     not be read sets parameters in; the `source` of each is that file. `views` and `bridges` are the configurations that viewers and bridges
     are given, `commands` where events are emitted and commands run that are no nodes, `references` what the files read name, in all
     branches. `ros` is the version of ROS that they are for. `controllers` are nodes that launch knows nothing of: controllers that spawners
-    ask for, and the managers that simulators make.
+    ask for (`controllers_asked`), and the managers that simulators make. `hardware` is what robot descriptions export; there may be more
+    when some is `unseen`.
     """
 
     nodes: tuple[NodeStart, ...]
@@ -414,6 +425,9 @@ class Composition:
     references: tuple[Reference, ...] = ()
     ros: int = 1
     controllers: tuple[NodeStart, ...] = ()
+    controllers_asked: tuple[ControllerAsked, ...] = ()
+    hardware: tuple[HardwareInterface, ...] = ()
+    hardware_unseen: bool = False
 
     def with_controllers(self) -> Composition:
         """The composition with its `controllers` among the nodes, as the graph has them, and with their parameters."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from rosarch.extractor.launch.files import Files
 from rosarch.extractor.launch.formulas import Test, truth
@@ -11,6 +12,7 @@ from rosarch.extractor.launch.model import (
     ArgumentDeclared,
     ArgumentPassed,
     Condition,
+    ControllerAsked,
     Include,
     LaunchError,
     NodeStart,
@@ -28,6 +30,9 @@ from rosarch.extractor.launch.substitution import Resolver
 from rosarch.extractor.launch.unknowns import Unknowns
 from rosarch.extractor.launch.values import boolean
 from rosarch.extractor.launch.xml_reader import Element
+
+if TYPE_CHECKING:
+    from rosarch.extractor.urdf.hardware import HardwareInterface
 
 MAX_ELEMENTS = 500_000  # processed in one composition, included files counted each time
 MAX_PARAMS = 500_000
@@ -66,6 +71,9 @@ class State:
         self.machines: dict[str, tuple[object, ...]] = {"": ("this computer",)}
         self.default_machine: str | None = None
         self.controllers: list[NodeStart] = []
+        self.controllers_asked: list[ControllerAsked] = []
+        self.hardware: dict[HardwareInterface, None] = {}
+        self.hardware_unseen = False
         self.named: dict[str, list[NodeStart]] = {}
         self.started_anew: set[tuple[str, Place]] = set()
         self.here = Place("", 1)

@@ -13,7 +13,17 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from rosarch.extractor.launch.model import Condition, LaunchError, NodeStart, ParamSetting, Place, ProcessSetting, Remap, exclusive
+from rosarch.extractor.launch.model import (
+    Condition,
+    ControllerAsked,
+    LaunchError,
+    NodeStart,
+    ParamSetting,
+    Place,
+    ProcessSetting,
+    Remap,
+    exclusive,
+)
 from rosarch.extractor.launch.names import canonical, ns_join
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.parameters import Setting, settings
@@ -46,6 +56,16 @@ class Asked:
     conditions: tuple[Condition, ...]
     held: tuple[Condition, ...]
     process: tuple[ProcessSetting, ...] = ()
+
+    def is_known(self, world: World) -> bool:
+        """Whether all names are known, and all files that are named are there and were read."""
+        files = self.values("-p", "--param-file")
+        texts = (self.manager, *self.controllers, *files)
+        return (
+            not any(map(world.state.unknowns.is_open, texts))
+            and all(map(world.state.files.is_file, files))
+            and all(one.read for one in self.process)
+        )
 
     def values(self, *names: str) -> list[str]:
         """What is given for an option, which has several names."""
@@ -93,6 +113,9 @@ def controllers(world: World, context: Context) -> Iterator[NodeStart]:
     yield from simulated
     found: dict[tuple[str, tuple[Condition, ...]], NodeStart] = {}
     for asked in world.controllers:
+        if not asked.conditions and asked.is_known(world):
+            place = asked.lines[-1]
+            world.state.controllers_asked += [ControllerAsked(name, asked.manager, place) for name in asked.controllers]
         for manager in (*managers, *simulated):
             if manager.full_name == asked.manager and not exclusive(manager.conditions, asked.conditions):
                 for name in asked.controllers:

@@ -239,6 +239,7 @@ IN_PYTHON = """import os
 from launch import LaunchDescription
 from launch.actions import ExecuteProcess, IncludeLaunchDescription
 from launch_ros.actions import ComposableNodeContainer, Node
+from launch.substitutions import Command
 from launch_ros.descriptions import ComposableNode
 
 def generate_launch_description():
@@ -249,7 +250,7 @@ def generate_launch_description():
     forgotten = Node(package="here", executable="forgotten")
     arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]
     bridge = Node(package="ros_gz_bridge", executable="parameter_bridge", name="bridge", arguments=["/odom@nav_msgs/msg/Odometry@gz.msgs.Odometry"], parameters=[{"config_file": "/none.yaml"}])
-    manager = Node(package="controller_manager", executable="ros2_control_node", parameters=[{"arm.type": "here/Arm"}])
+    manager = Node(package="controller_manager", executable="ros2_control_node", parameters=[{"arm.type": "here/Arm", "joints": ["a", "b"], "robot_description": Command(["xacro ", os.path.join(here, "arm.urdf")])}])
     spawner = Node(package="controller_manager", executable="spawner", arguments=["arm"])
     return LaunchDescription([bridge, manager, spawner, *arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
                                                       composable_node_descriptions=[inner],
@@ -281,6 +282,10 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     filled |= script_rows(composition, PackagePath([tmp_path]))
     (tmp_path / "here" / "arm.launch.xml").write_text('<launch><arg name="rate" default="2" descrption="x"/></launch>')
     (tmp_path / "here" / "ros2.launch.py").write_text(IN_PYTHON)
+    hardware = '<joint name="a"><command_interface name="position"/></joint>'
+    (tmp_path / "here" / "arm.urdf").write_text(
+        f'<robot name="r"><ros2_control name="c">{hardware}</ros2_control><link name="$(find none)"/></robot>'
+    )
     (tmp_path / "here" / ".gitignore").write_text("made.yaml\n")
     (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")
     view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"

@@ -1,0 +1,45 @@
+"""The interfaces that robot descriptions export to controllers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rosarch.extractor.launch import Files, PackagePath, compose
+
+ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="prefix" default="left_"/>
+  <link name="base"/>
+  <ros2_control name="Robot" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="$(arg prefix)wheel"><command_interface name="velocity"/><state_interface name="position"/></joint>
+    <sensor name="imu"><state_interface name="orientation.x"/></sensor>
+    <gpio name="lamp"><command_interface name="on"/></gpio>
+  </ros2_control>
+  {}
+</robot>
+"""
+LAUNCH = """<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">
+  <param name="robot_description" value="$(command 'xacro $(dirname)/r.urdf prefix:=right_')"/></node></launch>"""
+
+
+def _hardware(folder: Path, more: str) -> tuple[list[tuple[str, str, str, int]], bool]:
+    package = folder / "here"
+    package.mkdir(exist_ok=True)
+    (package / "package.xml").write_text("<package><name>here</name></package>")
+    (package / "main.launch.xml").write_text(LAUNCH)
+    (package / "r.urdf").write_text(ROBOT.format(more))
+    found = compose([package / "main.launch.xml"], files=Files(PackagePath([folder]), str(folder)))
+    return [(one.kind, one.owner, one.name, one.place.line) for one in found.hardware], found.hardware_unseen
+
+
+def test_hardware(tmp_path: Path) -> None:
+    expected = [
+        ("command", "right_wheel", "velocity", 6),
+        ("state", "right_wheel", "position", 6),
+        ("state", "imu", "orientation.x", 7),
+        ("command", "lamp", "on", 8),
+    ]
+    assert _hardware(tmp_path, "") == (expected, False)
+    # what an absent file describes may be hardware, too
+    assert _hardware(tmp_path, '<xacro:include filename="$(find elsewhere)/arm.xacro"/>')[1]
+    assert _hardware(tmp_path, "<xacro:include filename=") == ([], True)
