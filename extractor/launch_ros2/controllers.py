@@ -46,7 +46,7 @@ _SIMULATED = re.compile(r"(lib)?(gz|ign|gazebo)_ros2_control(-system)?(\.so)?")
 class Asked:
     """The manager called `manager` (absolute) is asked for controllers, at the last of `lines`.
 
-    `options` are those of the command line, `process` is what a spawner is given.
+    `options` are those of the command line; `process` is what a spawner is given, `files` are the files of it.
     """
 
     manager: str
@@ -56,6 +56,7 @@ class Asked:
     conditions: tuple[Condition, ...]
     held: tuple[Condition, ...]
     process: tuple[ProcessSetting, ...] = ()
+    files: tuple[ParamsGiven, ...] = ()
 
     def is_known(self, world: World) -> bool:
         """Whether all names are known, and all files that are named are there and were read."""
@@ -76,7 +77,7 @@ def asked_by_spawner(world: World, node: NodeStart, words: Sequence[str]) -> Non
     """Note what a node asks for, if it is a spawner."""
     if node.package == _PACKAGE and node.type in _SPAWNERS:
         names, options, manager = _read(words, node.namespace)
-        world.controllers.append(Asked(manager, names, options, node.lines, node.conditions, node.held, node.process))
+        world.controllers.append(Asked(manager, names, options, node.lines, node.conditions, node.held, node.process, node.params_files))
 
 
 def asked_by_command(world: World, words: Sequence[str], context: Context) -> None:
@@ -156,6 +157,7 @@ def _controller(world: World, name: str, manager: NodeStart, asked: Asked, conte
         called=name,
         container=manager.full_name,
         is_controller=True,
+        params_files=(*manager.params_files, *asked.files),
         own_params=tuple(replace(setting, name=f"{own.full_name}/{setting.name}") for setting in params.values()),
     )
 
