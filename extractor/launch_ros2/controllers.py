@@ -19,6 +19,7 @@ from rosarch.extractor.launch.model import (
     LaunchError,
     NodeStart,
     ParamSetting,
+    ParamsGiven,
     Place,
     ProcessSetting,
     Remap,

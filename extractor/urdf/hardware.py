@@ -37,7 +37,7 @@ def hardware(root: Element) -> Iterator[HardwareInterface]:
             plugin = next((one.text().strip() for one in drivers), "")
             for owner in (one for one in element.elements() if one.tag in _OWNERS):
                 for one in (each for each in owner.elements() if each.tag in _KINDS):
-                    names = (each.attributes.get("name", "") for each in (owner, one))
-                    yield HardwareInterface(_KINDS[one.tag], *names, plugin, one.place)
+                    name, interface = (each.attributes.get("name", "") for each in (owner, one))
+                    yield HardwareInterface(_KINDS[one.tag], name, interface, plugin, one.place)
         else:
             yield from hardware(element)

@@ -141,3 +141,4 @@ def test_what_spawners_are_given(tmp_path: Path) -> None:
       parameters=[os.path.dirname(__file__) + '/late.yaml'])"""
     found = _composed(tmp_path, f"{MANAGER}, {spawn}", late_yaml="late:\n  ros__parameters: {type: c/D, gain: 3}\n")
     assert [(node.type, node.own_params[-1].name) for node in found.controllers] == [("c/D", "/late/gain")]
+    assert [Path(file.path).name for file in found.controllers[0].params_files] == ["params.yaml", "late.yaml"]
