@@ -51,7 +51,7 @@ def node_details(node: ViewNode) -> str:
     """What is shown of a node beside its label."""
     if node.members:
         return printable(", ".join(node.members))
-    words = [f"{node.package}/{node.type}"]
+    words = [node.type if node.type.startswith(f"{node.package}/") else f"{node.package}/{node.type}"]
     if node.origin == "unknown":
         words.append("no model")
     if node.open:

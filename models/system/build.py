@@ -96,6 +96,7 @@ def _ports(
     at = {row[0]: row[1] for row in rows.get("interface_port_at", ())}
     conditional = {row[0]: row[1] for row in rows.get("interface_port_conditional", ())}
     implicit = {row[0] for row in rows.get("interface_port_implicit", ())}
+    decided = {(node, model) for node, model in result.rows("switched_on")}
     names: dict[tuple[Any, ...], str] = {tuple(port): name for port, name in result.rows("port_name")}
     ports: dict[str, list[SystemPort]] = defaultdict(list)
     ids: dict[Any, tuple[str, str]] = {}
@@ -113,7 +114,7 @@ def _ports(
             types.get(model),
             places.get(at.get(model, "")),
             model in implicit,
-            conditional.get(model),
+            None if (node, model) in decided else conditional.get(model),
         )
         ports[node].append(port)
     return ports, ids

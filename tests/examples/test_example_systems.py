@@ -59,3 +59,12 @@ def connectors(graph: dict[str, Any]) -> list[str]:
         for each in graph["connectors"]
         if each["kind"] != "tf"
     )
+
+
+def test_what_a_configuration_decides_is_no_condition(rosarch: Callable) -> None:
+    launch = "src/rover_bringup/launch/rover.launch.py simulation:=true"
+    (graph,) = json.loads(rosarch("show", "graph", EXAMPLES / "field_rover", "--launch", launch, "--format", "json").out)
+    conditional = {(edge["source"], edge["target"]): edge["conditional"] for edge in graph["edges"]}
+    assert conditional["topic:/wheels/cmd_vel_unstamped", "node:/wheels"] is False  # use_stamped_vel is false
+    assert ("topic:/wheels/cmd_vel", "node:/wheels") not in conditional
+    assert conditional["topic:/joint_states", "node:/robot_state_publisher"] is True  # its source has a condition
