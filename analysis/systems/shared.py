@@ -268,7 +268,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         found = analyze(root, packages, method, only=only, wanted=wanted)
         diagnostics.extend(found.diagnostics)
         # of those without sources nothing is known; of a program that makes several nodes there are these
-        whole = {(model.package, model.executable) for model in found.models if model.executable}
+        whole = {(model.package, model.executable) for model in found.models if model.executable and not model.configuration}
         kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
         return replace(found, models=kept)
 
