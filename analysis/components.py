@@ -45,6 +45,8 @@ class Wanted:
 
 ALONE = Wanted()
 _LEFT_OUT = "left_out"
+MORE_DECISIONS = 2
+"""Decisions that others make possible are followed so far."""
 MAX_ROUNDS = 12
 """With more elements in the loops of a component, their rounds are not derived one by one: each costs what the component costs, twice."""
 
@@ -233,22 +235,31 @@ def configured_rows(
 ) -> Relations:
     """What the rules derive of a component with a configuration.
 
-    Twice: the conditions that the configuration decides rule out code, and nodes that the component makes inside of its own are analysed
-    apart, which is only known when values are.
+    More than once: the conditions that the configuration decides rule out code, what is left may decide others, and nodes that the
+    component makes inside of its own are analysed apart, which is only known when values are.
     """
     given: dict[str, Any] = {**rows, **configuration.rows()}
     if configuration.entry:
         given["component"] = {(name, package, "plugin") for name, package, _ in rows["component"]}
-    first = program.evaluate(given, engine=engine).all_rows()
+
+    def derive(facts: Mapping[str, Any]) -> Relations:
+        return program.evaluate({**given, **facts}, engine=engine).all_rows()
+
+    found = first = derive({})
     decided = _decided(first)
     given["configured_apart"] = apart = {(class_,) for _, class_, _ in first["inner_node"]}
-    if not (any(decided.values()) or apart):
-        return first
     if apart and decided["configured_condition_in"]:
-        first = program.evaluate({**given, **decided, "configured_apart": ()}, engine=engine).all_rows()
-    again = program.evaluate({**given, **decided}, engine=engine).all_rows()
-    again = {**again, **{name: first[name] for name in ("inner_node", "inner_namespace", "inner_given")}}
-    return _by_rounds(again, lambda facts: program.evaluate({**given, **facts}, engine=engine).all_rows())
+        first = derive({**decided, "configured_apart": ()})
+    if apart or any(decided.values()):
+        found = derive(decided)
+        for _ in range(MORE_DECISIONS):
+            further = {name: decided[name] | rows for name, rows in _decided(found).items()}
+            if further == decided:
+                break
+            decided = further
+            found = derive(decided)
+        found = {**found, **{name: first[name] for name in ("inner_node", "inner_namespace", "inner_given")}}
+    return _by_rounds(found, derive)
 
 
 def _decided(found: Relations) -> dict[str, set[tuple[Any, ...]]]:

@@ -89,8 +89,9 @@ class ComponentModel:
     name, and `traits` what only matters in a system. `executable` is set for a node that is one of several of a program: it is the program.
     `configuration` is the key of the configuration that it was analysed with, empty for the component by itself; `inner` are the nodes that
     it makes inside of its own, `plugin_arguments` what it gives the plug-ins that it loads; `asks_name` where its code asks what the node
-    is called, `asks_namespace` where it asks for its namespace. `tree_files` are the behavior trees that it carries out, `tree_hosts` the
-    names of the nodes that it makes for the nodes of these trees, where these do not use the component's own.
+    is called, `asks_namespace` where it asks for its namespace, `asks_command_line` for words of its command line. `tree_files` are the
+    behavior trees that it carries out, `tree_hosts` the names of the nodes that it makes for the nodes of these trees, where these do not
+    use the component's own.
     """
 
     system: str
@@ -117,6 +118,7 @@ class ComponentModel:
     plugin_arguments: tuple[PluginArgument, ...] = ()
     asks_name: bool = False
     asks_namespace: bool = False
+    asks_command_line: bool = False
     tree_files: tuple[str, ...] = ()
     tree_hosts: tuple[str, ...] = ()
 
@@ -191,6 +193,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         inner=_inner_nodes(relations),
         asks_name=any(relations["own_name_call"]),
         asks_namespace=any(relations["own_namespace_call"]),
+        asks_command_line=any(relations["asks_command_line"]),
         tree_files=tuple(sorted(file for (file,) in relations["tree_file"])),
         tree_hosts=tuple(sorted(name for (name,) in relations["tree_host"])),
         plugin_arguments=tuple(

@@ -23,7 +23,7 @@ class NodeConfiguration:
     its constructor, or the functions of a plug-in, get from there. The `namespace`, absolute, is there where code may ask for it: nodes in
     different ones share their models otherwise, as their names are put below it when systems are composed. A node of a behavior tree has
     `inputs`: what the tree says of its input ports. `entries` are those of lists of maps: the parameter, the index of the map, key and
-    text.
+    text. `words` are those of its command line, without what is for ROS; None when they are not known.
     """
 
     name: str | None = None
@@ -36,6 +36,7 @@ class NodeConfiguration:
     namespace: str | None = None
     inputs: tuple[tuple[str, str], ...] | None = None
     entries: tuple[tuple[str, int, str, str], ...] = ()
+    words: tuple[str, ...] | None = None
 
     @cached_property
     def key(self) -> str:
@@ -56,6 +57,8 @@ class NodeConfiguration:
             "configured_argument": set(self.arguments),
             "configured_as_tree_node": {()} if self.inputs is not None else set(),
             "configured_input": set(self.inputs or ()),
+            "configured_command_line": {()} if self.words is not None else set(),
+            "configured_word": set(enumerate(self.words or (), 1)),
         }
         if self.entry:
             rows |= {"component_class": {(self.entry,)}, "program_entry": set()}

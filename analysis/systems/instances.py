@@ -138,6 +138,8 @@ class _Finder:
         configuration = _configuration(node, settings, self._is_open(node))
         if host.asks_namespace or host.loads or host.loads_any:
             configuration = replace(configuration, namespace=canonical(node.namespace) or "/")
+        if host.asks_command_line:
+            configuration = replace(configuration, words=_words(node))
         if not _matters(host, configuration):
             self.wants.alone.add(host.title)
             return Parts()
@@ -280,6 +282,11 @@ def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting
     )
 
 
+def _words(node: NodeStart) -> tuple[str, ...] | None:
+    """The words of its command line, without what is for ROS; None when they are not known, as for what is loaded somewhere."""
+    return None if node.container is not None else tuple("?" if "$(" in word else word for word in node_arguments(node).plain)
+
+
 def _entries(found: Sequence[ParamSetting]) -> Iterator[tuple[int, str, str]]:
     """What a list of maps has under which keys: index, key and text; nothing of a list that has other elements."""
     if len(found) != 1 or found[0].conditions or not isinstance(found[0].value, (list, tuple)):
@@ -308,4 +315,4 @@ def _matters(model: ComponentModel, configuration: NodeConfiguration) -> bool:
         return True
     if model.asks_name and configuration.name and configuration.name != model.node_name:
         return True
-    return model.asks_namespace or bool(model.params)
+    return model.asks_namespace or configuration.words is not None or bool(model.params)

@@ -73,6 +73,8 @@ public:
     } else {
       quiet_ = create_publisher<std_msgs::msg::Bool>("quiet", 1);
     }
+    own_ = declare_parameter("own", false);
+    plan_ = create_publisher<std_msgs::msg::Bool>(std::string(!own_ ? "" : "~/") + "plan", 1);
     ids_ = declare_parameter("tools", std::vector<std::string>{});
     for (const auto & id : ids_) {
       auto tool = loader_.createSharedInstance(declare_parameter(id + ".plugin", std::string()));
@@ -87,7 +89,8 @@ private:
   std::vector<std::string> ids_;
   std::shared_ptr<Grid> grid_;
   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr chat_;
-  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr quiet_;
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr quiet_, plan_;
+  bool own_;
 };
 }
 int main(int argc, char ** argv) {
@@ -126,7 +129,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription([
         Node(package='host', executable='host', name='one', namespace='arm', parameters=[{
-            'chatty': False, 'tools': ['a', 'b'], 'a.plugin': 'host::Left', 'b.plugin': 'host::Right', 'b.topic': 'given'}]),
+            'chatty': False, 'own': True, 'tools': ['a', 'b'], 'a.plugin': 'host::Left', 'b.plugin': 'host::Right', 'b.topic': 'given'}]),
         Node(package='host', executable='host', name='two', parameters=[{'tools': ['a'], 'a.plugin': 'host::Right'}]),
         Node(package='host', executable='host', name='three', parameters=['__PARAMS__']),
     ])
@@ -158,17 +161,17 @@ def ports_of(system: SystemModel, name: str) -> set[str]:
 
 @pytest.mark.slow
 def test_what_parameters_decide(system: SystemModel) -> None:
-    assert ports_of(system, "/arm/one") == {"/arm/quiet", "/arm/a/left", "/arm/given"}
+    assert ports_of(system, "/arm/one") == {"/arm/quiet", "/arm/one/plan", "/arm/a/left", "/arm/given"}
 
 
 @pytest.mark.slow
 def test_defaults_and_the_name_that_the_launch_file_gives(system: SystemModel) -> None:
-    assert ports_of(system, "/two") == {"/two/chat", "/right"}
+    assert ports_of(system, "/two") == {"/two/chat", "/plan", "/right"}
 
 
 @pytest.mark.slow
 def test_a_list_without_plugins(system: SystemModel) -> None:
-    assert ports_of(system, "/three") == {"/three/chat"}
+    assert ports_of(system, "/three") == {"/three/chat", "/plan"}
 
 
 def test_nodes_within_nodes(system: SystemModel) -> None:

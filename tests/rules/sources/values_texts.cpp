@@ -10,7 +10,7 @@
 // expect: subscriber /number_3
 // expect: subscriber /resolved
 // expect: value(E, _, "5", _), operator(E, "-")
-// expect-not: _called_inside(_, _); _generic(_, _); _condition_part(_)
+// expect-not: _called_inside(_, _); _generic(_, _)
 // expect: 9 = count : { name_parameter(_, _, _, _) }
 #include <boost/format.hpp>
 #include <functional>

@@ -2,7 +2,7 @@
 //
 // expect: N = count : { value(E, Context, Text, Parameter), call_role(Call, "name", E) }, N = 33
 // expect: N = count : { value(E, Context, "?", Parameter), wanted(E) }, N = 46
-// expect: N = count : { value_source(E, Source), wanted(E) }, N = 37
+// expect: N = count : { value_source(E, Source), wanted(E) }, N = 33
 // expect: N = count : { recursive_call(_) }, N = 2
 // expect: N = count : { recursive_return(_) }, N = 1
 // expect: N = count : { own_parameter_use(_, _, _) }, N = 24
