@@ -23,7 +23,6 @@ from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
 from rosarch.extractor.launch_ros2.includes import read
 from rosarch.extractor.launch_ros2.left_out import left_out
 from rosarch.extractor.launch_ros2.misjoined import misjoined
-from rosarch.extractor.launch_ros2.spawners import load_controllers
 from rosarch.extractor.launch_ros2.truths import truths
 from rosarch.extractor.launch_ros2.world import World
 from rosarch.extractor.python_syntax import parse_python
@@ -46,7 +45,6 @@ def compose_ros2(
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
         world.context = context
         _top(world, path, context)
-    load_controllers(world)
     composition = replace(finished(state, _references(world)), ros=2)
     more = (*_meant(world, composition), *_truths(world))
     return replace(composition, references=tuple(dict.fromkeys((*composition.references, *more))))

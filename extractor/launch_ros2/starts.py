@@ -150,7 +150,7 @@ def _start(
         name=name,
         namespace=f"{namespace}/",
         lines=lines,
-        remaps=tuple(for_node(world, remaps, name, context)),
+        remaps=tuple(_for_node(world, remaps, name, context)),
         args=args,
         respawn=made.arguments.get("respawn") is True,
         output=made.arguments["output"] if isinstance(made.arguments.get("output"), str) else None,
@@ -162,7 +162,7 @@ def _start(
         container=container,
     )
     in_namespace = namespace != "" or context.is_in_namespace or made.get("namespace", "node_namespace") is not None
-    started = with_parameters(world, started, params, context, specified=name is not None and in_namespace)
+    started = _with_parameters(world, started, params, context, specified=name is not None and in_namespace)
     world.state.add_node(started, fatal=False, anew=context.anew)
     return started
 
@@ -176,7 +176,7 @@ def _environment(world: World, made: Made, context: Context) -> tuple[tuple[str,
     return tuple(sorted(found.items()))
 
 
-def with_parameters(world: World, started: NodeStart, params: Iterable[Given], context: Context, *, specified: bool) -> NodeStart:
+def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], context: Context, *, specified: bool) -> NodeStart:
     """The node, whose parameters are set; it keeps what is given to its process, for other nodes that it makes.
 
     Maps are written for the node alone when its name and namespace are `specified`, else for all of its process.
@@ -255,7 +255,7 @@ def _inferred(world: World, params: list[Given], namespace: str, known: tuple[st
     return None
 
 
-def for_node(world: World, remaps: Iterable[Remap], name: str | None, context: Context) -> Iterator[Remap]:
+def _for_node(world: World, remaps: Iterable[Remap], name: str | None, context: Context) -> Iterator[Remap]:
     """The remappings of a node: `node:from` is for the node of that name only. One without a name has those for any node."""
     for remap in remaps:
         require_rule(world, remap.source, remap.target, remap.place)
