@@ -52,15 +52,22 @@ class Library:
         return self._by_name.get((ros, package, component))
 
     def with_loaded(self, component: LibraryComponent, ros: int | None = None) -> tuple[LibraryComponent, ...]:
-        """`component`, and the plug-ins that it loads in a version of ROS, directly or through others, as far as they are known."""
+        """`component`, with the plug-ins that it loads in a version of ROS and the components of the nodes that it makes.
+
+        Those of these are among them, as far as they are known.
+        """
         found = {component.title: component}
         waiting = [component]
         while waiting:
-            for name in waiting.pop().loads:
-                plugin = self.find(None, name, ros)
-                if plugin is not None and plugin.title not in found:
-                    found[plugin.title] = plugin
-                    waiting.append(plugin)
+            one = waiting.pop()
+            made = (name.partition("/") for name in one.makes.values())
+            for part in (
+                *(self.find(None, name, ros) for name in one.loads),
+                *(self.find(package, name, ros) for package, _, name in made),
+            ):
+                if part is not None and part.title not in found:
+                    found[part.title] = part
+                    waiting.append(part)
         return tuple(found.values())
 
 

@@ -69,7 +69,9 @@ def _identity(item: Document) -> tuple[Any, ...]:
 
 
 def _build(file: LibraryFile, document: Document, made: str) -> LibraryComponent:
-    fields: dict[str, Any] = {key: document[key] for key in ("node_name", "base", "elements", "namespace_element") if key in document}
+    fields: dict[str, Any] = {
+        key: document[key] for key in ("node_name", "base", "elements", "namespace_element", "makes") if key in document
+    }
     is_open = document.get("open", False)
     return LibraryComponent(
         package=file.package,

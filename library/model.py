@@ -66,6 +66,7 @@ class LibraryParameter:
 class LibraryComponent:
     """A node, nodelet, plug-in or plug-in of gazebo. `path` is the file that its base was read from.
 
+    It makes nodes of its own by names in its namespace, each of a component (`PACKAGE/COMPONENT`).
     It is of the versions of ROS in `ros`, of any where that is empty; its sources are those of the `distributions`.
     """
 
@@ -82,6 +83,7 @@ class LibraryComponent:
     options: tuple[str, ...] | None = None
     elements: Mapping[str, str | None] = field(default_factory=dict)
     namespace_element: str | None = None
+    makes: Mapping[str, str] = field(default_factory=dict)
     origin: str = ""
     revision: str = ""
     made: str = BY_HAND
@@ -109,6 +111,7 @@ class LibraryComponent:
             "options": None if self.options is None else list(self.options),
             "elements": dict(self.elements),
             "namespace_element": self.namespace_element,
+            "makes": dict(self.makes),
             "ports": [{"id": f"p{number}", **_given(port)} for number, port in enumerate(self.ports, 1)],
             "params": [_given(parameter) for parameter in self.params],
             "origin": self.origin,

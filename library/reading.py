@@ -23,6 +23,8 @@ PORT_KINDS = (
 OPERATIONS = ("read", "write", "has", "delete", "declare")
 SHARE = "share"
 """The folder of a library that has the files of packages."""
+_OF_NODE = ("node", "ns")
+"""What braces may hold of any node of ROS 2: its name, its namespace."""
 BRACES = re.compile(r"\{([^{}]*)\}")
 
 Document = dict[str, Any]
@@ -156,6 +158,12 @@ def _elements(value: Any) -> str | None:
     return "must map names of elements to their default text, or to null"
 
 
+def _made_nodes(value: Any) -> str | None:
+    if isinstance(value, dict) and all(isinstance(one, str) and re.fullmatch(r"[^/]+/[^/]+", one) for one in value.values()):
+        return None
+    return "must map names of nodes to `PACKAGE/COMPONENT`"
+
+
 def _versions(value: Any) -> str | None:
     fits = isinstance(value, list) and value and all(item in (1, 2) and not isinstance(item, bool) for item in value)
     return None if fits else "must be a list of versions of ROS, 1 or 2"
@@ -175,7 +183,8 @@ _FILE: Mapping[str, Check] = {
 }  # fmt: skip
 _COMPONENT: Mapping[str, Check] = {
     "component": _text, "kind": _one_of(COMPONENT_KINDS), "node_name": _text, "base": _text, "loads": _texts, "open": _open,
-    "replace": _flag, "options": _texts, "elements": _elements, "namespace_element": _text, "ports": _list, "params": _list,
+    "replace": _flag, "options": _texts, "elements": _elements, "namespace_element": _text, "makes": _made_nodes, "ports": _list,
+    "params": _list,
 }  # fmt: skip
 _PORT: Mapping[str, Check] = {
     "kind": _one_of(PORT_KINDS), "name": _text, "type": _text, "from_param": _text, "queue": _count(0), "latched": _flag, "via": _text,
@@ -239,5 +248,5 @@ def _undeclared_elements(component: Document) -> Iterator[str]:
                 if component["kind"] == "gazebo_plugin":
                     if name not in elements:
                         yield f"ports[{index}]: `{name}` is none of the component's `elements`{hint(name, elements)}"
-                elif name not in elements and not re.fullmatch("0|[1-9][0-9]*", name):
+                elif name not in (*elements, *_OF_NODE) and not re.fullmatch("0|[1-9][0-9]*", name):
                     yield f"ports[{index}]: {{{name}}} is no number of an argument"

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from rosarch.analysis.systems.processes import process_of
 from rosarch.analysis.systems.trees import Trees
 from rosarch.extractor.launch.arguments import node_arguments
 from rosarch.extractor.launch.facts import kind_and_text
@@ -226,9 +227,7 @@ class _Finder:
 
     def _process_settings(self, node: NodeStart, name: str) -> dict[str, list[ParamSetting]]:
         """What the process of a node sets for another one of its nodes, by its full name."""
-        process = node
-        if node.container is not None:
-            process = next((each for each in self.composition.nodes if each.full_name == node.container), node)
+        process = process_of(self.composition, node)
         found: dict[str, list[ParamSetting]] = {}
         for one in process.process:
             if one.read and matches(one.nodes, name):

@@ -15,7 +15,7 @@ from rosarch.analysis.systems.builds import build_rows
 from rosarch.analysis.systems.instances import Configured, ModelIndex, configure
 from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
 from rosarch.analysis.systems.planning import Planner, configuring, made_by
-from rosarch.analysis.systems.processes import with_nodes
+from rosarch.analysis.systems.processes import with_inner, with_nodes
 from rosarch.analysis.systems.trees import Trees
 from rosarch.analysis.systems.workspace import (
     container_rows,
@@ -82,7 +82,8 @@ class Components:
 
     `interfaces` begin with those of `models`, in their order. `programs` are package and name of all executables that the workspace builds
     and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows or that
-    are in the `underlay`, `names` those that programs of the library give their nodes.
+    are in the `underlay`, `names` those that programs of the library give their nodes,
+    `made` the nodes that these make besides.
     """
 
     root: Path
@@ -92,6 +93,7 @@ class Components:
     builds: tuple[Built, ...]
     expected: frozenset[str]
     names: Mapping[tuple[str, str], str]
+    made: Mapping[tuple[str, str], Mapping[str, str]]
     interfaces: tuple[Interface, ...]
     shared: Interface
     diagnostics: tuple[Diagnostic, ...]
@@ -99,7 +101,7 @@ class Components:
     def with_nodes(self, launch: Launch) -> tuple[Launch, Configured]:
         """The launch, with the nodes that programs make, by the names that their code has where no launch file names them; their models."""
         found = configure(with_nodes(launch.composition, made_by(self.models), self.names), self._model_index)
-        return replace(launch, composition=found.composition), found
+        return replace(launch, composition=with_inner(found.composition, self.made)), found
 
     @cached_property
     def _model_index(self) -> ModelIndex:
@@ -297,10 +299,13 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
     diagnostics += known.problems
     of_library = needed.of(known, models, underlay)
     names = {(one.package, one.component): one.node_name for one in of_library if one.node_name and 1 not in one.ros}
+    made = {(one.package, one.component): one.makes for one in of_library if one.makes}
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, of_library))]
     expected = known.packages | underlay.packages.keys()
     shared = _shared(models, interfaces)
-    return Components(root, underlay, models, found.programs, found.builds, expected, names, tuple(interfaces), shared, tuple(diagnostics))
+    return Components(
+        root, underlay, models, found.programs, found.builds, expected, names, made, tuple(interfaces), shared, tuple(diagnostics)
+    )
 
 
 def _plugins(wanted: Mapping[str, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:

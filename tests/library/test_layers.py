@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -139,3 +140,41 @@ def test_what_has_no_name_goes_by_what_tells_it(tmp_path: Path) -> None:
     found = find("demo", "n", [upper, lower])
     assert found and [(port.param_pattern, port.type) for port in found.ports] == [("~odom[0-9]+", None), ("~imu[0-9]+", "x/Imu")]
     assert [(parameter.pattern, parameter.type) for parameter in found.params] == [("~b.*", None), ("~a.*", "int")]
+
+
+@pytest.mark.slow
+def test_nodes_that_others_make(tmp_path: Path, rosarch: Callable) -> None:
+    costmap = {
+        "component": "costmap",
+        "kind": "node",
+        "ports": [
+            publisher("grid"),
+            {"kind": "service_server", "name": "clear_{node}"},
+            {"kind": "subscriber", "param_pattern": "~[^.]+[.]topic"},
+        ],
+    }
+    host = node(makes={"local/costmap": "demo/costmap"}, ports=[publisher("cmd_vel")])
+    library = write(tmp_path / "own", "by hand", host, costmap, ros=[2])
+    package = tmp_path / "ws" / "here"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text("<package><name>here</name></package>")
+    (package / "main.launch.xml").write_text(
+        '<launch><node pkg="demo" exec="n" name="host" namespace="arm"><param from="$(dirname)/p.yaml"/></node></launch>'
+    )
+    (package / "p.yaml").write_text("/arm/local/costmap:\n  ros__parameters:\n    scan: {topic: /scan}\n")
+    graph = ("show", "graph", tmp_path / "ws", "--launch", "here/main.launch.xml", "--format", "json", "--library", library)
+    (found,) = json.loads(rosarch(*graph).out)
+    assert sorted(node["name"] for node in found["nodes"]) == ["/arm/host", "/arm/local/costmap"]
+    assert sorted((edge["source"], edge["target"]) for edge in found["edges"]) == [
+        ("node:/arm/host", "topic:/arm/cmd_vel"),
+        ("node:/arm/local/costmap", "topic:/arm/local/grid"),
+        ("service:/arm/local/clear_costmap", "node:/arm/local/costmap"),
+        ("topic:/scan", "node:/arm/local/costmap"),
+    ]
+
+
+def test_what_is_made_must_be_a_component(tmp_path: Path) -> None:
+    folder = write(tmp_path / "own", "by hand", node(makes={"a": "costmap"}))
+    assert [problem.message for problem in load([folder]).problems] == [
+        "components[0]: `makes` must map names of nodes to `PACKAGE/COMPONENT`"
+    ]
