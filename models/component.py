@@ -91,7 +91,8 @@ class ComponentModel:
     it makes inside of its own, `plugin_arguments` what it gives the plug-ins that it loads; `asks_name` where its code asks what the node
     is called, `asks_namespace` where it asks for its namespace, `asks_command_line` for words of its command line. `tree_files` are the
     behavior trees that it carries out, `tree_hosts` the names of the nodes that it makes for the nodes of these trees, where these do not
-    use the component's own.
+    use the component's own. `asks_plugins` are functions of bases of plug-ins that it calls for what they return, `results` what those of
+    a plug-in return.
     """
 
     system: str
@@ -121,6 +122,8 @@ class ComponentModel:
     asks_command_line: bool = False
     tree_files: tuple[str, ...] = ()
     tree_hosts: tuple[str, ...] = ()
+    asks_plugins: tuple[tuple[str, str], ...] = ()
+    results: tuple[tuple[str, str], ...] = ()
 
     @property
     def title(self) -> str:
@@ -196,6 +199,8 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         asks_command_line=any(relations["asks_command_line"]),
         tree_files=tuple(sorted(file for (file,) in relations["tree_file"])),
         tree_hosts=tuple(sorted(name for (name,) in relations["tree_host"])),
+        asks_plugins=tuple(sorted({(base, function) for _, base, function in relations["plugin_asked"]})),
+        results=tuple(sorted(relations["plugin_result"])),
         plugin_arguments=tuple(
             PluginArgument(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_argument"])
         ),

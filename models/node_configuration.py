@@ -24,6 +24,7 @@ class NodeConfiguration:
     different ones share their models otherwise, as their names are put below it when systems are composed. A node of a behavior tree has
     `inputs`: what the tree says of its input ports. `entries` are those of lists of maps: the parameter, the index of the map, key and
     text. `words` are those of its command line, without what is for ROS; None when they are not known.
+    `results` are what functions of the base of its plug-ins return in these.
     """
 
     name: str | None = None
@@ -37,6 +38,7 @@ class NodeConfiguration:
     inputs: tuple[tuple[str, str], ...] | None = None
     entries: tuple[tuple[str, int, str, str], ...] = ()
     words: tuple[str, ...] | None = None
+    results: tuple[tuple[str, str], ...] = ()
 
     @cached_property
     def key(self) -> str:
@@ -58,6 +60,7 @@ class NodeConfiguration:
             "configured_as_tree_node": {()} if self.inputs is not None else set(),
             "configured_input": set(self.inputs or ()),
             "configured_command_line": {()} if self.words is not None else set(),
+            "configured_result": set(self.results),
             "configured_word": set(enumerate(self.words or (), 1)),
         }
         if self.entry:

@@ -145,12 +145,33 @@ class _Finder:
             self.wants.alone.add(host.title)
             return Parts()
         component = (host.package, host.component)
-        model = self.index.configured.get((component, configuration.key))
+        model = self._model(component, configuration)
+        told = self._told(model, configuration) if model and model.asks_plugins else ()
+        if told:
+            model = self._model(component, replace(configuration, results=told))
         if model is None:
-            self.wants.components[component].add(configuration)
             return Parts()
         self._inner(node, model, component, made, params)
         return self._consisting(node, model, configuration, made)
+
+    def _model(self, component: Component, configuration: NodeConfiguration) -> ComponentModel | None:
+        """The model of a component with a configuration; it is wanted when it is not there."""
+        found = self.index.configured.get((component, configuration.key))
+        if found is None:
+            self.wants.components[component].add(configuration)
+        return found
+
+    def _told(self, model: ComponentModel, configuration: NodeConfiguration) -> tuple[tuple[str, str], ...]:
+        """What functions return that a host asks its plug-ins for, where all of one base always return something known."""
+        if model.loads_any:
+            return ()
+        plugins = [self._plugin(name, own) for name, own in self._plugin_configurations(model, configuration)]
+        found: set[tuple[str, str]] = set()
+        for base, function in model.asks_plugins:
+            texts = [dict(plugin.results).get(function) if plugin else None for plugin in plugins if not plugin or _is_of(plugin, base)]
+            if all(texts):
+                found.update((function, text) for text in texts if text)
+        return tuple(sorted(found))
 
     def _consisting(self, node: NodeStart, model: ComponentModel, configuration: NodeConfiguration, made: _Made) -> Parts:
         """What a node with this model consists of: with its plug-ins, and with the behavior trees that all of these carry out."""
@@ -183,15 +204,26 @@ class _Finder:
 
     def _plugins(self, model: ComponentModel, configuration: NodeConfiguration, depth: int = 0) -> Iterator[ComponentModel]:
         """The models of the plug-ins that a component loads, and of those that they load."""
-        for name in model.loads if depth < _DEPTH else ():
+        for name, own in self._plugin_configurations(model, configuration) if depth < _DEPTH else ():
+            plugin = self._plugin(name, own)
+            if plugin is not None:
+                yield plugin
+                yield from self._plugins(plugin, own, depth + 1)
+
+    def _plugin_configurations(
+        self, model: ComponentModel, configuration: NodeConfiguration
+    ) -> Iterator[tuple[str, NodeConfiguration]]:
+        """The plug-ins that a component loads, by name, each with its configuration."""
+        for name in model.loads:
             for arguments in arguments_of_plugin(name, model.plugin_arguments):
-                own = replace(configuration, arguments=arguments, entry=None)
-                plugin = self.index.plugins.get((name, own.key))
-                if plugin is None:
-                    self.wants.plugins[name].add(own)
-                else:
-                    yield plugin
-                    yield from self._plugins(plugin, own, depth + 1)
+                yield name, replace(configuration, arguments=arguments, entry=None)
+
+    def _plugin(self, name: str, configuration: NodeConfiguration) -> ComponentModel | None:
+        """The model of a plug-in with a configuration; it is wanted when it is not there."""
+        found = self.index.plugins.get((name, configuration.key))
+        if found is None:
+            self.wants.plugins[name].add(configuration)
+        return found
 
     def _inner(
         self,
@@ -252,6 +284,11 @@ class _Finder:
         return any(
             f"{canonical(node.full_name)}/".startswith(f"{canonical(unread.name).rstrip('/')}/") for unread in self.composition.unread
         )
+
+
+def _is_of(plugin: ComponentModel, base: str) -> bool:
+    """Whether a plug-in derives from the class `base`, as far as its description says."""
+    return plugin.plugin is None or plugin.plugin.base in (base, None)
 
 
 def _renamed(node: NodeStart, name: str, namespace: str) -> NodeStart:

@@ -277,15 +277,16 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
     planner = Planner([launch.composition for launch in launches], Trees(root, underlay))
     found = analyzed(sorted(needed.packages & (underlay.hidden | underlay.packages.keys())), needed.is_needed, Wanted(after=planner.after))
     models = found.models
-    tried: dict[str, set[NodeConfiguration]] = defaultdict(set)
+    tried: dict[_Key, set[NodeConfiguration]] = defaultdict(set)
     for _ in range(_ROUNDS):
-        wanted = planner.wants(made_by(models)).plugins
-        wanted = {name: left for name, all_ in wanted.items() if (left := all_ - tried[name])}
+        wants = planner.wants(made_by(models))
+        everything: list[tuple[_Key, set[NodeConfiguration]]] = [*wants.plugins.items(), *wants.components.items()]
+        wanted = {key: left for key, all_ in everything if (left := all_ - tried[key])}
         if not wanted:
             break
-        for name, configurations in wanted.items():
-            tried[name] |= configurations
-        more = _plugins(wanted, analyzed)
+        for key, configurations in wanted.items():
+            tried[key] |= configurations
+        more = _more(wanted, analyzed)
         models += more
         planner.index.add(more)
     alone = [model for model in models if not model.configuration and model.title in planner.wants(made_by(models)).alone]
@@ -308,16 +309,24 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
     )
 
 
-def _plugins(wanted: Mapping[str, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:
-    """The models of plug-ins with the configurations that are wanted, by the names that they are loaded by."""
+_Key = str | tuple[str, str]
+"""What a plug-in is loaded by, or package and name of a component."""
+
+
+def _more(wanted: Mapping[_Key, Collection[NodeConfiguration]], analyzed: Callable[..., Analysis]) -> tuple[ComponentModel, ...]:
+    """The models with the configurations that are wanted, of plug-ins and of the components that load them."""
     from rosarch.analysis.components import Wanted
     from rosarch.extractor.pipeline import ComponentFacts
 
     def first(component: ComponentFacts | Facts) -> Iterable[NodeConfiguration]:
-        names = [row[0] for row in component.own.get("component_plugin", ())] if isinstance(component, ComponentFacts) else []
-        return sorted((each for name in names for each in wanted.get(str(name), ())), key=lambda found: found.key)
+        names = [str(row[0]) for row in component.own.get("component_plugin", ())] if isinstance(component, ComponentFacts) else []
+        keys: tuple[_Key, ...] = (*names, (component.package, component.name))
+        return sorted({each for key in keys for each in wanted.get(key, ())}, key=lambda found: found.key)
 
-    return analyzed(None, lambda component: component.plugin_name in wanted, Wanted(first=first)).models
+    def is_wanted(component: Component) -> bool:
+        return component.plugin_name in wanted or (component.package, component.name) in wanted
+
+    return analyzed(None, is_wanted, Wanted(first=first)).models
 
 
 def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:

@@ -42,9 +42,11 @@ HEADER = """#pragma once
 #include <string>
 #include "rclcpp/rclcpp.hpp"
 namespace host {
+enum class Need { NOTHING, CLOCK };
 class Tool {
 public:
   virtual ~Tool() {}
+  virtual Need need() const = 0;
   virtual void configure(rclcpp::Node * node, const std::string & name) = 0;
 };
 }
@@ -81,6 +83,16 @@ public:
       tool->configure(this, id);
       tools_.push_back(tool);
     }
+    bool clock = false;
+    for (const auto & tool : tools_) {
+      const auto need = tool->need();
+      if (need == Need::CLOCK) {
+        clock = true;
+      }
+    }
+    if (clock) {
+      clock_ = create_publisher<std_msgs::msg::Bool>("clocked", 1);
+    }
     grid_ = std::make_shared<Grid>(get_namespace(), "grid");
   }
 private:
@@ -89,7 +101,7 @@ private:
   std::vector<std::string> ids_;
   std::shared_ptr<Grid> grid_;
   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr chat_;
-  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr quiet_, plan_;
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr quiet_, plan_, clock_;
   bool own_;
 };
 }
@@ -104,6 +116,7 @@ TOOLS = """#include "pluginlib/class_list_macros.hpp"
 namespace host {
 class Left : public Tool {
 public:
+  Need need() const override { return Need::NOTHING; }
   void configure(rclcpp::Node * node, const std::string & name) override {
     pub_ = node->create_publisher<std_msgs::msg::Bool>(name + "/left", 1);
   }
@@ -112,6 +125,7 @@ private:
 };
 class Right : public Tool {
 public:
+  Need need() const override { return Need::CLOCK; }
   void configure(rclcpp::Node * node, const std::string & name) override {
     pub_ = node->create_publisher<std_msgs::msg::Bool>(node->declare_parameter(name + ".topic", std::string("right")), 1);
   }
@@ -131,6 +145,7 @@ def generate_launch_description():
         Node(package='host', executable='host', name='one', namespace='arm', parameters=[{
             'chatty': False, 'own': True, 'tools': ['a', 'b'], 'a.plugin': 'host::Left', 'b.plugin': 'host::Right', 'b.topic': 'given'}]),
         Node(package='host', executable='host', name='two', parameters=[{'tools': ['a'], 'a.plugin': 'host::Right'}]),
+        Node(package='host', executable='host', name='four', parameters=[{'tools': ['a'], 'a.plugin': 'host::Left'}]),
         Node(package='host', executable='host', name='three', parameters=['__PARAMS__']),
     ])
 """
@@ -161,21 +176,27 @@ def ports_of(system: SystemModel, name: str) -> set[str]:
 
 @pytest.mark.slow
 def test_what_parameters_decide(system: SystemModel) -> None:
-    assert ports_of(system, "/arm/one") == {"/arm/quiet", "/arm/one/plan", "/arm/a/left", "/arm/given"}
+    assert ports_of(system, "/arm/one") == {"/arm/quiet", "/arm/one/plan", "/arm/a/left", "/arm/given", "/arm/clocked"}
 
 
 @pytest.mark.slow
 def test_defaults_and_the_name_that_the_launch_file_gives(system: SystemModel) -> None:
-    assert ports_of(system, "/two") == {"/two/chat", "/plan", "/right"}
+    assert ports_of(system, "/two") == {"/two/chat", "/plan", "/right", "/clocked"}
 
 
 @pytest.mark.slow
 def test_a_list_without_plugins(system: SystemModel) -> None:
-    assert ports_of(system, "/three") == {"/three/chat", "/plan"}
+    assert ports_of(system, "/three") == {"/three/chat", "/plan", "/clocked"}
+
+
+@pytest.mark.slow
+def test_what_plugins_return_decides(system: SystemModel) -> None:
+    assert ports_of(system, "/four") == {"/four/chat", "/plan", "/a/left"}
 
 
 def test_nodes_within_nodes(system: SystemModel) -> None:
-    assert sorted(node.name for node in system.nodes) == ["/arm/grid/grid", "/arm/one", "/grid/grid", "/grid/grid", "/three", "/two"]
+    own = ["/arm/one", "/four", "/three", "/two"]
+    assert sorted(node.name for node in system.nodes) == sorted(["/arm/grid/grid", *["/grid/grid"] * 3, *own])
     assert ports_of(system, "/arm/grid/grid") == {"/arm/grid/cells"}
     (with_file,) = (node for node in system.nodes if any(port.name == "/grid/squares" for port in node.ports))
     assert with_file.name == "/grid/grid"
@@ -183,7 +204,7 @@ def test_nodes_within_nodes(system: SystemModel) -> None:
 
 def test_nodes_tell_their_component(system: SystemModel) -> None:
     assert {component_of(node.component or "") for node in system.nodes} == {"host/host"}
-    assert len({node.component for node in system.nodes}) == 6
+    assert len({node.component for node in system.nodes}) == 8
 
 
 def test_each_instance_of_a_plugin_is_told_its_own_name() -> None:

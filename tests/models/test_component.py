@@ -22,7 +22,7 @@ NAMES = (
     "node_block", "node_text", "node_value", "variable_display", "reacts_deferred", "constant_node", "stable_condition",
     "settled_local", "timer_callback", "sends_once", "always_sends_once",
     "component_plugin", "component_executable", "plugin_load", "plugin_load_any",
-    "plugin_argument", "inner_node", "inner_namespace", "inner_given", "tree_file", "tree_host", "own_name_call", "own_namespace_call", "asks_command_line", "decided_in",
+    "plugin_argument", "inner_node", "inner_namespace", "inner_given", "tree_file", "tree_host", "own_name_call", "own_namespace_call", "asks_command_line", "plugin_asked", "plugin_result", "decided_in",
     "switched", "switches", "at_times", "in_transition", "sent_while_starting",
     "round_of_loop", "undecided_by_texts",
 )  # fmt: skip

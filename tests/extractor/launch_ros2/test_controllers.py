@@ -45,6 +45,7 @@ def test_spawners(tmp_path: Path) -> None:
     ]
     # launch knows nothing of them
     assert [node.type for node in found.nodes] == ["ros2_control_node", "spawner"]
+    assert found.nodes[1].full_name == "/spawner_joints"
     whole = found.with_controllers()
     assert [node.type for node in whole.nodes[2:]] == ["my_controllers::Joints", "diff_drive_controller/DiffDriveController"]
     values = {setting.name: setting.value for setting in whole.params}
