@@ -210,9 +210,7 @@ class _Finder:
                 yield plugin
                 yield from self._plugins(plugin, own, depth + 1)
 
-    def _plugin_configurations(
-        self, model: ComponentModel, configuration: NodeConfiguration
-    ) -> Iterator[tuple[str, NodeConfiguration]]:
+    def _plugin_configurations(self, model: ComponentModel, configuration: NodeConfiguration) -> Iterator[tuple[str, NodeConfiguration]]:
         """The plug-ins that a component loads, by name, each with its configuration."""
         for name in model.loads:
             for arguments in arguments_of_plugin(name, model.plugin_arguments):

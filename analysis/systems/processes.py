@@ -45,28 +45,28 @@ def with_nodes(
     return _with_settings(replace(composition, nodes=tuple(nodes)), changed)
 
 
-def with_inner(composition: Composition, made: Mapping[tuple[str, str], Mapping[str, str]]) -> Composition:
-    """The composition with the nodes that programs of the library make in their processes.
+def with_inner(composition: Composition, made: Mapping[tuple[str, str], Mapping[str, str]]) -> tuple[Composition, Mapping[int, str]]:
+    """The composition with the nodes that programs of the library make in their processes, and the component of each, by its index.
 
     `made` are their names in the namespaces of the nodes that make them, each with its component (`PACKAGE/COMPONENT`), by package and name
     of the program or class.
     """
-    inner: list[NodeStart] = []
+    nodes = list(composition.nodes)
+    components: dict[int, str] = {}
     params: list[ParamSetting] = []
     for start in composition.nodes:
+        process = process_of(composition, start)
         for path, component in made.get((start.package, start.type), {}).items():
             space, _, name = f"{start.namespace}{path}".rpartition("/")
-            package, _, type_ = component.partition("/")
-            node = replace(start, name=name, called=name, namespace=f"{space}/", package=package, type=type_)
-            node = replace(node, args="", container=None, first=(), given=(), own_params=())
-            inner.append(node)
-            process = process_of(composition, start)
+            node = replace(start, name=name, called=name, namespace=f"{space}/", container=None, first=(), given=(), own_params=())
+            components[len(nodes)] = component
+            nodes.append(node)
             params += [
                 replace(one.setting, name=f"{node.full_name}/{one.setting.name}")
                 for one in process.process
                 if one.read and matches(one.nodes, node.full_name)
             ]
-    return replace(composition, nodes=(*composition.nodes, *inner), params=(*composition.params, *params))
+    return replace(composition, nodes=tuple(nodes), params=(*composition.params, *params)), components
 
 
 def process_of(composition: Composition, node: NodeStart) -> NodeStart:

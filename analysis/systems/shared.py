@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.analysis.method import Method
 from rosarch.analysis.systems.builds import build_rows
-from rosarch.analysis.systems.instances import Configured, ModelIndex, configure
+from rosarch.analysis.systems.instances import Configured, ModelIndex, Parts, configure
 from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
 from rosarch.analysis.systems.planning import Planner, configuring, made_by
 from rosarch.analysis.systems.processes import with_inner, with_nodes
@@ -101,7 +101,9 @@ class Components:
     def with_nodes(self, launch: Launch) -> tuple[Launch, Configured]:
         """The launch, with the nodes that programs make, by the names that their code has where no launch file names them; their models."""
         found = configure(with_nodes(launch.composition, made_by(self.models), self.names), self._model_index)
-        return replace(launch, composition=with_inner(found.composition, self.made)), found
+        composition, inner = with_inner(found.composition, self.made)
+        found = Configured(composition, {**found.parts, **{index: Parts((component,)) for index, component in inner.items()}})
+        return replace(launch, composition=composition), found
 
     @cached_property
     def _model_index(self) -> ModelIndex:
@@ -124,9 +126,9 @@ class Components:
         """The interfaces of components by the names that these go by: with their package, and alone."""
         found: dict[str | tuple[str, str], list[int]] = defaultdict(list)
         for number, each in enumerate(self.interfaces):
-            for _, package, name, *_ in () if each.rows.get("interface_configured") else each.rows.get("interface", ()):
-                found[package, name].append(number)
-                found[name].append(number)
+            for title, package, name, *_ in () if each.rows.get("interface_configured") else each.rows.get("interface", ()):
+                for key in {(package, name), name, title}:
+                    found[key].append(number)
         for number, model in enumerate(self.models):
             if model.configuration:
                 found[model.title].append(number)
