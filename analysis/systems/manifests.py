@@ -74,7 +74,8 @@ def declared(root: Path) -> tuple[Declared, ...]:
     paths = find_manifests(root, [], ignored=True)
     folders = {os.path.dirname(path) for path in paths}
     built = set(find_manifests(root, []))
-    return tuple(one for path in paths if (one := _read(path, folders, path in built)) is not None)
+    found = [one for path in paths if (one := _read(path, folders, path in built)) is not None]
+    return tuple({one.name: one for one in reversed(found)}.values())  # of several of a name the first counts
 
 
 def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:

@@ -37,7 +37,7 @@ class Files:
     def __init__(self, packages: PackagePath, folder: str | None = None) -> None:
         self.packages = packages
         self.folder = folder or os.getcwd()
-        self._of_ros: dict[int, Files] = {}
+        self._suited: dict[tuple[int, tuple[str, ...]], Files] = {}
         self._roots: set[str] | None = None
         self._beside: set[str] = set()
         self._packages_of: dict[str, str] = {}
@@ -47,12 +47,12 @@ class Files:
         self._references: dict[str, tuple[Reference, ...]] = {}
         self._values: dict[tuple[str, type[Loader]], tuple[Any, KeyLines]] = {}
 
-    def of_ros(self, version: int) -> Files:
-        """Reads files for launch files of a version of ROS."""
-        packages = self.packages.of_ros(version)
+    def of_ros(self, version: int, launch_file: Path | str) -> Files:
+        """Reads files for a launch file of a version of ROS."""
+        packages = self.packages.of_ros(version).near(os.path.join(self.folder, launch_file))
         if packages is self.packages:
             return self
-        return self._of_ros.setdefault(version, Files(packages, self.folder))
+        return self._suited.setdefault((version, tuple(packages.own.values())), Files(packages, self.folder))
 
     def allow_named(self, arguments: Mapping[str, str]) -> None:
         """Let the files be read that the user names by the values of launch arguments."""
@@ -87,7 +87,7 @@ class Files:
         Of a launch file of Python there may be the description alone that it makes.
         """
         folder = None if self.is_file(path) else self.packages.of_file(path)
-        if folder is None:
+        if folder is None or self.packages.fills(path):
             return path
         if self.is_file(described := f"{path}{DESCRIBED}"):
             return described

@@ -35,6 +35,9 @@ _MAKING = re.compile(
 """The commands of CMake that make files, with their words."""
 _SET = re.compile(r"\bset\s*\(\s*(\w+)\s+([^()]*)\)", re.IGNORECASE)
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
+_PROGRAMS = (".py", ".sh")
+_MAKES_FOLDERS = re.compile(rb"\bmakedirs\b|\bmkdir\b")
+_QUOTED = re.compile(rb"""["']([^"'\n]+)["']""")
 _MADE_WORD = re.compile(r"[\w.+*-]+")
 
 
@@ -48,6 +51,7 @@ class PackagePath:
         self._names: dict[str, frozenset[str]] = {}
         self._paths: dict[str, dict[str, list[str]]] = {}
         self._made: dict[str, frozenset[str]] = {}
+        self._folders_made: dict[str, frozenset[str]] = {}
 
     @cached_property
     def packages(self) -> dict[str, str]:
@@ -62,21 +66,40 @@ class PackagePath:
     def of_ros(self, version: int) -> PackagePath:
         """The same packages, without those of libraries for another version of ROS."""
         underlay = self._underlay.of_ros(version)
-        if underlay == self._underlay:
-            return self
+        return self if underlay == self._underlay else self._with(underlay, self.own)
+
+    def near(self, path: str) -> PackagePath:
+        """The same packages, of several of one name the one that is nearest to a file: they are of different workspaces."""
+        chosen = {name: max(folders, key=lambda one: len(os.path.commonpath([one, path]))) for name, folders in self._several.items()}
+        own = {**self.own, **chosen}
+        return self if own == self.own else self._with(self._underlay, own)
+
+    def _with(self, underlay: Underlay, own: dict[str, str]) -> PackagePath:
         found = PackagePath(self.folders, underlay)
-        found.own, found._names, found._paths, found._made = self.own, self._names, self._paths, self._made
+        found.own, found._found = own, self._found
+        found._names, found._paths, found._made, found._folders_made = self._names, self._paths, self._made, self._folders_made
         return found
 
     @cached_property
     def own(self) -> dict[str, str]:
         """The packages of the folders."""
-        found: dict[str, str] = {}
+        return dict(reversed(self._found))
+
+    @cached_property
+    def _found(self) -> list[tuple[str, str]]:
+        """All of them with their folders, those first that count."""
         roots = tuple(os.path.realpath(folder).rstrip("/") + "/" for folder in self.folders)
         everything = [package for folder in self.folders for package in _packages_below(folder, roots)]
-        for name, path in sorted(everything, key=lambda package: self.is_left_out(package[1])):
-            found.setdefault(name, path)
-        return found
+        return sorted(everything, key=lambda package: self.is_left_out(package[1]))
+
+    @cached_property
+    def _several(self) -> dict[str, list[str]]:
+        """The folders of the packages whose name others have, too, but for those that are not built."""
+        folders: dict[str, list[str]] = {}
+        for name, folder in self._found:
+            if not self.is_left_out(folder):
+                folders.setdefault(name, []).append(folder)
+        return {name: found for name, found in folders.items() if len(found) > 1}
 
     def is_left_out(self, folder: str) -> bool:
         """Whether a package is in a folder that colcon does not build."""
@@ -135,7 +158,27 @@ class PackagePath:
         folder = self.of_file(path)
         if folder is not None and any(fnmatchcase(os.path.basename(path), name) for name in self._made_in(folder)):
             return True
+        if self.fills(path):
+            return True
         return any(kept_out(path, top) for top in self.folders if path.startswith(top + os.sep))
+
+    def fills(self, path: str) -> bool:
+        """Whether a program of the package makes the folder that the file is to be in, which is not there yet."""
+        folder, absent = self.of_file(path), os.path.dirname(path)
+        if folder is None or os.path.isdir(absent):
+            return False
+        while not os.path.isdir(above := os.path.dirname(absent)):
+            absent = above
+        return os.path.basename(absent) in self._folders_made_in(folder)
+
+    def _folders_made_in(self, folder: str) -> frozenset[str]:
+        """The names that stand in the programs of a package that make folders."""
+        if folder not in self._folders_made:
+            paths = self.paths_in(folder)
+            contents = (_content(path) for name in paths if name.endswith(_PROGRAMS) for path in paths[name])
+            texts = (text for content in contents if _MAKES_FOLDERS.search(content) for text in _QUOTED.findall(content))
+            self._folders_made[folder] = frozenset(name for text in texts for name in text.decode(errors="replace").split("/"))
+        return self._folders_made[folder]
 
     def _made_in(self, folder: str) -> frozenset[str]:
         if folder not in self._made:

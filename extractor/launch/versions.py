@@ -35,15 +35,16 @@ def compose(
 ) -> Composition:
     """What roslaunch or `ros2 launch` would make of launch files, each by the version of ROS that it is for; see `compose.compose`."""
     compositions: list[Composition] = []
-    for version, group in itertools.groupby(launch_files, key=_version_or_none):
+    for version, found in itertools.groupby(launch_files, key=_version_or_none):
+        group = list(found)
         if version is None:
             composed = _left_behind(group)
         elif version == 1:
-            composed = compose_ros1(list(group), arguments, files=files.of_ros(1), environment=environment, namespace=namespace)
+            composed = compose_ros1(group, arguments, files=files.of_ros(1, group[0]), environment=environment, namespace=namespace)
         else:
             from rosarch.extractor.launch_ros2.compose import compose_ros2
 
-            composed = compose_ros2(list(group), arguments, files=files.of_ros(2), environment=environment, namespace=namespace)
+            composed = compose_ros2(group, arguments, files=files.of_ros(2, group[0]), environment=environment, namespace=namespace)
         compositions.append(composed)
     return compositions[0] if len(compositions) == 1 else _joined(compositions)
 

@@ -71,6 +71,8 @@ class Calls(Expressions):
         self.depth = 0
         self.attempts: list[Attempt] = []
         self.kinds: dict[int, str] = {}
+        self.unset = False
+        """Whether a variable of the environment was asked for that is not set here, where nobody launches the file."""
 
     def text(self, value: Any) -> str:
         return self.world.as_text(value)

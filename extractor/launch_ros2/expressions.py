@@ -125,8 +125,8 @@ class Expressions(Decisions):
         value = value.text if isinstance(value, PathText) else value
         if node.conversion == -1 and node.format_spec is None and isinstance(value, str):
             return value
-        if not is_certain(value):
-            return self.text(value) if isinstance(value, (Unknown, Either)) else self.unknown(node, frame)
+        if value is None or not is_certain(value):  # one of the environment that is not set here
+            return self.text(value) if isinstance(value, (Unknown, Either)) else self.text(self.unknown(node.value, frame))
         spec = "" if node.format_spec is None else self.value(node.format_spec, frame)
         return METHODS[str]["format"]("{:" + spec + "}", CONVERSIONS[node.conversion](value)) if isinstance(spec, str) else spec
 
@@ -184,6 +184,9 @@ class Expressions(Decisions):
                 return left + right
             if (isinstance(left, list) and isinstance(right, list)) or (isinstance(left, tuple) and isinstance(right, tuple)):
                 return [*left, *right] if isinstance(left, list) else (*left, *right)
+            if (left is None and isinstance(right, str)) or (right is None and isinstance(left, str)):
+                unset = self.text(self.unknown(node.left if left is None else node.right, frame))
+                return unset + right if left is None else left + unset
             if isinstance(left, str) != isinstance(right, str) and isinstance(left, _TEXTS) and isinstance(right, _TEXTS):
                 return self.text(left) + self.text(right)
             if isinstance(left, list) and isinstance(right, (Unknown, Either)):

@@ -183,7 +183,8 @@ class Interpreter(Calls):
     def _do_raise(self, node: ast.Raise, frame: Frame) -> None:
         error = node.exc.func if isinstance(node.exc, ast.Call) else node.exc
         text = ast.unparse(node.exc) if node.exc is not None else "an exception again"
-        raise Raised(ast.unparse(error).rpartition(".")[2] if error is not None else "Exception", text, self.place(node, frame))
+        kind = ast.unparse(error).rpartition(".")[2] if error is not None else "Exception"
+        raise Raised(kind, text, self.place(node, frame), certain=not self.unset)
 
     def _do_pass(self, _node: ast.Pass, _frame: Frame) -> None:
         """Nothing."""

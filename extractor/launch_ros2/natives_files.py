@@ -342,6 +342,7 @@ def _environment(run: Calls, name: Any, default: Any = None) -> Any:
     value = run.world.context.variable(name)
     if value is not None:
         return value
+    run.unset = run.unset or default is None
     return run.world.state.unknowns.mark(f"$(env {name})") if name in _ALWAYS_SET and default is None else default
 
 
@@ -350,18 +351,26 @@ native("os.environ")(lambda _run: NOTHING)
 
 @native("ament_index_python.packages.get_package_share_directory", "ament_index_python.get_package_share_directory")
 def _share(run: Calls, package: Any = None, **named: Any) -> Any:
-    name = package if package is not None else named.get("package_name")
-    return run.world.share(run.world.as_text(name))
+    return run.world.share(_package_name(run, package if package is not None else named.get("package_name")))
 
 
 @native("ament_index_python.packages.get_package_share_path", "ament_index_python.get_package_share_path")
 def _share_path(run: Calls, package: Any) -> Any:
-    return PathText(run.world.share(run.world.as_text(package)))
+    return PathText(run.world.share(_package_name(run, package)))
 
 
 @native("ament_index_python.packages.get_package_prefix", "ament_index_python.get_package_prefix")
 def _prefix(run: Calls, package: Any) -> Any:
-    return run.world.prefix(run.world.as_text(package))
+    return run.world.prefix(_package_name(run, package))
+
+
+def _package_name(run: Calls, name: Any) -> str:
+    """The name of a package, which no substitution is: that has no value before launch carries something out."""
+    if not isinstance(name, Made):
+        return run.world.as_text(name)
+    state = run.world.state
+    state.report(LaunchError("python", "TypeError", f"TypeError: {name.kind} is no name of a package"))
+    return state.unknowns.mark(f"$({name.kind})")
 
 
 @native("ament_index_python.resources.has_resource", "ament_index_python.has_resource")

@@ -47,6 +47,8 @@ class Expander:
         self.texts = Texts(context, dialect)
         self.bare_tags = False
         self.comments = Comments()
+        self.undecided = 0  # how many conditions that are not known are around what is evaluated
+        self.expanding: dict[str, int] = {}  # the macros that are being called, and how many were around their first calls
         self.handlers: dict[str, Handler] = {
             "include": self.include,
             "property": self.property,
@@ -169,7 +171,7 @@ class Expander:
             for name in self.context.files.matching(path) if re.search(r"[*\[?]", path) else [path]:
                 found.append((name, self.context.files.parsed(name, parse)))
         except LaunchError as error:
-            if error.is_limit:
+            if error.is_limit or error.kind == "made":
                 self.context.incomplete = True
                 self.context.report(error, fatal=False)
             elif not is_optional:
@@ -230,12 +232,13 @@ class Expander:
         precedes = self.comments.drop(target.children)
         text = required(node, "value")
         value = self.texts.value(text, frame.symbols)
-        keep = True
-        if not isinstance(value, str) or is_known(value):
-            keep = truth(value, text, self.dialect) is not node.tag.endswith("unless")
+        undecided = isinstance(value, str) and not is_known(value)
+        keep = undecided or truth(value, text, self.dialect) is not node.tag.endswith("unless")
         moves, content = self.comments.moves, Element(node.tag, {}, node.place)
         if keep:
+            self.undecided += undecided
             self.content(node, content, frame)
+            self.undecided -= undecided
             self.comments.splice(content, target)
         if precedes and followed and self.comments.moves == moves:
             self.comments.protect(target.children)
@@ -262,6 +265,19 @@ class Expander:
         return True
 
     def expand(self, node: Element, macro: Macro, target: Element, frame: Frame, followed: bool) -> None:
+        """Replace the call of `macro` by its body. Under a condition that is not known it calls itself no more."""
+        before = self.expanding.get(macro.name)
+        if before is not None and self.undecided > before:
+            self.context.incomplete = True
+            return
+        self.expanding[macro.name] = self.undecided if before is None else before
+        try:
+            self.expand_once(node, macro, target, frame, followed)
+        finally:
+            if before is None:
+                del self.expanding[macro.name]
+
+    def expand_once(self, node: Element, macro: Macro, target: Element, frame: Frame, followed: bool) -> None:
         """Replace the call of `macro` by its body."""
         symbols = frame.symbols.scope()
         self.bind(node, macro, frame, symbols)

@@ -117,7 +117,10 @@ class Texts:
             self.context.spend(STEP * len(text))
             return load_yaml(text, _YamlLoader)
         except LaunchError as error:
-            raise XacroError(error.message, error.subject) from None
+            if error.kind != "made":
+                raise XacroError(error.message, error.subject) from None
+            self.context.report(error, fatal=False)
+            raise UnknownInvolved from None
         except YamlError as error:
             raise XacroError(f"invalid YAML at {path}:{error.line}:{error.column}: {error.message}", path) from None
 

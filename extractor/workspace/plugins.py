@@ -42,11 +42,14 @@ def read_plugins(exports: Iterable[tuple[str, Path]], manifest: Manifest) -> tup
 
 
 _DECLARATION = re.compile(r"^\s*<\?xml.*?\?>", re.DOTALL)
+_VALUE = re.compile(r"""(?<==)\s*(?:"[^"]*"|'[^']*')""")
+"""The value of an attribute: those who load plug-ins accept `<` in it, as in filters::FilterBase<T>."""
 
 
 def parse_plugins(text: str, path: Path) -> tuple[list[PluginClass], list[Diagnostic]]:
     """The classes of one description file."""
     body = _DECLARATION.sub(lambda match: "\n" * match.group().count("\n"), text)
+    body = _VALUE.sub(lambda match: match.group().replace("<", "&lt;"), body)
     try:
         root = read_tree(f"<several>{body}</several>")
     except XmlError as error:

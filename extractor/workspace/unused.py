@@ -44,8 +44,13 @@ def unused_components(workspace: Workspace, found: Iterable[Component]) -> list[
     inner_first = sorted(selected, key=lambda package: package.path, reverse=True)
     modules = Modules()
     made = [_component(workspace.root, path, _owner(path, inner_first), modules) for path in unused_sources(folders, used)]
-    imported = {path for component in made for path in component.library_sources}
-    return [component for component in made if imported.isdisjoint(component.sources)]
+    kept: list[Component] = []
+    told: set[Path] = set()
+    for component in sorted(made, key=lambda component: -len(component.library_sources)):  # those that import each other have equally many
+        if told.isdisjoint(component.sources):
+            told.update(component.sources, component.library_sources)
+            kept.append(component)
+    return kept
 
 
 def _owner(path: Path, packages: Iterable[Package]) -> Package | None:

@@ -34,6 +34,12 @@ def test_imports(tmp_path: Path) -> None:
     assert needs(found, "inner") == {("of_inner", "code", 1)}
 
 
+def test_of_two_packages_of_one_name_the_first_counts(tmp_path: Path) -> None:
+    package(tmp_path, "a/robot", "<depend>rospy</depend>")
+    package(tmp_path, "b/robot", "<depend>rclpy</depend>")
+    assert [(one.name, one.depends) for one in declared(tmp_path)] == [("robot", frozenset({"rospy"}))]
+
+
 def test_headers(tmp_path: Path) -> None:
     header = (
         "#ifndef ROBOT_H\n#define ROBOT_H\n#include <map>\n#include <nav_msgs/msg/path.hpp>\n# include <robot/robot.h>\n"

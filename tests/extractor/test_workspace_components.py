@@ -113,6 +113,12 @@ def test_plugin_from_macro_and_description(tmp_path: Path) -> None:
     ]
 
 
+def test_brackets_in_the_values_of_a_plugin_description(tmp_path: Path) -> None:
+    xml = '<library path="lib/libother"><class type="demo::Layer" base_class_type="filters::FilterBase<sensor_msgs::LaserScan>"/></library>'
+    package(tmp_path, "demo", "add_library(other o.cpp)", {"o.cpp": "", "p.xml": xml}, export='<filters plugin="${prefix}/p.xml"/>')
+    assert [one.base_class for one in components(discover(tmp_path))] == ["filters::FilterBase<sensor_msgs::LaserScan>"]
+
+
 def test_name_of_a_plugin_that_is_an_instance_of_a_template(tmp_path: Path) -> None:
     code = "PLUGINLIB_EXPORT_CLASS(demo::Filter<demo::msg::Scan>, demo::Base)\n"
     package(tmp_path, "demo", "add_library(demo_filters n.cpp)", {"n.cpp": code})
@@ -339,6 +345,8 @@ def test_sources_of_no_component_are_components_where_they_are_asked_for(tmp_pat
             "test/tested.cpp": "#include <ros/ros.h>\n",
             "nodes/tool.py": "import rospy\nimport helper\n",
             "nodes/helper.py": "import rospy\n",
+            "ring/one.py": "import rospy\nimport two\n",
+            "ring/two.py": "import rospy\nimport one\n",
         },
     )
     (tmp_path / "tools").mkdir()
@@ -346,4 +354,10 @@ def test_sources_of_no_component_are_components_where_they_are_asked_for(tmp_pat
     workspace = discover(tmp_path)
     assert [one.name for one in components(workspace)] == ["main"]
     unused = [(one.package, one.name) for one in components(workspace, unused=True) if one.kind == "unused"]
-    assert unused == [("demo", "nodes.tool"), ("demo", "old.once"), ("demo", "src.by_header"), ("tools.look", "tools.look")]
+    assert unused == [
+        ("demo", "nodes.tool"),
+        ("demo", "old.once"),
+        ("demo", "ring.one"),
+        ("demo", "src.by_header"),
+        ("tools.look", "tools.look"),
+    ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from rosarch.extractor.launch import PackagePath
+from rosarch.extractor.launch import Files, PackagePath
 
 
 def package(folder: Path, name: str, more: str = "") -> Path:
@@ -72,3 +72,29 @@ def test_links_and_special_files(tmp_path: Path) -> None:
     os.mkfifo(workspace / "fifo" / "package.xml")
     assert PackagePath([workspace]).packages == {}
     assert PackagePath([workspace, elsewhere.parent]).packages == {"linked": str(workspace / "link")}
+
+
+def test_of_two_packages_of_one_name_the_nearest_one_is_meant(tmp_path: Path) -> None:
+    first = package(tmp_path / "catkin_ws" / "racing", "racing")
+    second = package(tmp_path / "colcon_ws" / "racing", "racing")
+    other = package(tmp_path / "colcon_ws" / "track", "track")
+    path = PackagePath([tmp_path])
+    assert path.find("racing") == str(first)
+    assert path.near(f"{other}/launch/x.launch.py").find("racing") == str(second)
+    assert path.near(f"{first}/launch/x.launch") is path
+
+
+def test_a_folder_that_a_program_of_the_package_makes(tmp_path: Path) -> None:
+    folder = package(tmp_path / "robot", "robot")
+    for name, text in {
+        "config/one/robot.yaml": "",
+        "scripts/make.py": "import os\nos.makedirs(os.path.join(top, 'config', 'temp'))\n",
+    }.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    path = PackagePath([tmp_path])
+    made, absent = f"{folder}/config/temp/one/robot.yaml", f"{folder}/config/other/one/robot.yaml"
+    assert (path.makes(made), path.makes(absent), path.makes(f"{folder}/config/temp.yaml")) == (True, False, False)
+    files = Files(path)
+    # not another file of the package that is called so
+    assert (files.located(made), files.located(absent)) == (made, f"{folder}/config/one/robot.yaml")

@@ -129,6 +129,7 @@ def test_modules_of_packages_that_are_not_there(tmp_path: Path, statement: str, 
     [
         ("raise RuntimeError('no robot')", "RuntimeError: RuntimeError('no robot')"),
         ("{}['a']", "KeyError: 'a'"),
+        ("get_package_share_directory(LaunchConfiguration('p'))", "TypeError: LaunchConfiguration is no name of a package"),
         ("{}.update(None)", "TypeError: 'NoneType' object is not iterable"),
         ("float('fast')", "ValueError: could not convert string to float: 'fast'"),
         ("made()", "TypeError: missing argument `name`"),

@@ -106,6 +106,25 @@ return ld"""
     assert params(known) == {"/both/p": "z", "/both/model": "m_a"}
 
 
+@pytest.mark.parametrize(
+    ("lines", "given"),
+    [
+        ("base = f'{os.getenv(\"BASE\")}.urdf'", "$(os.getenv('BASE')).urdf"),
+        ("base = os.getenv('BASE')\nbase = 'a_' + base", "a_$(base)"),
+        ("base = os.getenv('BASE')\nif base is None:\n    base = 'small'", "small"),
+    ],
+)
+def test_a_variable_that_is_not_set_is_no_text(tmp_path: Path, lines: str, given: str) -> None:
+    before = f"ld = LaunchDescription()\n{lines}\nld.add_action(node('one', parameters=[{{'base': base}}]))\nreturn ld"
+    found = described(tmp_path, "", before)
+    assert (params(found), problems(found, tmp_path)) == ({"/one/base": given}, [])
+
+
+def test_what_a_file_raises_where_a_variable_is_not_set_is_no_fault(tmp_path: Path) -> None:
+    found = described(tmp_path, "", "if os.getenv('BASE') is None:\n    raise RuntimeError('set BASE')")
+    assert found.refusal is None
+
+
 def test_whether_a_variable_is_set(tmp_path: Path) -> None:
     before = """ld = LaunchDescription()
 if 'MODEL' in os.environ:

@@ -152,6 +152,22 @@ def test_without_a_file_what_it_defines_is_unknown_and_the_rest_is_evaluated(tmp
     assert problems(expanded(tmp_path, content), tmp_path) == ["robot.xacro:1:52: package `gone` is not on the package path"]
 
 
+def test_a_file_that_is_made_is_unknown(tmp_path: Path) -> None:
+    content = '<xacro:property name="size" value="${xacro.load_yaml(\'made.yaml\')[\'size\']}"/><xacro:include filename="made.xacro"/><l v="${size}"/>'
+    (tmp_path / "here").mkdir()
+    (tmp_path / "here/made.yaml.in").touch()
+    (tmp_path / "here/made.xacro.in").touch()
+    assert inner(tmp_path, content) == """<l v="${xacro.load_yaml('made.yaml')['size']}"/>"""
+
+
+def test_a_macro_that_calls_itself_under_an_unknown_condition_ends(tmp_path: Path) -> None:
+    content = (
+        '<xacro:macro name="chain" params="n"><l v="${n}"/><xacro:if value="${n &lt; gone}"><xacro:chain n="${n + 1}"/></xacro:if></xacro:macro>'
+        '<xacro:property name="gone" value="$(env UNSET)"/><xacro:chain n="1"/><xacro:chain n="5"/>'
+    )
+    assert inner(tmp_path, content) == '<l v="1"/><l v="5"/>'
+
+
 def test_unknown_arguments_flow_through(tmp_path: Path) -> None:
     unknowns = Unknowns()
     mark = unknowns.mark("$(env ROBOT)")
