@@ -20,6 +20,7 @@ __all__ = ["Library", "LibraryComponent", "LibraryParameter", "LibraryPort", "co
 
 _SHIPPED = Path(__file__).parent
 _SYSTEMS = _SHIPPED / "systems"
+_LABEL = "rosarch library: "
 
 
 @dataclass(frozen=True)
@@ -98,3 +99,9 @@ def find(package: str | None, component: str, folders: Sequence[Path] = ()) -> L
 def components(folders: Sequence[Path] = ()) -> Iterable[LibraryComponent]:
     """All components, by package and name."""
     return load(folders).components
+
+
+def shown_path(path: str) -> str:
+    """A path as people read it: of a file that comes with rosarch, where it is in the library."""
+    shipped = f"{_SHIPPED}{os.sep}"
+    return f"{_LABEL}{path.removeprefix(shipped)}" if path.startswith(shipped) else path

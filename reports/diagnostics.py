@@ -8,6 +8,7 @@ from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rosarch.library import shown_path
 from rosarch.reports.labels import counted
 from rosarch.reports.printable import printable
 
@@ -56,4 +57,4 @@ def diagnostics_summary(diagnostics: Iterable[Diagnostic], base: Path) -> str:
 def diagnostic_line(diagnostic: Diagnostic, base: Path) -> str:
     """The first line of a diagnostic, with a path relative to `base` when it lies there."""
     first = replace(diagnostic, message=diagnostic.message.partition("\n")[0])
-    return printable(str(first).removeprefix(f"{base}/"))
+    return printable(shown_path(str(first)).removeprefix(f"{base}/"))

@@ -14,6 +14,7 @@ from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 from rosarch.findings.model import Finding
 from rosarch.findings.policy import Reported
 from rosarch.findings.withheld import Withheld
+from rosarch.library import shown_path
 from rosarch.reports.labels import counted, underlay_text
 from rosarch.reports.printable import printable
 from rosarch.rule_programs.checks import SEVERITIES
@@ -44,7 +45,9 @@ class Setting:
 
     def path(self, path: str) -> str:
         """The path of a file of the workspace as the reader knows it."""
-        return path if path.startswith("/") or self.folder in ("", ".") else f"{self.folder.rstrip('/')}/{path}"
+        if path.startswith("/"):
+            return shown_path(path)
+        return path if self.folder in ("", ".") else f"{self.folder.rstrip('/')}/{path}"
 
     def place(self, place: Place) -> str:
         """`path:line:column`, printable, as far as it is known."""

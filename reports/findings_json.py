@@ -11,6 +11,7 @@ from rosarch.findings.fixes import edits_of, region_of
 from rosarch.findings.model import Finding
 from rosarch.findings.policy import Reported
 from rosarch.findings.withheld import Withheld
+from rosarch.library import shown_path
 from rosarch.reports.findings import Setting, severity_counts, tool_version
 from rosarch.reports.printable import json_text
 
@@ -81,4 +82,4 @@ def _withheld(each: Withheld) -> dict[str, Any]:
 
 
 def _place(place: Place) -> dict[str, Any]:
-    return {"file": place.path, "line": place.line, "column": place.column}
+    return {"file": shown_path(place.path), "line": place.line, "column": place.column}

@@ -91,7 +91,7 @@ class _Results:
         return {
             "description": {"text": _message("; ".join(str(change) for change, *_ in edits))},
             "artifactChanges": [
-                {"artifactLocation": _artifact(self.setting.path(path)), "replacements": found} for path, found in replacements.items()
+                {"artifactLocation": _artifact(self.setting, path), "replacements": found} for path, found in replacements.items()
             ],
         }
 
@@ -120,7 +120,7 @@ class _Results:
         return {"ruleId": check, **index, "message": {"text": _message(message)}}
 
     def _location(self, step: Evidence) -> Json:
-        place: Json = {"artifactLocation": _artifact(self.setting.path(step.place.path))}
+        place: Json = {"artifactLocation": _artifact(self.setting, step.place.path)}
         if step.place.line > 0:
             place["region"] = {"startLine": step.place.line, **({"startColumn": step.place.column} if step.place.column > 0 else {})}
         return {"physicalLocation": place, **({"message": {"text": _message(step.text)}} if step.text else {})}
@@ -168,7 +168,7 @@ def _message(text: str) -> str:
     return linkless.replace("{", "{{").replace("}", "}}")
 
 
-def _artifact(path: str) -> Json:
+def _artifact(setting: Setting, path: str) -> Json:
     """A file below the root by a relative reference, any other by its URI."""
-    text = quote(os.fsencode(path), safe="/~")
+    text = quote(os.fsencode(path if path.startswith("/") else setting.path(path)), safe="/~")
     return {"uri": f"file://{text}"} if path.startswith("/") else {"uri": text, "uriBaseId": ROOT}

@@ -18,6 +18,7 @@ from rosarch.analysis.systems.planning import Planner, configuring, made_by
 from rosarch.analysis.systems.processes import with_inner, with_nodes
 from rosarch.analysis.systems.trees import Trees
 from rosarch.analysis.systems.workspace import (
+    container_homes,
     container_rows,
     dependencies,
     fetched,
@@ -241,12 +242,12 @@ def shared_facts(root: Path, launches: Sequence[Launch], method: Method, memo: M
     def read() -> tuple[Declared, ...]:
         return declared(root)
 
-    def lists() -> set[str]:
-        return fetched(root)
+    def lists() -> tuple[set[str], set[str]]:
+        return fetched(root), container_homes(root)
 
     manifests = memo.recall(["manifests", top], (top,), read) if memo else read()
-    brought = memo.recall(["fetched", top], (top,), lists) if memo else lists()
-    there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected, brought)
+    brought, homes = memo.recall(["fetched", top], (top,), lists) if memo else lists()
+    there = workspace_rows(dependencies(manifests), compositions, components.programs, components.expected, brought, homes)
     named = merged([there, first_rows(compositions, root), set_rows(compositions, components.models), container_rows(compositions)])
     found = (*(d for composition in compositions for d in composition.diagnostics()), *components.diagnostics)
     given = {"rate_given": {(rate.topic, rate.low, rate.high) for rate in method.rates}}

@@ -24,6 +24,9 @@ _TEXT_OR_COMMENT = re.compile(r'"((?:[^"\\\n]|\\.)*)"|//[^\n]*|/\*.*?\*/', re.DO
 _WORD = re.compile(r"\w+")
 _SUBMODULE = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
 _REPOSITORY = re.compile(r"^[ \t]+['\"]?([\w./-]+)['\"]?:[ \t]*$|\blocal-name:[ \t]*['\"]?([\w./-]+)", re.MULTILINE)
+_LISTS = re.compile(r"\.gitmodules|.*\.(?:repos|rosinstall)")
+_IMAGES = re.compile(r"(?:.*\.)?[Dd]ockerfile(?:\..*)?|(?:docker-)?compose\.ya?ml")
+_HOME = re.compile(r"(?<![\w./-])/home/[\w.-]+")
 _DEPTH_OF_LISTS = 2
 
 
@@ -39,8 +42,12 @@ def workspace_rows(
     programs: Collection[tuple[str, str]],
     known: Collection[str],
     brought: Collection[str] = (),
+    homes: Collection[str] = (),
 ) -> Rows:
-    """Which programs and packages that launch files name there are, or are expected: those `known` or `brought`, and those needed here."""
+    """Which programs and packages that launch files name there are, or are expected: those `known` or `brought`, and those needed here.
+
+    `homes` are the home folders of containers.
+    """
     named = (reference for composition in compositions for reference in composition.references)
     absent = {reference.package for reference in named if isinstance(reference, PackageNamed) and reference.folder is None}
     absent |= {problem.subject for composition in compositions for problem in composition.problems}
@@ -50,6 +57,7 @@ def workspace_rows(
     return {
         "program_built": set(programs),
         "package_expected": {(package,) for package in expected},
+        "container_home": {(home,) for home in homes},
         "package_unknown": {(package,) for package in (depended | set(brought)) - set(known) - own},
     }
 
@@ -84,17 +92,26 @@ def fetched(root: Path) -> set[str]:
     Lists (`.gitmodules`, `.repos`, `.rosinstall`) lie in the workspace or in a repository of it, or one folder further down.
     """
     found: set[str] = set()
+    for name, text in _near_the_top(root, _LISTS):
+        pattern = _SUBMODULE if name == ".gitmodules" else _REPOSITORY
+        found.update(path.rstrip("/").rpartition("/")[2] for match in pattern.finditer(text) for path in match.groups() if path)
+    return found
+
+
+def container_homes(root: Path) -> set[str]:
+    """The home folders that the images of containers have whose descriptions lie in the workspace, or one folder further down."""
+    return {home for _, text in _near_the_top(root, _IMAGES) for home in _HOME.findall(text)}
+
+
+def _near_the_top(root: Path, wanted: re.Pattern[str]) -> Iterator[tuple[str, str]]:
+    """Name and text of the files called as wanted."""
     top = os.path.abspath(root)
     for here, folders, names in os.walk(top):
         deep = here.count(os.sep) - top.count(os.sep) >= _DEPTH_OF_LISTS
         folders[:] = [] if deep else sorted(name for name in folders if not name.startswith("."))
-        for name in names:
-            pattern = _SUBMODULE if name == ".gitmodules" else _REPOSITORY if name.endswith((".repos", ".rosinstall")) else None
-            if pattern is not None:
-                with suppress(OSError):
-                    text = read_file(os.path.join(here, name)).decode("utf-8", "replace")
-                    found.update(path.rstrip("/").rpartition("/")[2] for match in pattern.finditer(text) for path in match.groups() if path)
-    return found
+        for name in filter(wanted.fullmatch, names):
+            with suppress(OSError):
+                yield name, read_file(os.path.join(here, name)).decode("utf-8", "replace")
 
 
 def dependencies(manifests: Iterable[Declared]) -> Dependencies:

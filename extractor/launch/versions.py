@@ -20,6 +20,11 @@ _ROS2 = re.compile(
     rb"\bexec\s*=|\$\((?:var|find-pkg-share|find-pkg-prefix) |<(?:let|push[-_]ros[-_]namespace|node_container|set_\w+|load_composable)\b"
 )
 _ROS1 = re.compile(rb"\btype\s*=|\$\((?:arg|find|optenv) |<(?:rosparam|machine|test)\b")
+_LEFT = frozenset(
+    {("attribute", "type"), ("attribute", "exec"), ("unknown-element", "rosparam"), ("unknown-element", "param")}
+    | {("substitution", word) for word in ("find", "arg", "optenv")}
+)
+"""Kinds and subjects of the problems that words of ROS 1 are; `exec` is what a node with a `type` lacks."""
 _NAMED = 3
 """How many files of a kind a message names."""
 _AMENT = re.compile(rb"<build_type[^>]*>\s*ament|<buildtool_depend[^>]*>\s*ament")
@@ -44,7 +49,9 @@ def compose(
         else:
             from rosarch.extractor.launch_ros2.compose import compose_ros2
 
-            composed = compose_ros2(group, arguments, files=files.of_ros(2, group[0]), environment=environment, namespace=namespace)
+            composed = _partly_left(
+                compose_ros2(group, arguments, files=files.of_ros(2, group[0]), environment=environment, namespace=namespace)
+            )
         compositions.append(composed)
     return compositions[0] if len(compositions) == 1 else _joined(compositions)
 
@@ -92,6 +99,25 @@ def _left_behind(launch_files: Iterable[Path | str]) -> Composition:
         message = f"written for ROS 1, in a package for ROS 2{many}: `ros2 launch` rejects it"
         problems.append(Problem("ros1", str(first), message, Place(str(first), line)))
     return Composition((), (), (), (), tuple(dict.fromkeys(problems)), tuple(map(str, paths)), ros=2)
+
+
+def _partly_left(composition: Composition) -> Composition:
+    """Where several lines of a file have words of ROS 1, these are one problem."""
+    found: dict[str, list[Problem]] = {}
+    for problem in composition.problems:
+        if problem.fatal and (problem.kind, problem.subject) in _LEFT:
+            found.setdefault(problem.place.path, []).append(problem)
+    gone: set[Problem] = set()
+    problems: list[Problem] = []
+    for path, own in found.items():
+        first, *others = dict.fromkeys(problem.place.line for problem in own)
+        if others:
+            gone.update(own)
+            words = ", ".join(f"`{word}`" for word in dict.fromkeys(problem.subject for problem in own if problem.subject != "exec"))
+            message = f"{words} of ROS 1 in a launch file for ROS 2, in {len(others) + 1} lines: `ros2 launch` rejects it"
+            problems.append(Problem("ros1", path, message, Place(path, first)))
+    kept = [problem for problem in composition.problems if problem not in gone]
+    return replace(composition, problems=tuple(kept + problems)) if problems else composition
 
 
 def _left_in(package: Path) -> list[Path]:

@@ -119,6 +119,15 @@ def registrations(path: Path) -> list[Registration]:
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]", re.MULTILINE)
 
 
+def included_names(source: Path) -> list[str]:
+    """The names of the headers that a source file includes, without their folders."""
+    try:
+        text = read_file(source).decode(errors="replace")
+    except OSError:
+        return []
+    return [name.rpartition("/")[2] for name in _INCLUDE.findall(text)]
+
+
 def own_headers(source: Path, folders: Iterable[Path], package: Path) -> Iterator[Path]:
     """The headers of the `package` that a source file includes itself, from its own folder or `folders`: they may register its classes."""
     try:

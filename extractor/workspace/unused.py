@@ -4,36 +4,39 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 
 from rosarch.base.files import file_name, read_file
 from rosarch.extractor.package_names import IGNORE_MARKERS
 from rosarch.extractor.workspace.loose import loose_name
 from rosarch.extractor.workspace.model import EXECUTABLE, UNUSED, Component, Package, PythonEntry, Target, Workspace
-from rosarch.extractor.workspace.plugins import own_headers
+from rosarch.extractor.workspace.plugins import included_names
 from rosarch.extractor.workspace.python_modules import Modules
 
 _USES_ROS = re.compile(
     rb"^[ \t]*(?:#[ \t]*include[ \t]*[<\"](?:ros/ros\.h|rclcpp\w*/)|(?:import|from)[ \t]+(?:rospy|rclpy)\b)", re.MULTILINE
 )
 _SUFFIXES = (".cpp", ".cc", ".cxx", ".py")
+_HEADERS = (".h", ".hh", ".hpp")
 _APART = frozenset({"test", "tests", "launch", "doc", "docs", "build", "devel", "install", "site-packages", "__pycache__"})
 
 
 def unused_sources(packages: Iterable[Path], used: Collection[Path], suffixes: tuple[str, ...] = _SUFFIXES) -> list[Path]:
     """The sources below the folders of `packages` that use ROS and are not `used`; tests, launch files and ignored folders left out."""
     found = {path.resolve() for path in used}
-    sources = ((package, path) for package in packages for path in _sources(package, suffixes))
-    return sorted({path for package, path in sources if path.resolve() not in found and _uses_ros_itself(path, package)})
+    result: set[Path] = set()
+    for package in packages:
+        headers = {path.name: path for path in _sources(package, _HEADERS)}
+        result.update(path for path in _sources(package, suffixes) if path.resolve() not in found and _uses_ros_itself(path, headers))
+    return sorted(result)
 
 
-def _uses_ros_itself(path: Path, folder: Path) -> bool:
-    """Whether a source names a client library of ROS, or a header of the same folder that it includes does."""
+def _uses_ros_itself(path: Path, headers: Mapping[str, Path]) -> bool:
+    """Whether a source names a client library of ROS, or one of the `headers` that it includes does."""
     if uses_ros(path) or path.suffix == ".py":
         return uses_ros(path)
-    above = [parent / "include" for parent in path.parents if parent.is_relative_to(folder)]
-    return any(map(uses_ros, own_headers(path, above, folder)))
+    return any(name in headers and uses_ros(headers[name]) for name in included_names(path))
 
 
 def unused_components(workspace: Workspace, found: Iterable[Component]) -> list[Component]:

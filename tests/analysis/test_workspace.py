@@ -6,6 +6,7 @@ from pathlib import Path
 
 from rosarch.analysis.systems.manifests import declared
 from rosarch.analysis.systems.workspace import (
+    container_homes,
     dependencies,
     fetched,
     first_rows,
@@ -45,6 +46,15 @@ def test_programs_and_packages(tmp_path: Path) -> None:
     assert rows["program_built"] == {("robot", "built"), ("robot", "other")}
     assert rows["package_expected"] == {("driver",), ("move_base",), ("off",)}
     assert rows["package_unknown"] == {("driver",)}
+
+
+def test_home_folders_of_containers(tmp_path: Path) -> None:
+    (tmp_path / "docker").mkdir()
+    (tmp_path / "docker/Dockerfile.ros1").write_text("FROM ros\nWORKDIR /home/rosuser/ws\nCOPY a /opt/home/b\n")
+    (tmp_path / "compose.yaml").write_text("services:\n  robot:\n    volumes: ['./src:/home/dev/src']\n")
+    (tmp_path / "README.md").write_text("cd /home/anna\n")
+    assert container_homes(tmp_path) == {"/home/rosuser", "/home/dev"}
+    assert workspace_rows(dependencies(()), [], (), (), (), {"/home/dev"})["container_home"] == {("/home/dev",)}
 
 
 def test_what_lists_of_repositories_bring(tmp_path: Path) -> None:

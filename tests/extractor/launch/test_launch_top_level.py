@@ -79,6 +79,19 @@ def test_a_launch_file_of_ros_1_that_a_package_of_ros_2_has_left(tmp_path: Path,
     assert [node.name for node in found.nodes] == ([] if expected else ["n"])
 
 
+def test_words_of_ros_1_in_several_lines_are_one_problem(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name><buildtool_depend>ament_cmake</buildtool_depend></package>")
+    nodes = [f'<node pkg="a" {how}="b" name="{how}"/>' for how in ("exec", "type")]
+    files = Files(PackagePath([tmp_path]))
+    (tmp_path / "once.launch").write_text("\n".join(["<launch>", *nodes, "</launch>"]))
+    once = compose([tmp_path / "once.launch"], files=files).problems
+    assert [problem.subject for problem in once] == ["type", "exec"]
+    (tmp_path / "more.launch").write_text("\n".join(["<launch>", *nodes, '<arg name="x" default="$(find p)"/>', "</launch>"]))
+    assert [str(problem).removeprefix(f"{tmp_path}/") for problem in compose([tmp_path / "more.launch"], files=files).problems] == [
+        "more.launch:3:1: `type`, `find` of ROS 1 in a launch file for ROS 2, in 2 lines: `ros2 launch` rejects it"
+    ]
+
+
 def test_launch_files_that_a_package_has_left_are_one_problem(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text("<package><name>p</name><buildtool_depend>ament_cmake</buildtool_depend></package>")
     for name in ("a.launch", "b.launch", "deep/c.launch", "inner/d.launch"):
