@@ -172,7 +172,7 @@ class PackagePath:
         return os.path.basename(absent) in self._folders_made_in(folder)
 
     def _folders_made_in(self, folder: str) -> frozenset[str]:
-        """The names that stand in the programs of a package that make folders."""
+        """The words of the programs of a package that make folders."""
         if folder not in self._folders_made:
             paths = self.paths_in(folder)
             contents = (_content(path) for name in paths if name.endswith(_PROGRAMS) for path in paths[name])

@@ -294,7 +294,8 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     filled |= launch_rows(in_python.with_controllers(), tmp_path)
     filled |= container_rows([in_python])
     filled |= first_rows([composition], tmp_path)
-    filled |= workspace_rows(dependencies(manifests.declared(tmp_path)), [composition], {("here", "built")}, load().packages)
+    needed = dependencies(manifests.declared(tmp_path))
+    filled |= workspace_rows(needed, [composition], {("here", "built")}, load().packages, (), {"/home/dev"})
     declared = load_declarations(rules_folder() / "schema" / "launch.dl")
     ports = load_declarations(rules_folder() / "schema" / "interfaces.dl")  # of viewers
     assert {name for name, rows in filled.items() if rows and name not in ports} == set(declared)
