@@ -184,9 +184,10 @@ class Expressions(Decisions):
                 return left + right
             if (isinstance(left, list) and isinstance(right, list)) or (isinstance(left, tuple) and isinstance(right, tuple)):
                 return [*left, *right] if isinstance(left, list) else (*left, *right)
-            if (left is None and isinstance(right, str)) or (right is None and isinstance(left, str)):
-                unset = self.text(self.unknown(node.left if left is None else node.right, frame))
-                return unset + right if left is None else left + unset
+            if left is None and isinstance(right, str):
+                return self.text(self.unknown(node.left if isinstance(node, ast.BinOp) else node, frame)) + right
+            if right is None and isinstance(left, str):
+                return left + self.text(self.unknown(node.right if isinstance(node, ast.BinOp) else node, frame))
             if isinstance(left, str) != isinstance(right, str) and isinstance(left, _TEXTS) and isinstance(right, _TEXTS):
                 return self.text(left) + self.text(right)
             if isinstance(left, list) and isinstance(right, (Unknown, Either)):
