@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from rosarch.base.logic import FALSE, TRUE
 from rosarch.base.places import Place
@@ -20,6 +20,8 @@ from rosarch.models.switches import Switched, sent_while_starting, switched_thin
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
 PortIds = Mapping[Any, str]
+_Rates = tuple[tuple[float | None, str | None], ...]
+_Key = TypeVar("_Key", bound=Hashable)
 
 
 @dataclass(frozen=True)
@@ -151,22 +153,23 @@ def build_behavior(
 
 def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds, guards: Guards) -> tuple[Periodic, ...]:
     rates = _rates(relations)
-    sent: dict[tuple[str, str], dict[Formula, set[str]]] = defaultdict(lambda: defaultdict(set))
+    for_sink = _rates_of(((site, sink), row) for site, sink, *row in relations["period_for_sink"])
+    sent: dict[tuple[str, str], dict[tuple[_Rates, Formula], set[str]]] = defaultdict(lambda: defaultdict(set))
     calls: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
     roots = sorted(relations["periodic"])
     for site, port, call in sorted(relations["sends_periodically"], key=repr):
         if port in ports:
             for other, root, _mechanism in roots:
                 if other == site and (guard := guards.guard(root, call)) != FALSE:
-                    sent[site, root][guard].add(ports[port])
+                    sent[site, root][for_sink.get((site, port), rates[site]), guard].add(ports[port])
                     calls[site, root, guard].add(call)
     found = []
     for site, root, mechanism in roots:
-        hz, parameter = _best_rate(rates[site])
-        told = None if hz is None else round(hz, 6)
-        for guard, published in (sent[site, root] or {TRUE: set()}).items():
+        for (known, guard), published in (sent[site, root] or {(rates[site], TRUE): set()}).items():
             ways = _ways_of_one(guards, root, calls[site, root, guard])
-            found.append(Periodic(mechanism, told, parameter, tuple(sorted(published, key=_number)), places[site], guard, ways))
+            for hz, parameter in _best_rates(known):
+                told = None if hz is None else round(hz, 6)
+                found.append(Periodic(mechanism, told, parameter, tuple(sorted(published, key=_number)), places[site], guard, ways))
     return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
 
 
@@ -176,14 +179,25 @@ def _ways_of_one(guards: Guards, root: str, calls: Collection[str]) -> tuple[For
     return tuple(found) if len(found) > 1 else ()
 
 
-def _rates(relations: Relations) -> dict[str, list[tuple[float | None, str | None]]]:
-    rates: dict[str, list[tuple[float | None, str | None]]] = defaultdict(list)
-    for site, amount, per_second, parameter in sorted(relations["period"]):
-        rates[site].append((frequency(amount, per_second), parameter or None))
+def _rates(relations: Relations) -> Mapping[str, _Rates]:
+    return _rates_of((site, row) for site, *row in relations["period"])
+
+
+def _rates_of(rows: Iterable[tuple[_Key, Sequence[Any]]]) -> defaultdict[_Key, _Rates]:
+    rates: defaultdict[_Key, _Rates] = defaultdict(tuple)
+    for key, (amount, per_second, parameter) in sorted(rows, key=repr):
+        rates[key] += ((frequency(amount, per_second), parameter or None),)
     return rates
 
 
-def _best_rate(rates: list[tuple[float | None, str | None]]) -> tuple[float | None, str | None]:
+def _best_rates(rates: _Rates) -> tuple[tuple[float | None, str | None], ...]:
+    """The known frequencies, one of which it is; of those that may be read from a parameter one, with the parameter."""
+    best = _best_rate(rates)
+    known = tuple(dict.fromkeys(rate for rate in rates if rate[0] is not None))
+    return known if best[1] is None and known else (best,)
+
+
+def _best_rate(rates: _Rates) -> tuple[float | None, str | None]:
     """A known frequency if there is one, with the parameter it may be read from."""
     known = [rate for rate in rates if rate[0] is not None]
     parameters = sorted({parameter for _, parameter in rates if parameter})

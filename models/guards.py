@@ -95,7 +95,7 @@ class Guards:
         self._loops = {row[0] for row in relations["loop_condition"]}
         self._stable = {row[0] for row in relations["stable_condition"]}
         self._locals: dict[str, list[tuple[str, str]]] = defaultdict(list)
-        for node, name, value in sorted(relations["settled_local"]):
+        for node, name, value in sorted((*relations["settled_local"], *relations.get("named_number", ()))):
             self._locals[node].append((name, value))
         shadowing = sorted(relations.get("shadows_state", ()))
         shadows = {name for _, name in shadowing}

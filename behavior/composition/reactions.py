@@ -71,9 +71,9 @@ class _Run:
     ways: tuple[Case, ...] = ({},)
     effect: Effect = field(default_factory=lambda: Effect({}, {}, {}, (), ()))
 
-    def tested(self, subject: Subject, step: Step) -> str | None:
-        """The value that the guard of a step sees."""
-        seen = self.seen.get(step.tested_as(subject.key))
+    def tested(self, subject: Subject, step: Step, part: int = 0) -> str | None:
+        """The value that a condition of the guard of a step sees."""
+        seen = self.seen.get(step.tested_as(subject.key, part))
         return self.current(subject) if seen is None else seen
 
     def current(self, subject: Subject) -> str | None:
@@ -217,12 +217,12 @@ def _sent(run: _Run, step: Step, left: Sequence[str], sent: tuple[str, ...], pic
 def _residue(step: Step, run: _Run) -> tuple[Formula, _Run]:
     """What of the guard of a step is open, and the run, in which the variables that it tests are seen from now on."""
     parts = []
-    for conjunct in step.guard:
-        rest = simplify(conjunct, partial(run.tested, step=step))
+    for part, conjunct in enumerate(step.guard):
+        rest = simplify(conjunct, partial(run.tested, step=step, part=part))
         seen = {
-            step.tested_as(s.key): run.values[s.key]
+            step.tested_as(s.key, part): run.values[s.key]
             for s in subjects(conjunct)
-            if s.key in run.values and step.tested_as(s.key) not in run.seen
+            if s.key in run.values and step.tested_as(s.key, part) not in run.seen
         }
         run = replace(run, seen={**run.seen, **seen}) if seen else run
         parts.append(rest)

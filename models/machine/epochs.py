@@ -42,19 +42,30 @@ def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Coll
     again = (_asked_again(steps, guards, unsteady) if unsteady else []) + list(_called_again(guards, anew))
     found = []
     for number, step in enumerate(steps):
-        epochs: dict[str, int] = {}
+        epochs: dict[tuple[int, str], int] = {}
         unclear = any(each.search(text) for each in again for text in guards[number].texts())
-        for subject in {subject for conjunct in step.guard for subject in subjects(conjunct) if subject.cell}:
+        tests = {(part, subject) for part, conjunct in enumerate(step.guard) for subject in subjects(conjunct) if subject.cell}
+        for part, subject in tests:
             before = [
                 guards[index]
                 for index, other in enumerate(steps[:number])
                 if any(a.cell.subject.key == subject.key for a in other.assignments) and not guards[index].excludes(guards[number])
             ]
-            told = {sum(place not in guard.at for guard in before) for place in _places(guards[number], subject.text)} if before else set()
-            epochs[subject.key] = max(told, default=0)
+            places = _places_of_part(trees.get(step), part, len(step.guard), subject.text) or _places(guards[number], subject.text)
+            told = {sum(place not in guard.at for guard in before) for place in places} if before else set()
+            epochs[part, subject.key] = max(told, default=0)
             unclear |= len(told) > 1
-        found.append(replace(step, epochs=tuple(sorted(item for item in epochs.items() if item[1])), unclear=unclear))
+        tested = tuple(sorted((part, key, epoch) for (part, key), epoch in epochs.items() if epoch))
+        found.append(replace(step, epochs=tested, unclear=unclear))
     return found
+
+
+def _places_of_part(tree: object, part: int, parts: int, text: str) -> set[str]:
+    """Where the condition at `part` of a guard of so many names a variable; none where the guard is not written as that."""
+    written = tree.get("all", (tree,)) if isinstance(tree, Mapping) else ()
+    leaves = list(leaves_of(written[part])) if len(written) == parts else []
+    name = _named(text)
+    return {place for place, condition, _ in leaves if name.search(condition)}
 
 
 def _asked_again(steps: Sequence[Step], guards: Sequence[_Guard], names: Collection[str]) -> list[re.Pattern[str]]:
@@ -80,8 +91,12 @@ def _called_again(guards: Sequence[_Guard], calls: Collection[str]) -> Iterator[
 
 def _places(guard: _Guard, text: str) -> set[str]:
     """Where conditions that name a variable are tested; all places when none of them names it."""
-    name = re.compile(rf"(?<!\w){re.escape(re.split(r'::|[.]', text.removesuffix('.size()').removesuffix('.empty()'))[-1])}(?!\w)")
+    name = _named(text)
     return {place for place, leaves in guard.at.items() if any(name.search(leaf[1]) for leaf in leaves)} or set(guard.at)
+
+
+def _named(text: str) -> re.Pattern[str]:
+    return re.compile(rf"(?<!\w){re.escape(re.split(r'::|[.]', text.removesuffix('.size()').removesuffix('.empty()'))[-1])}(?!\w)")
 
 
 def _guard(tree: object) -> _Guard:

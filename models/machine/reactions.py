@@ -66,7 +66,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             trees[step] = way.get("when_tree")
             for trigger in _list(row.get("input")):
                 found.setdefault(trigger, []).append(step)
-    for index, row in enumerate(document.get("periodic") or ()):
+    for index, row in _rounds(document):
         for way in row.get("ways") or (row,):
             guard = meaning.conjuncts(condition_of(way, "conditional"), "")
             for sometimes, sent in _sent_in_round(document, row, certain=bool(guard)):
@@ -92,13 +92,27 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
 
 
+def _rounds(document: Document) -> Iterator[tuple[int, Mapping[str, Any]]]:
+    """The rows of timed loops and timers, those that differ in their rates alone once."""
+    told: list[dict[str, Any]] = []
+    for index, row in enumerate(document.get("periodic") or ()):
+        own = {key: value for key, value in row.items() if key not in ("hz", "hz_from_param")}
+        if own not in told:
+            told.append(own)
+            yield index, row
+
+
 def _sent_in_round(document: Document, row: Mapping[str, Any], *, certain: bool) -> Iterator[tuple[bool, tuple[str, ...]]]:
-    """What a row of a timed loop or timer sends, that of each round apart from that of some rounds of which no condition says which."""
+    """What a row of a timed loop or timer sends, that of each round apart from that of some rounds of which no condition says which.
+
+    What runs for each of several objects sends through the ports of one of them.
+    """
     traits = document.get("traits")
     always = {port for place, port in (traits or {}).get("round_always", ()) if place == _place(row)}
+    of_each = [_place(row)] in (list(values) for values in (traits or {}).get("round_of_each", ()))
     sent = sent_in_loop(row)
     for sometimes in (False, True):
-        ports = tuple(port for port in sent if (not certain and traits is not None and port not in always) is sometimes)
+        ports = tuple(port for port in sent if (of_each or (not certain and traits is not None and port not in always)) is sometimes)
         if ports:
             yield sometimes, ports
 
@@ -216,11 +230,11 @@ class _Run:
             copy.values[subject.key] = value
         return copy
 
-    def tested(self, subject: Subject, step: Step) -> str | None:
-        """The value that the guard of a step sees."""
+    def tested(self, subject: Subject, step: Step, part: int = 0) -> str | None:
+        """The value that a condition of the guard of a step sees."""
         if not subject.cell:
             return self.choices.get(subject)
-        return self.seen.get(step.tested_as(subject.key), self.values.get(subject.key))
+        return self.seen.get(step.tested_as(subject.key, part), self.values.get(subject.key))
 
     def current(self, subject: Subject) -> str | None:
         """The value that an assignment reads."""
@@ -275,12 +289,12 @@ def _advance(run: _Run, steps: Sequence[Step], cells: set[str], deciding: set[Su
 def _residue(step: Step, run: _Run) -> Formula:
     """What of the guard of a step is open; the cells that it tests are seen from now on."""
     parts = []
-    tested = partial(run.tested, step=step)
-    for conjunct in step.guard:
+    for part, conjunct in enumerate(step.guard):
+        tested = partial(run.tested, step=step, part=part)
         rest = simplify(conjunct, tested)
         for subject in subjects(conjunct):
             if subject.cell and subject.key in run.values:
-                run.seen.setdefault(step.tested_as(subject.key), run.values[subject.key])
+                run.seen.setdefault(step.tested_as(subject.key, part), run.values[subject.key])
         parts.append(rest)
         if evaluate(rest, tested) is False:
             break

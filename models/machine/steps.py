@@ -31,8 +31,8 @@ class Output:
 class Step:
     """An assignment or a sending, under a guard.
 
-    `epochs` say how many assignments of its reaction to a variable come before its guard tests this, where some do; it is `unclear` when
-    the guard tests one before and after.
+    `epochs` say, for a condition of its guard and a variable, how many assignments of its reaction to this come before it is tested, where
+    some do; the step is `unclear` when one condition tests a variable before and after.
     """
 
     row: Row
@@ -41,7 +41,7 @@ class Step:
     outputs: tuple[str, ...] = ()
     sometimes: bool = False
     done_at: str = ""  # where it is done, when its row is about another place
-    epochs: tuple[tuple[str, int], ...] = ()
+    epochs: tuple[tuple[int, str, int], ...] = ()
     unclear: bool = False
 
     def tested(self) -> set[Subject]:
@@ -49,7 +49,7 @@ class Step:
         values = (formula for assignment in self.assignments for formula, _ in assignment.table)
         return {subject for formula in (*self.guard, *values) for subject in subjects(formula)}
 
-    def tested_as(self, key: str) -> str:
-        """A variable as the guard tests it: what tests it at the same time sees the same."""
-        epoch = next((number for name, number in self.epochs if name == key), 0)
+    def tested_as(self, key: str, part: int) -> str:
+        """A variable as a condition of the guard tests it: what tests it at the same time sees the same."""
+        epoch = next((number for at, name, number in self.epochs if (at, name) == (part, key)), 0)
         return f"{key} {epoch}" if epoch else key

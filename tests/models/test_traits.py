@@ -17,6 +17,7 @@ COUNTS = (
     "answers_most",
     "round_sends",
     "round_always",
+    "round_of_each",
     "sent_untimed",
     "sent_otherwise",
     "synchronised",

@@ -96,5 +96,6 @@ int main(int argc, char** argv)
 // expect: periodic sleep 500.0 None c []
 // expect: periodic rate 5.0 None d []
 // expect: periodic sleep 0.5 None e []
+// expect: periodic timer 0.1 None f []
 // expect: periodic timer 1.0 None f []
 // expect: periodic rate 25.0 None g [!(!rate.sleep())]

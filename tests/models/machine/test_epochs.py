@@ -42,9 +42,11 @@ ARM = _assigned(11, "ARMED", "mode_ == IDLE", IDLE)
         # if (mode_ == IDLE) { mode_ = ARMED; send(); }
         ([ARM], _sent(12, "mode_ == IDLE", IDLE), {"IDLE"}, False),
         # if (mode_ == IDLE) { mode_ = ARMED; if (mode_ == ARMED) send(); }
-        ([ARM], _sent(13, "mode_ == IDLE && mode_ == ARMED", IDLE, ARMED), None, True),
+        ([ARM], _sent(13, "mode_ == IDLE && mode_ == ARMED", IDLE, ARMED), {"IDLE"}, False),
+        # one condition that is tested at two places, before and after
+        ([ARM], _sent(13, "mode_ == IDLE || mode_ == ARMED") | {"when_tree": {"any": [IDLE, ARMED]}}, None, True),
     ],
-    ids=["tested_again", "else", "assigned_behind", "same_test", "before_and_after"],
+    ids=["tested_again", "else", "assigned_behind", "same_test", "before_and_after", "unclear"],
 )
 def test_what_a_test_sees(transitions: list[dict[str, Any]], sent: dict[str, Any], sends: set[str] | None, unclear: bool) -> None:
     variable = {"name": "N::mode_", "type": "Mode", "initial": "IDLE", "at": "n.h:3"}

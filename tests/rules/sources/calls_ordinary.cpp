@@ -23,7 +23,7 @@
 // expect-not: _answered_to(_, _); _calls_field(_, _, _); _connected(_, _, _); _feeds_directly(_, _); _server_of(_, _); _sink_of(_, _); feeds(_, _)
 // expect-not: flow_variable(_, _, _); flows_to_sink(_, _); given_to_field(_, _, _); sink_callback(_, _); implicit_port(_, _)
 // expect-not: _implicit(_, _, _, _, _); hidden_site(_, _); hidden_namespace(_, _); port_object(_, _); port_unknown(_, _); port_made_through(_, _)
-// expect-not: _sends_other(_, _, _); _sends_several(_); _data_flow(_, _, _); steps_through(_); may_skip(_, _, _)
+// expect-not: _sends_other(_, _, _); _data_flow(_, _, _); steps_through(_); may_skip(_, _, _)
 // groups of callbacks, and answers
 // expect-not: callback_group(_, _); _group_set(_, _); default_group(_, _); _another_group(_); _made_on(_, _); exclusive_group(_); _group_made(_, _)
 // expect-not: _made_otherwise(_); _exclusive(_); asks(_, _, _); future_of(_, _); _keeps_future(_, _); _waits(_, _); _wait_time(_, _); _polled(_)

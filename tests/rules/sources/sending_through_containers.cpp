@@ -34,7 +34,7 @@
 // expect: Count = count : { port_holder(V, Site), port([Site, _, "/listed"]) }, Count = 2
 // expect: Count = count : { port_holder(V, Site), port([Site, _, "/connected"]) }, Count = 2
 // expect: Count = count : { port_holder(V, Site), port([Site, _, "/shared"]) }, Count = 1
-// expect: 17 = count : { port_holder(_, _) }, 2 = count : { sends_through(_, _) }
+// expect: 17 = count : { port_holder(_, _) }, 1 = count : { sends_through(_, _) }
 #include <map>
 #include <memory>
 #include <ros/ros.h>

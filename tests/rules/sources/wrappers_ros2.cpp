@@ -9,7 +9,7 @@
 // expect-not: definition(_, _); defined_text(_, _, _, _, _); instantiated(_, _, _, _); _entry_call(_, _, _)
 // expect-not: member_of_instance(_, _, _); _instance_argument(_, _, _); _type_by(_, _, _); port_made_through(_, _); handed_on_otherwise(_, _)
 // ... and no port or function is given to one that uses it:
-// expect-not: given_callback(_, _); sends_through(_, _); _sends_several(_); _sends_other(_, _, _); _given_to(_, _, _); _slot(_); _other_callee(_, _)
+// expect-not: given_callback(_, _); sends_through(_, _); _sends_other(_, _, _); _given_to(_, _, _); _slot(_); _other_callee(_, _)
 // expect-not: _forwards(_, _); _handled_twice(_); _runs_for(_, _); _makes_several(_); _calls_quality(_, _); text_variable(_); number_variable(_)
 // expect-not: _only_reads(_); _not_chosen(_, _)
 // expect: 5 = count : { activity(_, _) }, 9 = count : { calls(_, _) }, 12 = count : { chained_type(_, _) }
