@@ -36,6 +36,7 @@ ament_package()
 PLUGINS = """<library path="tools">
 <class name="host::Left" type="host::Left" base_class_type="host::Tool"><description>l</description></class>
 <class name="host::Right" type="host::Right" base_class_type="host::Tool"><description>r</description></class>
+<class name="host::Still" type="host::Still" base_class_type="host::Tool"><description>s</description></class>
 </library>
 """
 HEADER = """#pragma once
@@ -123,6 +124,17 @@ public:
 private:
   rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr pub_;
 };
+template <class Message>
+class Named : public Tool {};
+template <class Message>
+class Quiet : public Named<Message> {
+public:
+  Need need() const override { return Need::NOTHING; }
+};
+class Still : public Quiet<std_msgs::msg::Bool> {
+public:
+  void configure(rclcpp::Node * node, const std::string & name) override {}
+};
 class Right : public Tool {
 public:
   Need need() const override { return Need::CLOCK; }
@@ -135,6 +147,7 @@ private:
 }
 PLUGINLIB_EXPORT_CLASS(host::Left, host::Tool)
 PLUGINLIB_EXPORT_CLASS(host::Right, host::Tool)
+PLUGINLIB_EXPORT_CLASS(host::Still, host::Tool)
 """
 LAUNCH = """from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -145,7 +158,8 @@ def generate_launch_description():
         Node(package='host', executable='host', name='one', namespace='arm', parameters=[{
             'chatty': False, 'own': True, 'tools': ['a', 'b'], 'a.plugin': 'host::Left', 'b.plugin': 'host::Right', 'b.topic': 'given'}]),
         Node(package='host', executable='host', name='two', parameters=[{'tools': ['a'], 'a.plugin': 'host::Right'}]),
-        Node(package='host', executable='host', name='four', parameters=[{'tools': ['a'], 'a.plugin': 'host::Left'}]),
+        Node(package='host', executable='host', name='four', parameters=[{
+            'tools': ['a', 'b'], 'a.plugin': 'host::Left', 'b.plugin': 'host::Still'}]),
         Node(package='host', executable='host', name='three', parameters=['__PARAMS__']),
     ])
 """
