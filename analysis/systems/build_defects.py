@@ -10,15 +10,20 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from rosarch.analysis.systems.build_uses import own_header
 from rosarch.base.files import read_file, text_or_nothing
 from rosarch.extractor.launch.model import Composition, ProgramNamed
 from rosarch.extractor.package_names import NO_PACKAGES, quick_text
 from rosarch.extractor.python_syntax import parse_python
 from rosarch.extractor.workspace.built import INSTALLED_FIRST, Built, package_of
 from rosarch.extractor.workspace.installs import line_with
+from rosarch.extractor.workspace.model import TEST
 
 _GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
 _PROJECT = re.compile(r"^[ \t]*project[ \t]*\([ \t]*([A-Za-z][\w-]*)", re.MULTILINE | re.IGNORECASE)
+_TYPESUPPORT = re.compile(r"rosidl_get_typesupport_target|rosidl_target_interfaces|__rosidl_typesupport_cpp|__rosidl_generator_cpp")
+_MADE_FIRST = re.compile(r"EXPORTED_TARGETS|_generate_messages|_gencpp")
+_GENERATED = re.compile(r"\.generate\s*\([^()]*[\"'](\w+)[\"']\s*\)")
 _ADDED = ("message", "service", "action")
 _ADDS = re.compile(rf"^[ \t]*add_({'|'.join(_ADDED)})_files\s*\(([^()]*)\)", re.MULTILINE)
 _COMMENT = re.compile(r"#[^\n]*")
@@ -41,7 +46,7 @@ class Defect:
 def defects(composition: Composition, builds: Sequence[Built]) -> Iterator[tuple[str, Defect]]:
     """The defects of packages, each with the name of its package, as far as a composition has to do with them."""
     for package in builds:
-        yield from ((package.name, one) for one in (*of_interfaces(package), *of_build(package)))
+        yield from ((package.name, one) for one in (*of_interfaces(package), *of_build(package), *of_own_headers(package)))
     programs = {(named.package, named.type) for named in composition.references if isinstance(named, ProgramNamed)}
     for name, program in sorted(programs):
         for package in (one for one in builds if one.name == name):
@@ -90,10 +95,40 @@ def of_build(package: Built) -> tuple[Defect, ...]:
         result += [Defect(one.path, one.line, one.kind, one.about) for one in package.obstacles if one.kind.endswith("source")]
         left_out = {(*one.library_at, one.library) for one in package.promised if not one.installed and package.build_type == "ament_cmake"}
         result += [Defect(path, line, "library left out", library) for path, line, library in sorted(left_out)]
+    if build.suffix == ".txt" and not package.unsure and not re.search(r"\bament_(auto_)?package\s*\(", text_or_nothing(build)):
+        result.append(Defect(build, 1, "not registered", ""))
     project = _PROJECT.search(_COMMENT.sub("", text_or_nothing(build))) if build.suffix == ".txt" else None
     if project is not None and project[1] != package.name:
         result.append(Defect(build, line_with(build, project[0].strip()), "project name", project[1]))
     return tuple(result)
+
+
+@lru_cache(maxsize=256)
+def of_own_headers(package: Built) -> tuple[Defect, ...]:
+    """Headers that the build makes of a package's own interfaces and parameters, where they are not made, or not for certain in time."""
+    text = _COMMENT.sub("", text_or_nothing(package.folder / "CMakeLists.txt"))
+    if package.unsure or package.build_type not in ("catkin", "ament_cmake"):
+        return ()
+    result = []
+    for target in (one for one in package.targets if one.kind != TEST):
+        if package.build_type == "ament_cmake":
+            found = own_header(package, target, r"(?:msg|srv|action)/(\w+)\.hpp") if _GENERATES.search(text) else None
+            if found is not None and not _TYPESUPPORT.search(text) and "ament_auto" not in text:
+                result.append(Defect(target.cmake_file, target.line, "own interfaces", target.name))
+            continue
+        found = own_header(package, target, r"(\w+)Config\.h")
+        if found is not None and found[2] not in _configurations(package):
+            result.append(Defect(found[0], found[1], "configuration not made", f"{package.name}/{found[2]}Config.h"))
+        found = own_header(package, target, r"(\w+)\.h")
+        made = {path.stem for path in package.interfaces}
+        if found is not None and re.sub("Request$|Response$", "", found[2]) in made and not _MADE_FIRST.search(text):
+            result.append(Defect(target.cmake_file, target.line, "interfaces later", target.name))
+    return tuple(result)
+
+
+def _configurations(package: Built) -> set[str]:
+    """The names of the configurations that the build generates."""
+    return {name for path in package.configurations for name in _GENERATED.findall(text_or_nothing(path))}
 
 
 def _of_catkin_interfaces(package: Built, cmake: Path, text: str) -> Iterator[Defect]:
@@ -134,6 +169,26 @@ def _of_script(package: Built, program: str, ros: int) -> Iterator[Defect]:
             yield Defect(path, 1, "carriage return", program)
         elif ros == 2 or b"python3" in first:
             yield from (Defect(path, line, "python 2", program) for line in _python2(data))
+        yield from _of_imports(package, path, data.decode("utf-8", "replace"))
+
+
+def _of_imports(package: Built, path: Path, text: str) -> Iterator[Defect]:
+    """Modules of its own package that a script imports in vain: it has the name itself, or the build does not set them up."""
+    found = re.search(rf"^(?:from|import)[ \t]+{re.escape(package.name)}\b", text, re.MULTILINE)
+    if found is None or path.parent.name == package.name:
+        return
+    line = 1 + text.count("\n", 0, found.start())
+    modules = package.folder / "src" / package.name
+    cmake = _COMMENT.sub("", text_or_nothing(package.folder / "CMakeLists.txt"))
+    if path.stem == package.name:
+        yield Defect(path, line, "hides its package", path.name)
+    elif (
+        package.build_type == "catkin"
+        and not package.unsure
+        and os.path.isfile(modules / "__init__.py")
+        and "catkin_python_setup" not in cmake
+    ):
+        yield Defect(path, line, "modules not set up", package.name)
 
 
 def _python2(data: bytes) -> Iterator[int]:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.analysis.systems.build_defects import defects
+from rosarch.analysis.systems.build_uses import uses
 from rosarch.base.files import path_text, read_file
 from rosarch.extractor.launch.facts import path_below
 from rosarch.extractor.launch.model import ComponentNamed, Composition, FileMeant, ProgramNamed
@@ -25,6 +26,7 @@ def build_rows(composition: Composition, builds: Sequence[Built], root: Path) ->
     top = os.path.abspath(root)
     for package in builds:
         _plugins(rows, top, package)
+        _uses(rows, top, package)
     for name, defect in defects(composition, builds):
         rows["build_defect"].add((_place(rows, top, defect.path, defect.line), name, defect.kind, defect.about))
     for named in composition.references:
@@ -60,6 +62,22 @@ def _plugins(rows: _Rows, root: str, package: Built) -> None:
     _components(rows, root, package)
     if package.exports_more:
         rows["descriptions_open"].add((package.name,))
+
+
+def _uses(rows: _Rows, root: str, package: Built) -> None:
+    """What the build uses and is not given by itself, with all that it is given there."""
+    found = uses(package)
+    lines = {target: (path, line) for target, path, line in found.given_at}
+    lacks = [("header", one.target, one) for one in found.includes if (one.target, one.used) not in found.given]
+    lacks += [("package", "", one) for one in found.asks if one.used not in found.finds]
+    lacks += [("interface", "", one) for one in found.interfaces if one.used not in found.interfaces_given]
+    for kind, target, one in lacks:
+        use = _place(rows, root, one.path, one.line)
+        place = _place(rows, root, *lines[target]) if target else use
+        rows["build_lack"].add((place, package.name, kind, target, one.used, use))
+        given = found.finds if kind == "package" else found.interfaces_given if kind == "interface" else ()
+        rows["build_given"].update((package.name, kind, target, name) for name in given)
+        rows["build_given"].update((package.name, kind, target, name) for owner, name in found.given if owner == target)
 
 
 def _components(rows: _Rows, root: str, package: Built) -> None:

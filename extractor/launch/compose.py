@@ -150,7 +150,7 @@ class _Composer:
             handler = self.handlers.get(element.tag)
             try:
                 if handler is None:
-                    self.state.warn("unknown-element", element.tag, f"<{element.tag}> in <{parent.tag}> is ignored")
+                    self.state.ignore(element, parent)
                 else:
                     handler(self.state, element, scope)
             except LaunchError as error:
@@ -204,7 +204,7 @@ class _Composer:
                 elif child.tag.lower() == "env":
                     elements.env(state, child, inner)
                 else:
-                    state.warn("unknown-element", child.tag, f"<{child.tag}> in <include> is ignored")
+                    state.ignore(child, element)
             except LaunchError as error:
                 state.report(error)
         state.at(element, scope, conditions)

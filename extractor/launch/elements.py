@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Any, TypeAlias
 
@@ -18,6 +19,7 @@ from rosarch.extractor.launch.yaml_values import YamlError, load_yaml
 from rosarch.extractor.urdf.command import xacro_call
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
 
+_SUBSTITUTION = re.compile(r"^[^#\n]*?(\$\((?:arg|env|optenv|eval|anon) [^()\n]*\))", re.MULTILINE)
 _VALUES = ("value", "textfile", "binfile", "command")
 
 
@@ -172,6 +174,8 @@ def rosparam(state: State, element: Element, scope: Scope) -> None:
         if text is None:
             state.unread.append(replace(setting, name=canonical(full_name)))
         else:
+            if not substituted and (found := _SUBSTITUTION.search(text)):
+                state.warn("literal", found[1], f'`{found[1]}` is taken as it is written: <rosparam> has no subst_value="true"')
             _load(state, element, state.resolver.resolve(text, scope) if substituted else text, name, setting)
 
 
@@ -285,7 +289,7 @@ def machine(state: State, element: Element, scope: Scope) -> None:
     for child in element.children:
         if child.tag == "env":
             raise LaunchError("machine", "env", "<env> in <machine> is not supported since ROS Fuerte; use env-loader")
-        state.warn("unknown-element", child.tag, f"<{child.tag}> in <machine> is ignored")
+        state.ignore(child, element)
     _check_positive(state, timeout, "timeout")
     content = (default != "never", address, loader, int(port or "22") if is_known(port or "") else port, user or None, password, timeout)
     if default == "true":

@@ -165,7 +165,7 @@ def _children(state: State, element: Element, scope: Scope, inner: Scope, below:
             elif tag == "env":
                 elements.env(state, child, below)
             else:
-                state.warn("unknown-element", child.tag, f"<{child.tag}> in <{element.tag}> is ignored")
+                state.ignore(child, element)
         except LaunchError as error:
             state.report(error)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 from rosarch.extractor.launch.files import Files
@@ -39,6 +40,9 @@ MAX_PARAMS = 500_000
 MAX_CHARACTERS = 64 * 1024 * 1024  # of all texts resolved and read
 YAML_COST = 16  # reading YAML takes as long as resolving so many times its text
 PART_COST = 64  # so does looking at a part of a list, which others may hold, and itself
+
+_MEANT = frozenset(map(frozenset, (("from", "to"), ("pkg", "type"), ("name", "value"))))
+"""Attributes that elements of roslaunch have together."""
 
 
 class Exhausted(Exception):
@@ -134,6 +138,11 @@ class State:
     def warn(self, kind: str, subject: str, message: str, place: Place | None = None) -> None:
         """Note something that roslaunch only warns of."""
         self.report(LaunchError(kind, subject, message), fatal=False, place=place)
+
+    def ignore(self, element: Element, parent: Element) -> None:
+        """Note an element that roslaunch passes over; one with the attributes of another was meant to be that."""
+        kind = "unknown-element" if _MEANT.isdisjoint(map(frozenset, combinations(sorted(element.attributes), 2))) else "mistaken-element"
+        self.warn(kind, element.tag, f"<{element.tag}> in <{parent.tag}> is ignored")
 
     def text(self, element: Element, name: str, scope: Scope) -> str | None:
         """An attribute, resolved; None when it is not there."""

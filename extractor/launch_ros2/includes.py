@@ -27,6 +27,14 @@ if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
 
 
+_OF_OTHER_FORMAT = {
+    "PythonLaunchDescriptionSource": (".xml", ".yaml", ".yml", ".launch"),
+    "XMLLaunchDescriptionSource": (".py", ".yaml", ".yml"),
+    "YAMLLaunchDescriptionSource": (".py", ".xml", ".launch"),
+}
+"""The ends of the names of files that a source of launch descriptions does not read."""
+
+
 @carries_out("IncludeLaunchDescription")
 def _include(world: World, made: Made, context: Context) -> None:
     state = world.state
@@ -45,6 +53,8 @@ def _include(world: World, made: Made, context: Context) -> None:
     if len(state.includes) >= MAX_INCLUDES:
         raise Exhausted(f"more than {MAX_INCLUDES} includes, the rest is left out")
     passed = _pass(world, made, place, context)
+    if isinstance(source, Made) and path.endswith(_OF_OTHER_FORMAT.get(source.kind, ())):
+        state.report(LaunchError("source", path, f"{source.kind} does not read {os.path.basename(path)}: use AnyLaunchDescriptionSource"))
     file = None if state.unknowns.is_open(path) else world.located(path)
     entities = None if file is None else read(world, file, len(context.lines))
     # a library need not have the revision that is installed where the files are launched

@@ -21,7 +21,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Setting:
-    """A parameter of the nodes that match `nodes`: its name, with dots, its value, the file it is from and the line there."""
+    """A parameter of the nodes that match `nodes`: its name, with dots, its value, the file it is from and the line there.
+
+    With `substituted`, launch has replaced the substitutions in that file.
+    """
 
     name: str
     value: Any
@@ -30,6 +33,7 @@ class Setting:
     source: str | None = None
     written: Place | None = None
     nodes: str = ALL
+    substituted: bool = False
 
     def is_for(self, node: str) -> bool:
         """Whether the node of this (absolute) name gets it."""
@@ -243,4 +247,4 @@ def _of_file(world: World, value: Any, given: Given, name: str | None, context: 
         for local, found, keys in leaves("", section.values, section.keys):
             line = file.lines.get(keys)
             written = Place(shown, line) if line and shown is not None else None
-            yield Setting(local, found, given.place, given.conditions, path, written, ALL if given.node else section.pattern)
+            yield Setting(local, found, given.place, given.conditions, path, written, ALL if given.node else section.pattern, substituted)

@@ -269,7 +269,8 @@ def _list(events: Iterator[yaml.Event], subject: str) -> None:
             raise _Refused(f"{subject} is a list of lists", event)
         if not isinstance(event, yaml.ScalarEvent):
             _require_no_alias(event)
-            _skip(events)
+            if len(set(_values_of_map(events))) > 1:  # to rcl they are elements of the list
+                raise _Refused(f"{subject} is a list of maps", event)
             continue
         types[_type(event)] = None
         if len(types) > 1:
@@ -293,6 +294,15 @@ def _pairs(events: Iterator[yaml.Event]) -> Iterator[tuple[yaml.ScalarEvent, Any
         value = next(events)
         _require_no_alias(value)
         yield key, value
+
+
+def _values_of_map(events: Iterator[yaml.Event]) -> Iterator[str]:
+    """The types of the values of a map, whose beginning was read."""
+    for _, value in _pairs(events):
+        if isinstance(value, yaml.ScalarEvent):
+            yield _type(value)
+        else:
+            _skip(events)
 
 
 def _skip(events: Iterator[yaml.Event]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shlex
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -202,6 +203,8 @@ def _with_parameters(world: World, started: NodeStart, params: Iterable[Given], 
         kept.append(ProcessSetting(found.nodes, setting))
         # launch_ros looks for a node that it loads by its name: one without has what is for all
         if found.is_for(started.full_name) and (started.name or not loaded or found.nodes == ALL):
+            if found.written is not None and not loaded:
+                _as_it_is_read(world, found)
             own_params.append(replace(setting, name=f"{started.full_name}/{setting.name}"))
             world.state.set_param(own_params[-1])
     return replace(
@@ -220,6 +223,19 @@ def _require_one_type(world: World, found: Setting) -> None:
         if len(kinds) > 1:
             message = f"the parameter `{found.name}`: its elements arrive as several types, {found.value}"
             world.state.report(LaunchError("ros-argument", found.name, message), fatal=False, place=found.place)
+
+
+_SUBSTITUTION = re.compile(r"\$\((?:var|find-pkg-share|find-pkg-prefix|env|arg|eval)\b[^()]*\)")
+
+
+def _as_it_is_read(world: World, found: Setting) -> None:
+    """Report what a node does not make of a value in a file what launch would: a list without elements, a substitution."""
+    if found.value == []:
+        message = f"the list `{found.name}` is empty: the client library finds no type for it"
+        world.state.report(LaunchError("params-file", found.source or "", message), fatal=False, place=found.written)
+    elif isinstance(found.value, str) and not found.substituted and (literal := _SUBSTITUTION.search(found.value)):
+        message = f"`{literal[0]}` is taken as it is written: no `allow_substs` is given with the file"
+        world.state.warn("literal", literal[0], message, place=found.written)
 
 
 def _sections(read: Read) -> ParamsGiven:

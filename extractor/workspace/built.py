@@ -9,7 +9,7 @@ from typing import Protocol, TypeVar
 
 from rosarch.extractor.workspace.entry_points import Lack, lacks
 from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
-from rosarch.extractor.workspace.model import EntryPoint, Workspace
+from rosarch.extractor.workspace.model import EntryPoint, Target, Workspace
 from rosarch.extractor.workspace.registering import Described, Promised, described, exports_more, promised
 
 INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
@@ -21,7 +21,8 @@ class Built:
     """A package in `folder`: what its build installs, why that may be more, the entry points that it declares, those without code.
 
     `promised` are the components that its CMake files name, `described` the plug-ins that descriptions in it name; there are others when
-    it `exports_more`. `obstacles` keep it from being built or used.
+    it `exports_more`. `obstacles` keep it from being built or used. Its `targets` are built, headers made of its `interfaces`
+    and `configurations`; CMake `finds` packages, and `asks` for what packages would give.
     """
 
     name: str
@@ -35,6 +36,11 @@ class Built:
     described: tuple[Described, ...] = ()
     exports_more: bool = False
     obstacles: tuple[Obstacle, ...] = ()
+    targets: tuple[Target, ...] = ()
+    interfaces: tuple[Path, ...] = ()
+    configurations: tuple[Path, ...] = ()
+    finds: frozenset[str] = frozenset()
+    asks: tuple[tuple[str, Path, int], ...] = ()
 
     def brings(self, path: str) -> bool:
         """Whether there is `path` below the prefix."""
@@ -73,6 +79,11 @@ def builds(workspace: Workspace) -> tuple[Built, ...]:
             tuple(described(package)),
             exports_more(package),
             package.obstacles,
+            package.targets,
+            (*package.message_files, *package.service_files, *package.action_files),
+            package.cfg_files,
+            package.finds,
+            package.asks,
         )
         for package in workspace.packages
         if not package.installed

@@ -70,6 +70,7 @@ class TargetDraft:
     column: int = 1
     properties: dict[str, list[str]] = field(default_factory=dict)
     uses_packages: list[str] = field(default_factory=list)
+    given_line: int = 0
 
     def extend(self, name: str, values: Iterable[str]) -> None:
         """Append to a list property."""
@@ -120,6 +121,8 @@ class PackageDraft:
     component_nodes: list[tuple[str, str, str, int]] = field(default_factory=list)
     plugin_exports: list[tuple[str, str]] = field(default_factory=list)
     found_packages: list[str] = field(default_factory=list)
+    finds: list[str] = field(default_factory=list)
+    asks: list[tuple[str, Path, int]] = field(default_factory=list)
     programs: list[tuple[str, str]] = field(default_factory=list)
     python_folders: list[str] = field(default_factory=list)
     installs: list[Install] = field(default_factory=list)

@@ -50,6 +50,7 @@ def _components(words: list[str]) -> list[str]:
 
 def find_one(run: Evaluator, name: str, words: list[str] | None = None) -> None:
     """Set what a found package sets."""
+    run.draft.finds.append(name)
     if run.options.defines.get(f"{name}_FOUND", "1") in ("0", "OFF", "FALSE", "NO"):
         run.assume(f"{name}_FOUND", "0")
         return

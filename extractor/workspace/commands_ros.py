@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from functools import partial
+from pathlib import Path
 
 from rosarch.extractor.workspace.cmake_glob import glob
 from rosarch.extractor.workspace.cmake_state import Call
@@ -129,6 +130,8 @@ def _ament_target_dependencies(run: Evaluator, call: Call) -> None:
     names = [word for word in call.args[1:] if word not in ("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM")]
     use_packages(run, call, names)
     target.uses_packages.extend(names)
+    target.given_line = call.command.line
+    run.draft.asks.extend((name, Path(run.file), call.command.line) for name in names)
 
 
 def use_packages(run: Evaluator, call: Call, names: list[str]) -> None:

@@ -135,6 +135,7 @@ def _target_link_libraries(run: Evaluator, call: Call) -> None:
             skip = word == "debug" and not skip
             continue
         target.extend("LINK_LIBRARIES", [word])
+        target.given_line = target.given_line or call.command.line
 
 
 @command("link_libraries")

@@ -73,6 +73,8 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         python_roots=tuple(dict.fromkeys((*_files(draft.python_folders), *setup.roots))),
         installs=setup.installs if manifest.build_type == "ament_python" else tuple(_installs(run, manifest, targets)),
         python_packages=setup.packages,
+        finds=frozenset(draft.finds),
+        asks=tuple(dict.fromkeys(draft.asks)),
         unsure=setup.unsure if manifest.build_type == "ament_python" else tuple(_unsure(run)),
         obstacles=tuple(dict.fromkeys((*setup.obstacles, *_obstacles(run, problems), *_undescribed(exports, manifest, problems)))),
     )
@@ -211,6 +213,7 @@ def _target(run: Evaluator, draft: TargetDraft, problems: list[Diagnostic]) -> T
         links=links,
         objects=objects,
         uses_packages=tuple(dict.fromkeys(draft.uses_packages)),
+        given_line=draft.given_line or draft.line,
     )
 
 

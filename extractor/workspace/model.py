@@ -28,7 +28,10 @@ _ROS2_TOOLS = frozenset({"rclcpp", "rclpy", "ament_cmake", "ament_cmake_auto"})
 
 @dataclass(frozen=True)
 class Target:
-    """One CMake target. `sources` exist on disk; `links` are library names after expansion of variables."""
+    """One CMake target. `sources` exist on disk; `links` are library names after expansion of variables.
+
+    It is given packages and libraries at `given_line`, or made there when it is given none.
+    """
 
     name: str
     output_name: str
@@ -45,6 +48,7 @@ class Target:
     links: tuple[str, ...] = ()
     objects: tuple[str, ...] = ()
     uses_packages: tuple[str, ...] = ()
+    given_line: int = 0
 
 
 @dataclass(frozen=True)
@@ -109,7 +113,10 @@ class EntryPoint:
 
 @dataclass(frozen=True)
 class Package:
-    """One package with all that its manifest and CMake files say; of one that is `installed`, all that was found where it lies."""
+    """One package with all that its manifest and CMake files say; of one that is `installed`, all that was found where it lies.
+
+    CMake `finds` packages, and `asks` at a line of a file for what others would have given it.
+    """
 
     name: str
     path: Path
@@ -137,6 +144,8 @@ class Package:
     unsure: tuple[Unsure, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()
     python_packages: tuple[str, ...] | None = None
+    finds: frozenset[str] = frozenset()
+    asks: tuple[tuple[str, Path, int], ...] = ()
     installed: bool = False
 
     @property

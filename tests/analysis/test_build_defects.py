@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rosarch.analysis.systems.build_defects import defects, of_build, of_interfaces
+from rosarch.analysis.systems.build_defects import defects, of_build, of_interfaces, of_own_headers
 from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.extractor.launch_ros2.compose import compose_ros2
 from rosarch.extractor.workspace import discover
@@ -221,3 +221,73 @@ def test_scripts_in_python_2(tmp_path: Path) -> None:
         run = compose_ros2 if ros == 2 else compose
         composition = run([root / f"a{suffix}"], files=Files(PackagePath([root])))
         assert [(one.path.name, one.line) for _, one in defects(composition, builds(discover(root))) if one.kind == "python 2"] == expected
+
+
+def test_packages_that_are_not_registered(tmp_path: Path) -> None:
+    installed = COMPONENTS.format("lens", "install(TARGETS focus DESTINATION lib)").replace("ament_package()", "")
+    assert build(tmp_path / "a", installed) == [("CMakeLists.txt", 1, "not registered", "")]
+    assert build(tmp_path / "b", installed + "include(finish.cmake)\n", **{"finish.cmake": ""})[:1] == [
+        ("CMakeLists.txt", 1, "not registered", "")
+    ]
+    assert build(tmp_path / "c", installed + "finish_package()\n") == []  # it may do that
+
+
+def headers(root: Path, cmake: str, source: str, build_type: str, **files: str) -> list[tuple[str, int, str, str]]:
+    one = built(root, "level", build_type, **{"CMakeLists.txt": cmake, "node.cpp": source, **files})
+    return [(each.path.name, each.line, each.kind, each.about) for each in of_own_headers(one)]
+
+
+def test_headers_of_own_interfaces(tmp_path: Path) -> None:
+    cmake = """project(level)
+find_package(ament_cmake REQUIRED)
+rosidl_generate_interfaces(level msg/Height.msg)
+add_executable(node node.cpp)
+ament_package()
+"""
+    source, files = '#include "level/msg/height.hpp"\n', {"msg/Height.msg": "float32 height\n"}
+    assert headers(tmp_path / "a", cmake, source, "ament_cmake", **files) == [("CMakeLists.txt", 4, "own interfaces", "node")]
+    linked = 'rosidl_get_typesupport_target(made level rosidl_typesupport_cpp)\ntarget_link_libraries(node "${made}")\n'
+    assert headers(tmp_path / "b", cmake + linked, source, "ament_cmake", **files) == []
+    assert headers(tmp_path / "c", cmake, '#include "other/msg/height.hpp"\n', "ament_cmake", **files) == []
+    assert headers(tmp_path / "d", cmake + "unknown_command(node)\n", source, "ament_cmake", **files) == []
+
+
+def test_headers_that_catkin_makes(tmp_path: Path) -> None:
+    cmake = """project(level)
+find_package(catkin REQUIRED COMPONENTS roscpp message_generation dynamic_reconfigure)
+add_message_files(FILES Height.msg)
+generate_messages()
+generate_dynamic_reconfigure_options(cfg/Level.cfg)
+catkin_package()
+add_executable(node node.cpp)
+"""
+    files = {"msg/Height.msg": "float32 height\n", "cfg/Level.cfg": 'gen.generate(PACKAGE, "level", "Level")\n'}
+    source = "#include <level/Height.h>\n#include <level/LevelConfig.h>\n"
+    late = ("CMakeLists.txt", 7, "interfaces later", "node")
+    assert headers(tmp_path / "a", cmake, source, "catkin", **files) == [late]
+    first = cmake + "add_dependencies(node ${${PROJECT_NAME}_EXPORTED_TARGETS})\n"
+    assert headers(tmp_path / "b", first, source, "catkin", **files) == []
+    other = ("node.cpp", 2, "configuration not made", "level/LevelConfig.h")
+    assert headers(tmp_path / "c", first, source, "catkin", **{**files, "cfg/Level.cfg": 'gen.generate(PACKAGE, "level", "Levels")'}) == [
+        other
+    ]
+    own = {**files, "include/level/LevelConfig.h": "", "cfg/Level.cfg": ""}
+    assert headers(tmp_path / "d", first, source, "catkin", **own) == []
+
+
+def test_modules_of_the_package(tmp_path: Path) -> None:
+    script = "#!/usr/bin/env python3\nfrom lamp.light import on\n"
+    cmake = "project(lamp)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    files = {"scripts/on.py": script, "scripts/lamp.py": script, "src/lamp/__init__.py": "", "CMakeLists.txt": cmake}
+    package = built(tmp_path, "lamp", "catkin", **files)
+    launch = tmp_path / "main.launch"
+
+    def kinds_of(package: Built, program: str) -> list[tuple[int, str, str]]:
+        launch.write_text(f'<launch><node pkg="lamp" type="{program}" name="n"/></launch>')
+        composition = compose([launch], files=Files(PackagePath([tmp_path])))
+        return [(each.line, each.kind, each.about) for _, each in defects(composition, [package])]
+
+    assert kinds_of(package, "on.py") == [(2, "modules not set up", "lamp")]
+    assert kinds_of(package, "lamp.py") == [(2, "hides its package", "lamp.py")]
+    set_up = built(tmp_path, "lamp", "catkin", **{**files, "CMakeLists.txt": cmake + "catkin_python_setup()\n"})
+    assert kinds_of(set_up, "on.py") == []

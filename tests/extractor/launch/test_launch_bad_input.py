@@ -57,6 +57,8 @@ def only_problem(folder: Path, content: str, **others: str | bytes) -> str:
         ('<param name="p" value="$(eval nothing)"/>', "$(eval nothing): name 'nothing' is not defined"),
         ('<param name="p" value="$(eval 1/0)"/>', "$(eval 1/0): ZeroDivisionError: division by zero"),
         ('<unknown/>', "<unknown> in <launch> is ignored"),
+        ('<rename from="a" to="b"/>', "<rename> in <launch> is ignored"),
+        ('<arg name="a" default="1"/><rosparam>p: $(arg a)</rosparam>', '`$(arg a)` is taken as it is written: <rosparam> has no subst_value="true"'),
         ('<node pkg="p" type="t" name="n" typ="x"/>', "<node> has no attribute `typ`, it is ignored"),
         ('<include file="none.launch"/>', "no such file: none.launch"),
         ('<machine name="m" address="a" ssh-port="x"/>', "`x` is not a port number"),
@@ -213,3 +215,12 @@ def test_ten_thousand_nodes(tmp_path: Path, at_most: Callable[[float], AbstractC
         found = composed(tmp_path, lines)
         assert (len(found.nodes), len(found.params), found.problems) == (10_000, 10_000, ())
         assert found.nodes[-1].remaps[0].target == "y9999"
+
+
+def test_elements_that_were_meant_to_be_others(tmp_path: Path) -> None:
+    content = """<doc>x</doc>
+<node pkg="p" type="t" name="n"><parm name="a" value="b"/><rosparam subst_value="true">p: $(arg a)</rosparam><rosparam># $(arg a)
+p: 1</rosparam></node>
+<include file="$(find here)/main.launch" if="0"><remap from="a" to="b"/></include><arg name="a" default="1"/>"""
+    kinds = [problem.kind for problem in composed(tmp_path, '<arg name="b"/>' + content.replace("$(arg a)", "$(anon a)")).problems]
+    assert kinds == ["unknown-element", "mistaken-element"]

@@ -383,3 +383,15 @@ def test_a_description_that_two_nodes_get(tmp_path: Path) -> None:
     found = params(composed(tmp_path, {"main.launch.py": text, "r.urdf": robot, "config.yaml": "a: 1\n"}))
     assert "<robot" in str(found["/a/robot"])
     assert found["/b/robot"] == found["/a/robot"]
+
+
+def test_a_source_of_another_format(tmp_path: Path) -> None:
+    inner = {"launch/inner.launch.xml": "<launch/>"}
+    for source, told in (("Python", True), ("launch_yaml.YAML", True), ("launch_xml.XML", False), ("Any", False)):
+        module, _, name = source.rpartition(".")
+        imported = f"from {module}.launch_description_sources import *\n" if module else ""
+        text = f"IncludeLaunchDescription({name}LaunchDescriptionSource([ThisLaunchFileDir(), '/inner.launch.xml']))"
+        body = f"{HEAD}{imported}def generate_launch_description():\n    return LaunchDescription([{text}])\n"
+        found = [problem.message for problem in composed(tmp_path, {"launch/main.launch.py": body, **inner}).problems]
+        refused = f"{name}LaunchDescriptionSource does not read inner.launch.xml: use AnyLaunchDescriptionSource"
+        assert (refused in found) == told

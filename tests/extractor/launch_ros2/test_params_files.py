@@ -1,6 +1,9 @@
 """What nodes refuse of files of parameters: the lines that rcl of ROS 2 Kilted refused, and files that it took."""
 
+from pathlib import Path
+
 import pytest
+from ros2_launch_builder import composed, problems
 
 from rosarch.extractor.launch_ros2.params_files import refused
 
@@ -23,6 +26,7 @@ REFUSED = {
     "n:\n  ros__parameters:\n    p: [1, 2.0]\n": (3, "the elements of `p` are of several types: integers and doubles"),
     'n:\n  ros__parameters:\n    p: [1, "x"]\n': (3, "the elements of `p` are of several types: integers and texts"),
     "n:\n  ros__parameters:\n    p: [[1], [2]]\n": (3, "the parameter `p` is a list of lists"),
+    "n:\n  ros__parameters:\n    p:\n    - a: 1\n      b: x\n": (4, "the parameter `p` is a list of maps"),
     "n:\n  ros__parameters:\n    p: &x 1\n    q: *x\n": (4, "rcl reads no aliases: `*x`"),
     "a: &x\n  ros__parameters:\n    p: 1\nn:\n  <<: *x\n": (5, "rcl reads no aliases: `*x`"),
 }
@@ -30,6 +34,7 @@ TAKEN = (
     "# nothing\n",
     "n:\n  ros__parameters:\n    p: ''\n    q: ~\n    r: [1, -2, 0x3]\n    s: [1.0, .5, 1e3]\n    t: [yes, off]\n    u: &x [a, '1']\n",
     "n:\n  ros__parameters:\n    - p: 1\n",
+    "n:\n  ros__parameters:\n    p:\n    - {a: x, b: z, c: [1]}\n",
     "n:\n  ros__parameters:\n    p: [1.0, inf, -Infinity, nan, 0x1.8p3, -.inf]\n    q: [!!str 1, a]\n",
     "/**/n:\n  ros__parameters:\n    a.b: {c: 1}\nm: {}\n",
 )
@@ -47,3 +52,19 @@ def test_refused(text: str) -> None:
 @pytest.mark.parametrize("text", TAKEN, ids=str)
 def test_taken(text: str) -> None:
     assert refused(text) is None
+
+
+def told(folder: Path, launch: str, written: str) -> list[str]:
+    files = {"main.launch.xml": f'<launch><node pkg="here" exec="run" name="n">{launch}</node></launch>', "p.yaml": written}
+    return problems(composed(folder, files, environment={"HOME": "/home"}), folder)
+
+
+def test_what_nodes_and_launch_do_not_make_of_a_file(tmp_path: Path) -> None:
+    empty = "n:\n  ros__parameters:\n    p: []\n"
+    found = told(tmp_path / "a", '<param from="$(dirname)/p.yaml"/>', empty)
+    assert found == ["p.yaml:3:1: the list `p` is empty: the client library finds no type for it"]
+    open_ = "n:\n  ros__parameters:\n    p: $(env HOME)/map\n"
+    literal = "p.yaml:3:1: `$(env HOME)` is taken as it is written: no `allow_substs` is given with the file"
+    assert told(tmp_path / "b", '<param from="$(dirname)/p.yaml"/>', open_) == [literal]
+    assert told(tmp_path / "c", '<param from="$(dirname)/p.yaml" allow_substs="true"/>', open_) == []
+    assert told(tmp_path / "d", '<param from="$(dirname)/p.yaml"/>', empty.replace("n:", "other:", 1)) == []

@@ -14,7 +14,7 @@ from tf2_ros import Buffer
 class Filler(Node):
     def __init__(self):
         super().__init__('filler')
-        self.pub = self.create_publisher(Level, 'level')  # expect: finding call-refused "/filler calls create_publisher without qos_profile: a TypeError"
+        self.pub = self.create_publisher(Level, 'level')  # expect: finding call-refused "/filler calls create_publisher without qos_profile: it raises an exception"
         self.words = self.create_publisher(String, 'words', queue_size=1)  # expect: finding call-refused "*queue_size, which it does not know*"
         self.text = self.create_publisher(String, 'text', 10)
         self.sub = self.create_subscription(PoseStamped, 'pose', self.on_pose, 10)

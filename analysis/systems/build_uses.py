@@ -1,0 +1,127 @@
+"""What targets of CMake include and are given, as rows of `rules/schema/build.dl`: headers of packages, those of their own interfaces."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from rosarch.base.files import text_or_nothing
+from rosarch.extractor.workspace.built import Built
+from rosarch.extractor.workspace.model import EXECUTABLE, MODULE, SHARED, STATIC, Target
+
+_INCLUDE = re.compile(r'[ \t]*#[ \t]*(?:(?P<opens>if\w*)|(?P<closes>endif)|include[ \t]*[<"](?P<name>[\w./-]+)[>"])')
+_INTERFACES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
+_TYPE = re.compile(r"[ \t]*([A-Za-z]\w*)/[A-Z]\w*(?:\[[^\]]*\])?[ \t]+\w")
+_GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
+_COMMENT = re.compile(r"#[^\n]*")
+_NAMED = re.compile(r"\$\{(\w+)_(?:INCLUDE(?:_DIR)?S|TARGETS|LIBRARIES)\}")
+_OTHER_WAYS = re.compile(r"ament_auto|AMENT_|CPM|FetchContent|include_directories\s*\(\s*(?:SYSTEM\s+)?/")
+
+
+@dataclass(frozen=True)
+class Use:
+    """At `line` of `path` the package `used` is included by `target`, asked for ("": by none), or named in an interface."""
+
+    path: Path
+    line: int
+    target: str
+    used: str
+
+
+@dataclass(frozen=True)
+class Uses:
+    """What the targets and interfaces of a package use, and what they are given; `given_at` is where a target is."""
+
+    includes: tuple[Use, ...] = ()
+    given: frozenset[tuple[str, str]] = frozenset()
+    given_at: tuple[tuple[str, Path, int], ...] = ()
+    asks: tuple[Use, ...] = ()
+    finds: frozenset[str] = frozenset()
+    interfaces: tuple[Use, ...] = ()
+    interfaces_given: frozenset[str] = frozenset()
+
+
+@lru_cache(maxsize=256)
+def uses(package: Built) -> Uses:
+    """The uses of a package of ROS 2 whose build files are understood and simple; of any other nothing is known."""
+    text = _COMMENT.sub("", text_or_nothing(package.folder / "CMakeLists.txt"))
+    if package.build_type != "ament_cmake" or package.unsure or _OTHER_WAYS.search(text):
+        return Uses()
+    targets = {one.name: one for one in package.targets if one.kind in (EXECUTABLE, SHARED, STATIC, MODULE)}
+    named = _NAMED.findall(text)
+    includes = [use for one in targets.values() for use in _included(package, one)]
+    given = {(one.name, used) for one in targets.values() for used in (*_given(one, targets), *named)}
+    asks = tuple(Use(path, line, "", name) for name, path, line in package.asks if "$" not in name)
+    at = tuple((one.name, one.cmake_file, one.given_line) for one in targets.values())
+    found = _GENERATES.search(text)
+    told = frozenset() if found is None else frozenset(re.findall(r"\w+", found[1].partition("DEPENDENCIES")[2]))
+    interfaces = tuple(_of_interfaces(package)) if found is not None and "${" not in found[1].replace("${PROJECT_NAME}", "") else ()
+    return Uses(tuple(includes), frozenset(given), at, asks, package.finds, interfaces, told)
+
+
+def _given(target: Target, targets: dict[str, Target]) -> Iterator[str]:
+    """The packages that a target is given, by itself or by the libraries of its own package that it is linked with."""
+    seen: set[str] = set()
+    waiting = [target]
+    while waiting:
+        one = waiting.pop()
+        if one.name not in seen:
+            seen.add(one.name)
+            yield from one.uses_packages
+            yield from (link.partition("::")[0] for link in one.links)
+            waiting += (targets[link] for link in one.links if link in targets)
+
+
+def _included(package: Built, target: Target) -> Iterator[Use]:
+    """The headers of other packages that the sources of a target include, under no condition, and those headers of its own that they do."""
+    folders = [package.folder / "include", *target.include_dirs]
+    waiting, seen = list(target.sources), set(target.sources)
+    while waiting:
+        path = waiting.pop()
+        for name, line in _includes(str(path)):
+            own = next((one for one in (path.parent / name, *(folder / name for folder in folders)) if os.path.isfile(one)), None)
+            used = name.partition("/")[0]
+            if own is not None:
+                waiting += {own} - seen
+                seen.add(own)
+            elif "/" in name and (used in package.finds or _INTERFACES.search(used)) and used != package.name:
+                yield Use(path, line, target.name, used)
+
+
+@lru_cache(maxsize=4096)
+def _includes(path: str) -> tuple[tuple[str, int], ...]:
+    """What a file includes under no condition but its guard."""
+    found, depth, guard = [], 0, 0
+    for number, line in enumerate(text_or_nothing(Path(path)).split("\n"), 1):
+        match = _INCLUDE.match(line)
+        if match is not None and match["opens"]:
+            depth += 1
+            guard = 1 if match["opens"] == "ifndef" and depth == 1 else guard
+        elif match is not None and match["closes"]:
+            depth -= 1
+        elif match is not None and depth <= guard:
+            found.append((match["name"], number))
+    return tuple(found)
+
+
+def own_header(package: Built, target: Target, pattern: str) -> tuple[Path, int, str] | None:
+    """Where the sources of a target include a header of their package whose name, below it, matches: the first place."""
+    for path in target.sources:
+        for name, line in _includes(str(path)):
+            found = re.fullmatch(rf"{re.escape(package.name)}/{pattern}", name)
+            if found is not None and not os.path.isfile(package.folder / "include" / name):
+                return path, line, found[1]
+    return None
+
+
+def _of_interfaces(package: Built) -> Iterator[Use]:
+    """The packages whose types the interfaces of a package have fields of."""
+    for path in package.interfaces:
+        for number, line in enumerate(text_or_nothing(path).split("\n"), 1):
+            match = _TYPE.match(line)
+            if match is not None and match[1] != package.name:
+                yield Use(path, number, "", match[1])
