@@ -22,13 +22,19 @@ _HEADERS = (".h", ".hh", ".hpp")
 _APART = frozenset({"test", "tests", "launch", "doc", "docs", "build", "devel", "install", "site-packages", "__pycache__"})
 
 
-def unused_sources(packages: Iterable[Path], used: Collection[Path], suffixes: tuple[str, ...] = _SUFFIXES) -> list[Path]:
-    """The sources below the folders of `packages` that use ROS and are not `used`; tests, launch files and ignored folders left out."""
+def unused_sources(
+    packages: Iterable[Path], used: Collection[Path], suffixes: tuple[str, ...] = _SUFFIXES, *, ignored: bool = False
+) -> list[Path]:
+    """The sources below the folders of `packages` that use ROS and are not `used`; tests and launch files left out.
+
+    Folders that ignore markers hide from the build are left out, too, unless the `ignored` are asked for.
+    """
     found = {path.resolve() for path in used}
     result: set[Path] = set()
     for package in packages:
-        headers = {path.name: path for path in _sources(package, _HEADERS)}
-        result.update(path for path in _sources(package, suffixes) if path.resolve() not in found and _uses_ros_itself(path, headers))
+        headers = {path.name: path for path in _sources(package, _HEADERS, ignored)}
+        sources = _sources(package, suffixes, ignored)
+        result.update(path for path in sources if path.resolve() not in found and _uses_ros_itself(path, headers))
     return sorted(result)
 
 
@@ -40,13 +46,13 @@ def _uses_ros_itself(path: Path, headers: Mapping[str, Path]) -> bool:
 
 
 def unused_components(workspace: Workspace, found: Iterable[Component]) -> list[Component]:
-    """Each source that is in none of the components that were `found`, but for modules that others of them import."""
+    """Each source that is in none of the components that were `found`, modules together with what imports them; ignored packages, too."""
     used = {path for component in found for path in (*component.sources, *component.library_sources)}
     selected = [package for package in workspace.packages if package.name in workspace.selected and not package.installed]
     folders = [workspace.root] if workspace.is_whole else [package.path for package in selected]
     inner_first = sorted(selected, key=lambda package: package.path, reverse=True)
     modules = Modules()
-    made = [_component(workspace.root, path, _owner(path, inner_first), modules) for path in unused_sources(folders, used)]
+    made = [_component(workspace.root, path, _owner(path, inner_first), modules) for path in unused_sources(folders, used, ignored=True)]
     kept: list[Component] = []
     told: set[Path] = set()
     for component in sorted(made, key=lambda component: -len(component.library_sources)):  # those that import each other have equally many
@@ -84,9 +90,9 @@ def _module(source: Path, roots: Iterable[Path]) -> str:
     return ".".join(source.relative_to(root).with_suffix("").parts) if root else "__main__"
 
 
-def _sources(package: Path, suffixes: tuple[str, ...]) -> Iterator[Path]:
+def _sources(package: Path, suffixes: tuple[str, ...], ignored: bool) -> Iterator[Path]:
     for here, folders, names in os.walk(package):
-        if not IGNORE_MARKERS.isdisjoint(names):
+        if not (ignored or IGNORE_MARKERS.isdisjoint(names)):
             folders.clear()
             continue
         folders[:] = [name for name in folders if name not in _APART and not name.startswith(".")]

@@ -345,6 +345,8 @@ def test_sources_of_no_component_are_components_where_they_are_asked_for(tmp_pat
             "test/tested.cpp": "#include <ros/ros.h>\n",
             "nodes/tool.py": "import rospy\nimport helper\n",
             "nodes/helper.py": "import rospy\n",
+            "hidden/CATKIN_IGNORE": "",
+            "hidden/left.cpp": "#include <ros/ros.h>\n",
             "ring/one.py": "import rospy\nimport two\n",
             "ring/two.py": "import rospy\nimport one\n",
         },
@@ -355,6 +357,7 @@ def test_sources_of_no_component_are_components_where_they_are_asked_for(tmp_pat
     assert [one.name for one in components(workspace)] == ["main"]
     unused = [(one.package, one.name) for one in components(workspace, unused=True) if one.kind == "unused"]
     assert unused == [
+        ("demo", "hidden.left"),
         ("demo", "nodes.tool"),
         ("demo", "old.once"),
         ("demo", "ring.one"),
