@@ -112,7 +112,8 @@ def load_analysis(
         if has_facts(folder):
             return _load_facts(folder, packages, method)
         analysis = _analysis(folder, packages or None, component, method)
-    check_diagnostics(folder, len(analysis.models), analysis.diagnostics)
+        from rosarch.models.component import UNUSED
+    check_diagnostics(folder, sum(model.kind != UNUSED for model in analysis.models), analysis.diagnostics)
     return analysis
 
 

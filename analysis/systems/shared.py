@@ -84,7 +84,7 @@ class Components:
     `interfaces` begin with those of `models`, in their order. `programs` are package and name of all executables that the workspace builds
     and of the components that it registers, `builds` what the packages come to, `expected` the packages that the library knows or that
     are in the `underlay`, `names` those that programs of the library give their nodes,
-    `made` the nodes that these make besides.
+    `made` the nodes that these make as well.
     """
 
     root: Path

@@ -96,7 +96,7 @@ class _Writer:
             self.plugin(plugin)
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
-            subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable", "params-file") else problem.subject
+            subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable", "params-file", "list-without-type") else problem.subject
             message = problem.message.replace(self.root + os.sep, "")  # places are shown relative to the workspace: so are paths in texts
             self.add("launch_problem", self.place(problem.place), problem.kind, subject, message, effect)
             if problem.meant is not None:

@@ -231,8 +231,8 @@ _SUBSTITUTION = re.compile(r"\$\((?:var|find-pkg-share|find-pkg-prefix|env|arg|e
 def _as_it_is_read(world: World, found: Setting) -> None:
     """Report what a node does not make of a value in a file what launch would: a list without elements, a substitution."""
     if found.value == []:
-        message = f"the list `{found.name}` is empty: the client library finds no type for it"
-        world.state.report(LaunchError("params-file", found.source or "", message), fatal=False, place=found.written)
+        message = f"the list `{found.name}` is empty: rclcpp finds no type for it"
+        world.state.warn("list-without-type", found.source or "", message, place=found.written)
     elif isinstance(found.value, str) and not found.substituted and (literal := _SUBSTITUTION.search(found.value)):
         message = f"`{literal[0]}` is taken as it is written: no `allow_substs` is given with the file"
         world.state.warn("literal", literal[0], message, place=found.written)

@@ -52,10 +52,12 @@ def rows(root: Path, launch: str) -> dict[str, set[tuple[object, ...]]]:
         "install(PROGRAMS tool.py DESTINATION lib/demo)\ninstall(DIRECTORY config DESTINATION share/demo)\nadd_library(part SHARED part.cpp gone.cpp)\n"
         'rclcpp_components_register_nodes(part "demo::Part")\npluginlib_export_plugin_description_file(base plugins.xml)\n'
         "pluginlib_export_plugin_description_file(base gone.xml)\nament_package()\n"
-        "install(FILES plain.py DESTINATION lib/demo)\n"
+        "install(FILES plain.py DESTINATION lib/demo)\nfind_package(rclcpp)\nament_target_dependencies(part rclcpp)\n"
     )
     (demo / "CMakeLists.txt").write_text(cmake)
-    (demo / "part.cpp").write_text("RCLCPP_COMPONENTS_REGISTER_NODE(demo::Other)\nPLUGINLIB_EXPORT_CLASS(demo::plugins, base::Other)\n")
+    (demo / "part.cpp").write_text(
+        "#include <std_msgs/msg/bool.hpp>\nRCLCPP_COMPONENTS_REGISTER_NODE(demo::Other)\nPLUGINLIB_EXPORT_CLASS(demo::plugins, base::Other)\n"
+    )
     for name in ("plugins", "more"):
         text = f'<library path="{name}"><class name="demo/{name}" type="demo::{name}" base_class_type="base::Base"/></library>'
         (demo / f"{name}.xml").write_text(text)

@@ -66,7 +66,11 @@ def told(differences: list[str]) -> None:
 def test_names_are_those_of_rcl(tmp_path: Path) -> None:
     """One component for each case, with a port of that name."""
     started = [launched(case, tmp_path, rule_words(case["rules"]), f"e{number}") for number, case in enumerate(of("name"))]
-    refused = {f"e{number}" for number, composition in enumerate(started) if composition.problems}
+    refused = {
+        f"e{number}"
+        for number, composition in enumerate(started)
+        if [one for one in composition.problems if one.kind != "list-without-type"]
+    }
     rows: dict[str, set[tuple[Any, ...]]] = {name: set() for name in ("interface", "interface_port", "interface_port_at", "place")}
     for number, case in enumerate(of("name")):
         program, place = f"e{number}", f"e{number}.py:1:1"
@@ -105,7 +109,7 @@ def test_parameters_are_those_of_rcl(tmp_path: Path) -> None:
         prefix = f"{node.full_name}/"
         given = sorted((one.name.removeprefix(prefix), plain(one.value)) for one in composition.params if one.value not in (None, []))
         found: Any = dict(given)
-        if composition.problems:
+        if any(one.kind != "list-without-type" for one in composition.problems):  # that is for rclcpp
             found = REFUSED
         if json.dumps(found) != json.dumps(case["answer"]):
             differences.append(

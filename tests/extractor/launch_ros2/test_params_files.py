@@ -62,7 +62,7 @@ def told(folder: Path, launch: str, written: str) -> list[str]:
 def test_what_nodes_and_launch_do_not_make_of_a_file(tmp_path: Path) -> None:
     empty = "n:\n  ros__parameters:\n    p: []\n"
     found = told(tmp_path / "a", '<param from="$(dirname)/p.yaml"/>', empty)
-    assert found == ["p.yaml:3:1: the list `p` is empty: the client library finds no type for it"]
+    assert found == ["p.yaml:3:1: the list `p` is empty: rclcpp finds no type for it"]
     open_ = "n:\n  ros__parameters:\n    p: $(env HOME)/map\n"
     literal = "p.yaml:3:1: `$(env HOME)` is taken as it is written: no `allow_substs` is given with the file"
     assert told(tmp_path / "b", '<param from="$(dirname)/p.yaml"/>', open_) == [literal]
