@@ -104,8 +104,10 @@ def robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         tmp_path / "ws/robot",
         {
             "package.xml": MANIFEST.format(name="robot", depends=needs),
-            "CMakeLists.txt": "project(robot)\nadd_executable(watcher watcher.cpp)\ninstall(TARGETS watcher DESTINATION lib/robot)\n"
-            "install(DIRECTORY launch DESTINATION share/robot)\n",
+            "CMakeLists.txt": "project(robot)\nfind_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\n"
+            "find_package(level_msgs REQUIRED)\nfind_package(lidar_driver REQUIRED)\nadd_executable(watcher watcher.cpp)\n"
+            "ament_target_dependencies(watcher rclcpp level_msgs lidar_driver)\ninstall(TARGETS watcher DESTINATION lib/robot)\n"
+            "install(DIRECTORY launch DESTINATION share/robot)\nament_package()\n",
             "watcher.cpp": WATCHER,
             "launch/main.launch.xml": MAIN_LAUNCH,
         },
