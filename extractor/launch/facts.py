@@ -52,6 +52,10 @@ def launch_rows(composition: Composition, root: Path) -> Rows:
     return _Writer(root).write(composition)
 
 
+_OF_FILES = ("file", "outside", "unreadable", "params-file", "list-without-type")
+"""The kinds of problems whose subject is a file."""
+
+
 class _Writer:
     """Collects rows. Places become facts of their own where they are named."""
 
@@ -96,7 +100,7 @@ class _Writer:
             self.plugin(plugin)
         for problem in composition.problems:
             effect = "refused" if problem.fatal else "warned"
-            subject = self.path(problem.subject) if problem.kind in ("file", "outside", "unreadable", "params-file", "list-without-type") else problem.subject
+            subject = self.path(problem.subject) if problem.kind in _OF_FILES else problem.subject
             message = problem.message.replace(self.root + os.sep, "")  # places are shown relative to the workspace: so are paths in texts
             self.add("launch_problem", self.place(problem.place), problem.kind, subject, message, effect)
             if problem.meant is not None:
