@@ -86,9 +86,9 @@ class NodeStart:
     `namespace` begins and ends with a slash; `respawn_delay` is in seconds. `ros` is the version of ROS. Where a launch file of ROS 2 does
     not name a node, `called` is what it may be called and `given` what its process sets; with a `container` (its absolute name), `type` is
     a class that is loaded there. `params_files` are the files of parameters that it is given, `own_params` is what it is given itself,
-    `process` what is set for all nodes of its process. The container of a controller is its manager, a node like others. `conditions` are
-    those that cannot be known, `held` those that are known to hold. `first` are the lines of the first node of this name, when this is
-    another one.
+    `process` what is set for all nodes of its process. Where its arguments decide what its program calls it, it `calls_itself` so. The
+    container of a controller is its manager, a node like others. `conditions` are those that cannot be known, `held` those that are known
+    to hold. `first` are the lines of the first node of this name, when this is another one.
     """
 
     package: str
@@ -118,11 +118,20 @@ class NodeStart:
     process: tuple[ProcessSetting, ...] = ()
     own_params: tuple[ParamSetting, ...] = ()
     is_controller: bool = False
+    calls_itself: str | None = None
 
     @property
     def full_name(self) -> str:
         """The node's name in its namespace."""
         return self.namespace + (self.name or self.called or "")
+
+    def by_its_own_name(self) -> NodeStart:
+        """The node, called as it calls itself."""
+        if self.calls_itself is None:
+            return self
+        new = replace(self, name=self.calls_itself)
+        params = (replace(one, name=one.name.replace(f"{self.full_name}/", f"{new.full_name}/", 1)) for one in self.own_params)
+        return replace(new, own_params=tuple(params))
 
     @property
     def own_remaps(self) -> tuple[Remap, ...]:
@@ -430,9 +439,17 @@ class Composition:
     hardware_unseen: bool = False
 
     def with_controllers(self) -> Composition:
-        """The composition with its `controllers` among the nodes, as the graph has them, and with their parameters."""
-        params = (setting for node in self.controllers for setting in node.own_params)
-        return replace(self, nodes=(*self.nodes, *self.controllers), params=(*self.params, *params), controllers=())
+        """The composition as the graph has it.
+
+        Its `controllers` are nodes with parameters, and nodes are called as they call themselves.
+        """
+        renamed = {f"{node.full_name}/" for node in self.nodes if node.calls_itself}
+        renamed -= {f"{node.full_name}/" for node in self.nodes if not node.calls_itself}
+        kept = (setting for setting in self.params if not any(setting.name.startswith(name) for name in renamed))
+        nodes = tuple(node.by_its_own_name() for node in self.nodes)
+        more = [*(node for node in nodes if node.calls_itself), *self.controllers]
+        params = (setting for node in more for setting in node.own_params)
+        return replace(self, nodes=(*nodes, *self.controllers), params=(*kept, *params), controllers=())
 
     @property
     def refusal(self) -> Problem | None:

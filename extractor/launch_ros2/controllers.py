@@ -75,11 +75,11 @@ class Asked:
 
 
 def asked_by_spawner(world: World, node: NodeStart, words: Sequence[str]) -> None:
-    """Note what a node asks for, if it is a spawner; one that no launch file gives a name is called after its first controller."""
+    """Note what a node asks for, if it is a spawner; one that no launch file gives a name calls itself after its first controller."""
     if node.package == _PACKAGE and node.type in _SPAWNERS:
         names, options, manager = _read(words, node.namespace)
         if node.name is None and names:
-            world.state.nodes[world.state.nodes.index(node)] = replace(node, name=f"spawner_{names[0]}")
+            world.state.nodes[world.state.nodes.index(node)] = replace(node, calls_itself=f"spawner_{names[0]}")
         world.controllers.append(Asked(manager, names, options, node.lines, node.conditions, node.held, node.process, node.params_files))
 
 

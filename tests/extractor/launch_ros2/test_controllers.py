@@ -45,8 +45,9 @@ def test_spawners(tmp_path: Path) -> None:
     ]
     # launch knows nothing of them
     assert [node.type for node in found.nodes] == ["ros2_control_node", "spawner"]
-    assert found.nodes[1].full_name == "/spawner_joints"
+    assert found.nodes[1].full_name == "/spawner"
     whole = found.with_controllers()
+    assert whole.nodes[1].full_name == "/spawner_joints"
     assert [node.type for node in whole.nodes[2:]] == ["my_controllers::Joints", "diff_drive_controller/DiffDriveController"]
     values = {setting.name: setting.value for setting in whole.params}
     assert values["/wheels/publish_rate"] == 50.0
@@ -143,3 +144,10 @@ def test_what_spawners_are_given(tmp_path: Path) -> None:
     found = _composed(tmp_path, f"{MANAGER}, {spawn}", late_yaml="late:\n  ros__parameters: {type: c/D, gain: 3}\n")
     assert [(node.type, node.own_params[-1].name) for node in found.controllers] == [("c/D", "/late/gain")]
     assert [Path(file.path).name for file in found.controllers[0].params_files] == ["params.yaml", "late.yaml"]
+
+
+def test_spawners_keep_their_parameters(tmp_path: Path) -> None:
+    spawn = "*[Node(package='controller_manager', executable='spawner', arguments=[name], parameters=[{'n': name}]) for name in ('joints', 'wheels')]"
+    found = _composed(tmp_path, f"{MANAGER}, {spawn}")
+    values = {setting.name: setting.value for setting in found.with_controllers().params if setting.name.endswith("/n")}
+    assert values == {"/spawner_joints/n": "joints", "/spawner_wheels/n": "wheels"}
