@@ -37,5 +37,8 @@ def test_a_workspace_alone_includes_navigation(tmp_path: Path, rosarch: Callable
     [system] = json.loads(rosarch("show", "graph", "ws", "--format", "json").out)
     nodes = {node["name"]: node["origin"] for node in system["nodes"]}
     servers = {"controller_server", "smoother_server", "planner_server", "behavior_server", "bt_navigator", "waypoint_follower"}
-    assert nodes == dict.fromkeys({f"/{name}" for name in (*servers, "velocity_smoother", "lifecycle_manager_navigation")}, "library")
+    made = {f"{each}_costmap/{each}_costmap" for each in ("local", "global")}
+    made |= {f"bt_navigator_navigate_{each}_rclcpp_node" for each in ("to_pose", "through_poses")}
+    programs = {*servers, "velocity_smoother", "lifecycle_manager_navigation"}
+    assert nodes == dict.fromkeys({f"/{name}" for name in programs | made}, "library")
     assert "/cmd_vel_nav" in {name for connector in system["connectors"] for name in connector["names"]}
