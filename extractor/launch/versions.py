@@ -60,9 +60,10 @@ def _joined(compositions: Sequence[Composition]) -> Composition:
     """All that several compositions start and set."""
     if not compositions:
         return Composition((), (), (), (), (), ())
-    names = [field.name for field in fields(Composition) if field.name != "ros"]
+    names = [field.name for field in fields(Composition) if field.name not in ("ros", "hardware_unseen")]
     parts = {name: tuple(dict.fromkeys(itertools.chain.from_iterable(getattr(one, name) for one in compositions))) for name in names}
-    return replace(compositions[-1], **parts)  # type: ignore[arg-type]
+    unseen = any(one.hardware_unseen for one in compositions)
+    return replace(compositions[-1], **parts, hardware_unseen=unseen)  # type: ignore[arg-type]
 
 
 def ros_version(path: Path | str) -> int:

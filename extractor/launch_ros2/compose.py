@@ -45,6 +45,8 @@ def compose_ros2(
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
         world.context = context
         _top(world, path, context)
+    with suppress(Exhausted):
+        state.controllers += controllers(world, world.context)
     composition = replace(finished(state, _references(world)), ros=2)
     more = (*_meant(world, composition), *_truths(world))
     return replace(composition, references=tuple(dict.fromkeys((*composition.references, *more))))
@@ -64,8 +66,6 @@ def _top(world: World, path: str, context: Context) -> None:
         state.report(error)
     except Raised as error:
         world.interpreter.raised(error, Place(path, 1))
-    with suppress(Exhausted):
-        state.controllers += controllers(world, context)
 
 
 def _meant(world: World, composition: Composition) -> Iterator[FileMeant]:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from ros2_launch_builder import HEAD, composed
 
+from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.extractor.launch.model import Composition
 
 PARAMS = """
@@ -151,3 +152,18 @@ def test_spawners_keep_their_parameters(tmp_path: Path) -> None:
     found = _composed(tmp_path, f"{MANAGER}, {spawn}")
     values = {setting.name: setting.value for setting in found.with_controllers().params if setting.name.endswith("/n")}
     assert values == {"/spawner_joints/n": "joints", "/spawner_wheels/n": "wheels"}
+
+
+def test_launch_files_together(tmp_path: Path) -> None:
+    spawn = "Node(package='controller_manager', executable='spawner', arguments=['wheels'])"
+    _composed(tmp_path, spawn)
+    package = tmp_path / "here"
+    (package / "main.launch.py").rename(package / "spawn.launch.py")
+    _composed(tmp_path, MANAGER)
+    (package / "old.launch").write_text('<launch><node pkg="here" type="run" name="old"/></launch>')
+    (package / "package.xml").write_text("<package><name>here</name></package>")
+    paths = [package / name for name in ("spawn.launch.py", "main.launch.py", "old.launch")]
+    found = compose(paths, files=Files(PackagePath([tmp_path]), str(tmp_path)))
+    assert [node.full_name for node in found.controllers] == ["/wheels"]
+    assert [node.full_name for node in found.nodes] == ["/spawner", "/controller_manager", "/old"]
+    assert found.hardware_unseen is False
