@@ -26,6 +26,7 @@ _REASONS = {
     "library": "the model of {} in the library is not complete",
     "plugin": "it loads plug-ins that were not seen: {}",
     "name": "the name of a parameter is not known: {}",
+    "parameters": "a file of parameters for {} was not read",
     "tree": "not all of the behavior tree was read: {}",
     "tree node": "its behavior tree has nodes that were not seen: {}",
     # of systems

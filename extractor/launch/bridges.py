@@ -60,6 +60,11 @@ def of_arguments(node: NodeStart) -> Iterator[Bridged]:
             yield Bridged(found["topic"], found["type"], _WAYS[found["way"]], node.lines[-1])
 
 
+def unread_of_arguments(node: NodeStart) -> list[str]:
+    """The arguments that may be those of a bridge, and are not known or not understood."""
+    return [word for word in node_arguments(node).plain if ("$(" in word or "@" in word) and not _WORD.fullmatch(word)]
+
+
 def files_of(node: NodeStart) -> list[str]:
     """The configuration files that a node may be given."""
     values = [setting.value for setting in node.own_params if setting.name == f"{node.full_name}/{_FILE}"]

@@ -35,7 +35,7 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
     for problem in expansion.problems:
         kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
-    if expansion.document is None or expansion.problems:
+    if expansion.document is None or expansion.problems or expansion.incomplete:
         state.hardware_unseen = True
     if expansion.document is None:
         return None, ()

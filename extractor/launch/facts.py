@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.base.files import path_text
 from rosarch.extractor.launch.arguments import NodeArguments, node_arguments
-from rosarch.extractor.launch.bridges import Bridged, files_of, of_arguments
+from rosarch.extractor.launch.bridges import Bridged, files_of, of_arguments, unread_of_arguments
 from rosarch.extractor.launch.model import (
     ActionLeftOut,
     ArgumentDeclared,
@@ -73,9 +73,8 @@ class _Writer:
                 self.view(start, view)
             for entry in (*of_arguments(node), *(entry for path in files_of(node) if path in bridges for entry in bridges[path].entries)):
                 self.bridged(start, entry)
-            for path in files_of(node):
-                if path not in bridges:
-                    self.add("bridge_unread", start, self.path(path))
+            for unread in (*unread_of_arguments(node), *(path for path in files_of(node) if path not in bridges)):
+                self.add("bridge_unread", start, self.path(unread))
             if node.first:
                 first = next(other for other, one in nodes.items() if one.lines == node.first and one.full_name == node.full_name)
                 self.add("started_again", start, first)

@@ -8,8 +8,7 @@ it. Source: ros2_control (controller_manager.cpp, spawner.py, ros2controlcli), g
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -27,8 +26,8 @@ from rosarch.extractor.launch.model import (
 )
 from rosarch.extractor.launch.names import canonical, ns_join
 from rosarch.extractor.launch_ros2.context import Context, Given
-from rosarch.extractor.launch_ros2.parameters import Setting, settings
-from rosarch.extractor.launch_ros2.params_files import matches
+from rosarch.extractor.launch_ros2.parameters import Setting, Unread, settings
+from rosarch.extractor.launch_ros2.params_files import ALL, matches
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -59,15 +58,11 @@ class Asked:
     process: tuple[ProcessSetting, ...] = ()
     files: tuple[ParamsGiven, ...] = ()
 
-    def is_known(self, world: World) -> bool:
-        """Whether all names are known, and all files that are named are there and were read."""
-        files = self.values("-p", "--param-file")
-        texts = (self.manager, *self.controllers, *files)
-        return (
-            not any(map(world.state.unknowns.is_open, texts))
-            and all(map(world.state.files.is_file, files))
-            and all(one.read for one in self.process)
-        )
+    def is_known(self, world: World, managers: Iterable[NodeStart], context: Context) -> bool:
+        """Whether all names are known, and all files that it and the managers are given were read."""
+        files = _of_files(world, self.values("-p", "--param-file"), self.lines, context)
+        process = (*self.process, *files, *(one for manager in managers for one in manager.process))
+        return not any(map(world.state.unknowns.is_open, (self.manager, *self.controllers))) and all(one.read for one in process)
 
     def values(self, *names: str) -> list[str]:
         """What is given for an option, which has several names."""
@@ -117,14 +112,14 @@ def controllers(world: World, context: Context) -> Iterator[NodeStart]:
     yield from simulated
     found: dict[tuple[str, tuple[Condition, ...]], NodeStart] = {}
     for asked in world.controllers:
-        if not asked.conditions and asked.is_known(world):
+        able = [one for one in (*managers, *simulated) if one.full_name == asked.manager]
+        if not asked.conditions and asked.is_known(world, able, context):
             place = asked.lines[-1]
             world.state.controllers_asked += [ControllerAsked(name, asked.manager, place) for name in asked.controllers]
-        for manager in (*managers, *simulated):
-            if manager.full_name == asked.manager and not exclusive(manager.conditions, asked.conditions):
-                for name in asked.controllers:
-                    for node in _controller(world, name, manager, asked, context):
-                        found.setdefault((node.full_name, node.conditions), node)
+        for manager in (one for one in able if not exclusive(one.conditions, asked.conditions)):
+            for name in asked.controllers:
+                for node in _controller(world, name, manager, asked, context):
+                    found.setdefault((node.full_name, node.conditions), node)
     yield from found.values()
 
 
@@ -189,15 +184,24 @@ def _rules(asked: Asked) -> Iterator[Remap]:
 
 
 def _of_files(world: World, files: Sequence[str], lines: tuple[Place, ...], context: Context) -> Iterator[ProcessSetting]:
-    """What files of parameters set for nodes; a file that cannot be read sets nothing that is known."""
+    """What files of parameters set for nodes; of one that cannot be read that is not known."""
     for file in files:
-        with suppress(LaunchError):
+        try:
             for found in settings(world, Given(file, lines[-1]), None, context):
                 if isinstance(found, Setting):
+                    matches(found.nodes, "/")  # may be too long
                     setting = ParamSetting(
                         found.name, found.value, (*lines[:-1], found.place), found.conditions, found.source, found.written
                     )
                     yield ProcessSetting(found.nodes, setting)
+                elif isinstance(found, Unread):
+                    yield _unread(file, lines)
+        except LaunchError:
+            yield _unread(file, lines)
+
+
+def _unread(file: str, lines: tuple[Place, ...]) -> ProcessSetting:
+    return ProcessSetting(ALL, ParamSetting("", None, lines, source=file), read=False)
 
 
 def _simulated(world: World, context: Context) -> Iterator[NodeStart]:
@@ -226,6 +230,8 @@ def _simulated(world: World, context: Context) -> Iterator[NodeStart]:
         )
         process = tuple(_of_files(world, files, (plugin.place,), context))
         own = tuple(
-            replace(one.setting, name=f"{node.full_name}/{one.setting.name}") for one in process if matches(one.nodes, node.full_name)
+            replace(one.setting, name=f"{node.full_name}/{one.setting.name}")
+            for one in process
+            if one.read and matches(one.nodes, node.full_name)
         )
         yield replace(node, process=process, own_params=own)

@@ -251,6 +251,8 @@ def _setting(world: World, found: Setting | Unread, context: Context) -> ParamSe
         return ParamSetting("", None, lines, context.conditions, found.file)
     conditions = (*context.conditions, *(one for one in found.conditions if one not in context.conditions))
     plugins = world.described.get(found.value, ()) if isinstance(found.value, str) else ()
+    if found.name == "robot_description" and not (isinstance(found.value, str) and found.value in world.described):
+        world.state.hardware_unseen = True
     return ParamSetting(found.name, found.value, lines, conditions, found.source, found.written, plugins)
 
 

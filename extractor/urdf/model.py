@@ -45,6 +45,7 @@ class Expansion:
 
     `document` is None when the file is rejected, which the last of `problems` then reports. `bare_tags` says that tags without `xacro:`
     were left as they are although an older xacro takes them for its own. `work` is what it cost, `files` are those that were read.
+    It is `incomplete` when something was left out that is not known, such as a file that is missing.
     """
 
     document: Document | None
@@ -52,3 +53,4 @@ class Expansion:
     files: tuple[str, ...]
     bare_tags: bool
     work: int
+    incomplete: bool

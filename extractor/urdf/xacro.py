@@ -54,4 +54,4 @@ def expand(
         context.report(LaunchError("xml", path, error.message))
     except RecursionError:
         context.report(LaunchError("xacro", path, "definitions nested too deeply"))
-    return Expansion(document, tuple(context.problems), tuple(context.read), expander.bare_tags, context.work)
+    return Expansion(document, tuple(context.problems), tuple(context.read), expander.bare_tags, context.work, context.incomplete)

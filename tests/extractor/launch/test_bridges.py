@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from rosarch.extractor.launch import Files, PackagePath, compose
-from rosarch.extractor.launch.bridges import of_arguments
+from rosarch.extractor.launch.bridges import of_arguments, unread_of_arguments
 from rosarch.extractor.launch.facts import launch_rows
-from rosarch.extractor.launch.model import NodeStart, Place
+from rosarch.extractor.launch.model import Composition, NodeStart, Place
 
 
 def _bridge(args: str) -> NodeStart:
@@ -31,6 +31,23 @@ def _bridge(args: str) -> NodeStart:
 def test_arguments(word: str, expected: tuple[str, tuple[str, ...]] | None) -> None:
     found = [(one.name, one.kinds) for one in of_arguments(_bridge(f"--verbose {word}"))]
     assert found == ([] if expected is None else [expected])
+
+
+@pytest.mark.parametrize(
+    ("word", "expected"),
+    [
+        ("/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock", False),
+        ("/world/$(var world)/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock", True),
+        ("/world/w/control@ros_gz_interfaces/srv/ControlWorld@gz.msgs.WorldControl@gz.msgs.Boolean", True),
+        ("$(var topics)", True),
+        ("--verbose", False),
+    ],
+)
+def test_arguments_that_may_say_more(word: str, expected: bool) -> None:
+    node = _bridge(f"'{word}'")
+    assert unread_of_arguments(node) == ([word] if expected else [])
+    rows = launch_rows(Composition((node,), (), (), (), (), (), ros=2), Path("."))
+    assert ("bridge_unread" in rows) == expected
 
 
 LAUNCH = """

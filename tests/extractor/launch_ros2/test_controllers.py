@@ -167,3 +167,14 @@ def test_launch_files_together(tmp_path: Path) -> None:
     assert [node.full_name for node in found.controllers] == ["/wheels"]
     assert [node.full_name for node in found.nodes] == ["/spawner", "/controller_manager", "/old"]
     assert found.hardware_unseen is False
+
+
+def test_what_is_asked_for_where_a_file_was_not_read(tmp_path: Path) -> None:
+    spawn = "Node(package='controller_manager', executable='spawner', arguments=['other_one'{}])"
+    known = _composed(tmp_path, f"{MANAGER}, {spawn.format('')}")
+    assert [(one.name, one.manager) for one in known.controllers_asked] == [("other_one", "/controller_manager")]
+    file = ", '--param-file', os.path.dirname(__file__) + '/broken.yaml'"
+    broken = _composed(tmp_path, f"{MANAGER}, {spawn.format(file)}", broken_yaml="a: [\n")
+    assert broken.controllers_asked == ()
+    manager = MANAGER.replace("parameters=[", "parameters=['/gone.yaml', ")
+    assert _composed(tmp_path, f"{manager}, {spawn.format('')}").controllers_asked == ()

@@ -43,3 +43,23 @@ def test_hardware(tmp_path: Path) -> None:
     # what an absent file describes may be hardware, too
     assert _hardware(tmp_path, '<xacro:include filename="$(find elsewhere)/arm.xacro"/>')[1]
     assert _hardware(tmp_path, "<xacro:include filename=") == ([], True)
+
+
+def test_descriptions_that_are_not_evaluated(tmp_path: Path) -> None:
+    package = tmp_path / "here"
+    package.mkdir()
+    (package / "package.xml").write_text("<package><name>here</name></package>")
+    (package / "r.urdf").write_text(ROBOT.format(""))
+    (package / "main.launch.py").write_text(
+        """import os
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    with open(os.path.join(os.path.dirname(__file__), "r.urdf")) as file:
+        robot = file.read()
+    return LaunchDescription([Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{"robot_description": robot}])])
+"""
+    )
+    found = compose([package / "main.launch.py"], files=Files(PackagePath([tmp_path]), str(tmp_path)))
+    assert (found.hardware, found.hardware_unseen) == ((), True)
