@@ -60,9 +60,13 @@ class Asked:
 
     def is_known(self, world: World, managers: Iterable[NodeStart], context: Context) -> bool:
         """Whether all names are known, and all files that it and the managers are given were read."""
-        files = _of_files(world, self.values("-p", "--param-file"), self.lines, context)
-        process = (*self.process, *files, *(one for manager in managers for one in manager.process))
-        return not any(map(world.state.unknowns.is_open, (self.manager, *self.controllers))) and all(one.read for one in process)
+        files = self.values("-p", "--param-file")
+        if any(map(world.state.unknowns.is_open, (self.manager, *self.controllers, *files))):
+            return False
+        if not all(map(world.state.files.is_file, files)):  # to read one that is missing would report it where no manager needs it
+            return False
+        process = (*self.process, *(one for manager in managers for one in manager.process))
+        return all(one.read for one in (*process, *_of_files(world, files, self.lines, context)))
 
     def values(self, *names: str) -> list[str]:
         """What is given for an option, which has several names."""
