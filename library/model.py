@@ -66,8 +66,8 @@ class LibraryParameter:
 class LibraryComponent:
     """A node, nodelet, plug-in or plug-in of gazebo. `path` is the file that its base was read from.
 
-    It makes nodes of its own by names in its namespace, each of a component (`PACKAGE/COMPONENT`).
-    It is of the versions of ROS in `ros`, of any where that is empty; its sources are those of the `distributions`.
+    `makes` are nodes that it makes as well: their names in its namespace, and the component (`PACKAGE/COMPONENT`) of each. It is of the
+    versions of ROS in `ros`, of any where that is empty; its sources are those of the `distributions`.
     """
 
     package: str

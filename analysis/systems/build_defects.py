@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from rosarch.analysis.systems.build_uses import own_header
+from rosarch.analysis.systems.build_uses import GENERATES, own_header, without_comments
 from rosarch.base.files import read_file, text_or_nothing
 from rosarch.extractor.launch.model import Composition, ProgramNamed
 from rosarch.extractor.package_names import NO_PACKAGES, quick_text
@@ -19,14 +19,12 @@ from rosarch.extractor.workspace.built import INSTALLED_FIRST, Built, package_of
 from rosarch.extractor.workspace.installs import line_with
 from rosarch.extractor.workspace.model import TEST
 
-_GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
 _PROJECT = re.compile(r"^[ \t]*project[ \t]*\([ \t]*([A-Za-z][\w-]*)", re.MULTILINE | re.IGNORECASE)
 _TYPESUPPORT = re.compile(r"rosidl_get_typesupport_target|rosidl_target_interfaces|__rosidl_typesupport_cpp|__rosidl_generator_cpp")
 _MADE_FIRST = re.compile(r"EXPORTED_TARGETS|_generate_messages|_gencpp")
 _GENERATED = re.compile(r"\.generate\s*\([^()]*[\"'](\w+)[\"']\s*\)")
 _ADDED = ("message", "service", "action")
 _ADDS = re.compile(rf"^[ \t]*add_({'|'.join(_ADDED)})_files\s*\(([^()]*)\)", re.MULTILINE)
-_COMMENT = re.compile(r"#[^\n]*")
 _INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
 _FIELD = re.compile(r"[ \t]*[\w/]+(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
 _FIELD_NAME = re.compile(r"[a-z](?:_?[a-z0-9])*")
@@ -60,10 +58,10 @@ def defects(composition: Composition, builds: Sequence[Built]) -> Iterator[tuple
 def of_interfaces(package: Built) -> tuple[Defect, ...]:
     """What keeps the interfaces of a package from being generated."""
     cmake = package.folder / "CMakeLists.txt"
-    text = _COMMENT.sub("", text_or_nothing(cmake))
+    text = without_comments(cmake)
     if package.build_type == "catkin":
         return tuple(_of_catkin_interfaces(package, cmake, text))
-    found = _GENERATES.search(text)
+    found = GENERATES.search(text)
     if found is None or package.build_type != "ament_cmake":
         return ()
     line = 1 + text.count("\n", 0, found.start(1))
@@ -97,7 +95,7 @@ def of_build(package: Built) -> tuple[Defect, ...]:
         result += [Defect(path, line, "library left out", library) for path, line, library in sorted(left_out)]
     if build.suffix == ".txt" and not package.unsure and not re.search(r"\bament_(auto_)?package\s*\(", text_or_nothing(build)):
         result.append(Defect(build, 1, "not registered", ""))
-    project = _PROJECT.search(_COMMENT.sub("", text_or_nothing(build))) if build.suffix == ".txt" else None
+    project = _PROJECT.search(without_comments(build)) if build.suffix == ".txt" else None
     if project is not None and project[1] != package.name:
         result.append(Defect(build, line_with(build, project[0].strip()), "project name", project[1]))
     return tuple(result)
@@ -106,13 +104,13 @@ def of_build(package: Built) -> tuple[Defect, ...]:
 @lru_cache(maxsize=256)
 def of_own_headers(package: Built) -> tuple[Defect, ...]:
     """Headers that the build makes of a package's own interfaces and parameters, where they are not made, or not for certain in time."""
-    text = _COMMENT.sub("", text_or_nothing(package.folder / "CMakeLists.txt"))
+    text = without_comments(package.folder / "CMakeLists.txt")
     if package.unsure or package.build_type not in ("catkin", "ament_cmake"):
         return ()
     result = []
     for target in (one for one in package.targets if one.kind != TEST):
         if package.build_type == "ament_cmake":
-            found = own_header(package, target, r"(?:msg|srv|action)/(\w+)\.hpp") if _GENERATES.search(text) else None
+            found = own_header(package, target, r"(?:msg|srv|action)/(\w+)\.hpp") if GENERATES.search(text) else None
             if found is not None and not _TYPESUPPORT.search(text) and "ament_auto" not in text:
                 result.append(Defect(target.cmake_file, target.line, "own interfaces", target.name))
             continue
@@ -179,7 +177,7 @@ def _of_imports(package: Built, path: Path, text: str) -> Iterator[Defect]:
         return
     line = 1 + text.count("\n", 0, found.start())
     modules = package.folder / "src" / package.name
-    cmake = _COMMENT.sub("", text_or_nothing(package.folder / "CMakeLists.txt"))
+    cmake = without_comments(package.folder / "CMakeLists.txt")
     if path.stem == package.name:
         yield Defect(path, line, "hides its package", path.name)
     elif (

@@ -16,7 +16,7 @@ from rosarch.extractor.workspace.model import EXECUTABLE, MODULE, SHARED, STATIC
 _INCLUDE = re.compile(r'[ \t]*#[ \t]*(?:(?P<opens>if\w*)|(?P<closes>endif)|include[ \t]*[<"](?P<name>[\w./-]+)[>"])')
 _INTERFACES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
 _TYPE = re.compile(r"[ \t]*([A-Za-z]\w*)/[A-Z]\w*(?:\[[^\]]*\])?[ \t]+\w")
-_GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
+GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
 _COMMENT = re.compile(r"#[^\n]*")
 _NAMED = re.compile(r"\$\{(\w+)_(?:INCLUDE(?:_DIR)?S|TARGETS|LIBRARIES)\}")
 _OTHER_WAYS = re.compile(r"ament_auto|AMENT_|CPM|FetchContent|include_directories\s*\(\s*(?:SYSTEM\s+)?/")
@@ -48,7 +48,7 @@ class Uses:
 @lru_cache(maxsize=256)
 def uses(package: Built) -> Uses:
     """The uses of a package of ROS 2 whose build files are understood and simple; of any other nothing is known."""
-    text = _COMMENT.sub("", text_or_nothing(package.folder / "CMakeLists.txt"))
+    text = without_comments(package.folder / "CMakeLists.txt")
     if package.build_type != "ament_cmake" or package.unsure or _OTHER_WAYS.search(text):
         return Uses()
     targets = {one.name: one for one in package.targets if one.kind in (EXECUTABLE, SHARED, STATIC, MODULE)}
@@ -57,10 +57,15 @@ def uses(package: Built) -> Uses:
     given = {(one.name, used) for one in targets.values() for used in (*_given(one, targets), *named)}
     asks = tuple(Use(path, line, "", name) for name, path, line in package.asks if "$" not in name)
     at = tuple((one.name, one.cmake_file, one.given_line) for one in targets.values())
-    found = _GENERATES.search(text)
+    found = GENERATES.search(text)
     told = frozenset() if found is None else frozenset(re.findall(r"\w+", found[1].partition("DEPENDENCIES")[2]))
     interfaces = tuple(_of_interfaces(package)) if found is not None and "${" not in found[1].replace("${PROJECT_NAME}", "") else ()
     return Uses(tuple(includes), frozenset(given), at, asks, package.finds, interfaces, told)
+
+
+def without_comments(build_file: Path) -> str:
+    """The text of a file of CMake, without its comments; empty where it cannot be read."""
+    return _COMMENT.sub("", text_or_nothing(build_file))
 
 
 def _given(target: Target, targets: dict[str, Target]) -> Iterator[str]:

@@ -11,14 +11,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rosarch.analysis.systems.processes import process_of
+from rosarch.analysis.systems.processes import process_settings
 from rosarch.analysis.systems.trees import Trees
 from rosarch.extractor.launch.arguments import node_arguments
 from rosarch.extractor.launch.facts import kind_and_text
 from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
 from rosarch.extractor.launch.names import canonical, global_namespace
 from rosarch.extractor.launch.values import automatic
-from rosarch.extractor.launch_ros2.params_files import matches
 from rosarch.extractor.workspace.plugins import TREE_NODE
 from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import InnerNode, NodeConfiguration, arguments_of_plugin
@@ -235,7 +234,7 @@ class _Finder:
             started = self._inner_start(node, inner)
             if started is None:
                 continue
-            settings = self._process_settings(node, started.full_name)
+            settings = {name: [one] for name, one in process_settings(self.composition, node, started.full_name).items()}
             values = _configuration(started, settings, self._is_open(node))
             space = canonical(started.namespace) or "/"
             configuration = replace(values, arguments=inner.arguments, entry=inner.class_, namespace=space)
@@ -254,15 +253,6 @@ class _Finder:
         if len(namespaces) != 1:
             return None
         return _renamed(node, inner.name, global_namespace(namespaces.pop()))
-
-    def _process_settings(self, node: NodeStart, name: str) -> dict[str, list[ParamSetting]]:
-        """What the process of a node sets for another one of its nodes, by its full name."""
-        process = process_of(self.composition, node)
-        found: dict[str, list[ParamSetting]] = {}
-        for one in process.process:
-            if one.read and matches(one.nodes, name):
-                found[one.setting.name] = [one.setting]
-        return found
 
     def _settings_of(self, node: NodeStart) -> dict[str, list[ParamSetting]]:
         """The parameters of a node, as its code calls them."""

@@ -55,23 +55,25 @@ def with_inner(composition: Composition, made: Mapping[tuple[str, str], Mapping[
     components: dict[int, str] = {}
     params: list[ParamSetting] = []
     for start in composition.nodes:
-        process = process_of(composition, start)
         for path, component in made.get((start.package, start.type), {}).items():
             space, _, name = f"{start.namespace}{path}".rpartition("/")
             node = replace(start, name=name, called=name, namespace=f"{space}/", container=None, first=(), given=(), own_params=())
             components[len(nodes)] = component
             nodes.append(node)
-            params += [
-                replace(one.setting, name=f"{node.full_name}/{one.setting.name}")
-                for one in process.process
-                if one.read and matches(one.nodes, node.full_name)
-            ]
+            given = process_settings(composition, start, node.full_name)
+            params += [replace(setting, name=f"{node.full_name}/{name}") for name, setting in given.items()]
     return replace(composition, nodes=tuple(nodes), params=(*composition.params, *params)), components
 
 
-def process_of(composition: Composition, node: NodeStart) -> NodeStart:
-    """The node whose process a node is in: its container, if that is started here."""
-    return next((each for each in composition.nodes if each.full_name == node.container), node) if node.container else node
+def process_settings(composition: Composition, node: NodeStart, name: str) -> dict[str, ParamSetting]:
+    """What the process of a node sets for another one of its nodes, by its full name: for each parameter what is set last.
+
+    The process is that of its container, if that is started here.
+    """
+    process = node
+    if node.container is not None:
+        process = next((each for each in composition.nodes if each.full_name == node.container), node)
+    return {one.setting.name: one.setting for one in process.process if one.read and matches(one.nodes, name)}
 
 
 @dataclass(frozen=True)

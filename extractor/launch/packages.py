@@ -16,7 +16,7 @@ from functools import cached_property
 from pathlib import Path
 
 from rosarch.base import tracing
-from rosarch.base.files import is_folder, read_file
+from rosarch.base.files import is_folder, read_file, text_or_nothing
 from rosarch.extractor.launch.ignored import kept_out
 from rosarch.extractor.package_names import IGNORE_MARKERS, NO_PACKAGES, quick_name, quick_text
 from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
@@ -36,8 +36,10 @@ _MAKING = re.compile(
 _SET = re.compile(r"\bset\s*\(\s*(\w+)\s+([^()]*)\)", re.IGNORECASE)
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _PROGRAMS = (".py", ".sh")
-_MAKES_FOLDERS = re.compile(rb"\bmakedirs\b|\bmkdir\b")
-_QUOTED = re.compile(rb"""["']([^"'\n]+)["']""")
+_MAKES_FOLDERS = re.compile(r"\bmakedirs\b|\bmkdir\b")
+_QUOTED = re.compile(r"""["']([^"'\n]+)["']""")
+_CLASS = re.compile(r"""<class\b[^>]*?\bname\s*=\s*["']([^"'\n]+)["']""")
+"""The name of a plug-in in its description."""
 _MADE_WORD = re.compile(r"[\w.+*-]+")
 
 
@@ -52,6 +54,7 @@ class PackagePath:
         self._paths: dict[str, dict[str, list[str]]] = {}
         self._made: dict[str, frozenset[str]] = {}
         self._folders_made: dict[str, frozenset[str]] = {}
+        self._described: dict[str, frozenset[str]] = {}
 
     @cached_property
     def packages(self) -> dict[str, str]:
@@ -77,7 +80,8 @@ class PackagePath:
     def _with(self, underlay: Underlay, own: dict[str, str]) -> PackagePath:
         found = PackagePath(self.folders, underlay)
         found.own, found._found = own, self._found
-        found._names, found._paths, found._made, found._folders_made = self._names, self._paths, self._made, self._folders_made
+        found._names, found._paths, found._made = self._names, self._paths, self._made
+        found._folders_made, found._described = self._folders_made, self._described
         return found
 
     @cached_property
@@ -138,12 +142,14 @@ class PackagePath:
 
     def describing(self, plugin: str) -> str | None:
         """The package of the folders that has a description of the plug-in called so."""
-        attribute = re.compile(rb"""\bname\s*=\s*["']""" + re.escape(plugin).encode() + rb"""["']""")
-        for package, folder in self.own.items():
-            for name, paths in self.paths_in(folder).items():
-                if name.endswith(".xml") and name != "package.xml" and any(attribute.search(_content(path)) for path in paths):
-                    return package
-        return None
+        return next((package for package, folder in self.own.items() if plugin in self._described_in(folder)), None)
+
+    def _described_in(self, folder: str) -> frozenset[str]:
+        """The names of the plug-ins that files of a package describe."""
+        if folder not in self._described:
+            files = (path for name, paths in self.paths_in(folder).items() if name.endswith(".xml") for path in paths)
+            self._described[folder] = frozenset(name for path in files for name in _CLASS.findall(text_or_nothing(path)))
+        return self._described[folder]
 
     def makes(self, path: str) -> bool:
         """Whether the file is made: by its package, from a template beside it or by a command that names it, or on each machine.
@@ -175,9 +181,9 @@ class PackagePath:
         """The words of the programs of a package that make folders."""
         if folder not in self._folders_made:
             paths = self.paths_in(folder)
-            contents = (_content(path) for name in paths if name.endswith(_PROGRAMS) for path in paths[name])
-            texts = (text for content in contents if _MAKES_FOLDERS.search(content) for text in _QUOTED.findall(content))
-            self._folders_made[folder] = frozenset(name for text in texts for name in text.decode(errors="replace").split("/"))
+            programs = (text_or_nothing(path) for name in paths if name.endswith(_PROGRAMS) for path in paths[name])
+            texts = (text for program in programs if _MAKES_FOLDERS.search(program) for text in _QUOTED.findall(program))
+            self._folders_made[folder] = frozenset(name for text in texts for name in text.split("/"))
         return self._folders_made[folder]
 
     def _made_in(self, folder: str) -> frozenset[str]:
@@ -201,13 +207,6 @@ class PackagePath:
                     found.setdefault(name, []).append(os.path.join(here, name))
             self._paths[folder] = found
         return self._paths[folder]
-
-
-def _content(path: str) -> bytes:
-    try:
-        return read_file(path)
-    except OSError:
-        return b""
 
 
 def _names_and_words(paths: Mapping[str, Sequence[str]]) -> frozenset[str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ros2_launch_builder import HEAD, composed
 
-from rosarch.analysis.systems.processes import with_nodes
+from rosarch.analysis.systems.processes import with_inner, with_nodes
 from rosarch.base.places import Place
 from rosarch.extractor.launch import Composition
 from rosarch.models.component import ComponentModel
@@ -96,3 +96,12 @@ def test_a_namespace_of_the_code_counts_where_no_launch_file_gives_one(tmp_path:
     assert [node.full_name for node in given.nodes] == ["/leg/left"]
     two = replace(model, traits=(*model.traits, Trait("node_namespace", (place, "leg"))))
     assert [node.full_name for node in nodes_of(tmp_path, "parameters=[FILE]", model=two).nodes] == ["/left"]
+
+
+def test_a_node_that_a_program_of_the_library_makes_has_what_is_set_last(tmp_path: Path) -> None:
+    found = nodes_of(tmp_path, "name='host', namespace='arm', parameters=[{'common': 0}, FILE]", "host")
+    whole, components = with_inner(found, {("here", "run"): {"left": "elsewhere/part"}})
+    assert [node.full_name for node in whole.nodes] == ["/arm/host", "/arm/left"]
+    assert components == {1: "elsewhere/part"}
+    own = [(setting.name, setting.value) for setting in whole.params if setting.name.startswith("/arm/left/")]
+    assert own == [("/arm/left/common", 1), ("/arm/left/side", "far")]
