@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rosarch.analysis.method import Method
-from rosarch.analysis.systems.builds import build_rows
+from rosarch.analysis.systems.builds.rows import build_rows
 from rosarch.analysis.systems.instances import Configured, ModelIndex, Parts, configure
 from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
 from rosarch.analysis.systems.planning import Planner, configuring, made_by

@@ -10,16 +10,16 @@ from dataclasses import fields, replace
 from pathlib import Path
 
 from rosarch.base import tracing
-from rosarch.base.files import read_file
+from rosarch.base.files import text_or_nothing
 from rosarch.extractor.launch.compose import compose as compose_ros1
 from rosarch.extractor.launch.files import DESCRIBED, Files
 from rosarch.extractor.launch.model import Composition, Place, Problem
 from rosarch.extractor.package_names import quick_text
 
 _ROS2 = re.compile(
-    rb"\bexec\s*=|\$\((?:var|find-pkg-share|find-pkg-prefix) |<(?:let|push[-_]ros[-_]namespace|node_container|set_\w+|load_composable)\b"
+    r"\bexec\s*=|\$\((?:var|find-pkg-share|find-pkg-prefix) |<(?:let|push[-_]ros[-_]namespace|node_container|set_\w+|load_composable)\b"
 )
-_ROS1 = re.compile(rb"\btype\s*=|\$\((?:arg|find|optenv) |<(?:rosparam|machine|test)\b")
+_ROS1 = re.compile(r"\btype\s*=|\$\((?:arg|find|optenv) |<(?:rosparam|machine|test)\b")
 _LEFT = frozenset(
     {("attribute", "type"), ("attribute", "exec"), ("unknown-element", "rosparam"), ("unknown-element", "param")}
     | {("substitution", word) for word in ("find", "arg", "optenv")}
@@ -27,7 +27,7 @@ _LEFT = frozenset(
 """Kinds and subjects of the problems that words of ROS 1 are; `exec` is what a node with a `type` lacks."""
 _NAMED = 3
 """How many files of a kind a message names."""
-_AMENT = re.compile(rb"<build_type[^>]*>\s*ament|<buildtool_depend[^>]*>\s*ament")
+_AMENT = re.compile(r"<build_type[^>]*>\s*ament|<buildtool_depend[^>]*>\s*ament")
 
 
 def compose(
@@ -71,18 +71,18 @@ def ros_version(path: Path | str) -> int:
     path = Path(path)
     if path.suffix in (".py", ".yaml", ".yml", DESCRIBED):
         return 2
-    text = _content(path)
+    text = text_or_nothing(path)
     new, old = _ROS2.search(text) is not None, _ROS1.search(text) is not None
     if new != old:
         return 2 if new else 1
-    return 2 if _AMENT.search(manifest := _manifest_of(path)) or (new and b"catkin" not in manifest) else 1
+    return 2 if _AMENT.search(manifest := _manifest_of(path)) or (new and "catkin" not in manifest) else 1
 
 
 def _version_or_none(path: Path | str) -> int | None:
     """The version of ROS that a launch file is for; None when it is for ROS 1, and its package is for ROS 2 only: nothing starts it."""
     version = ros_version(path)
-    manifest = _manifest_of(Path(path)) if version == 1 else b""
-    return None if _AMENT.search(manifest) and b"catkin" not in manifest else version
+    manifest = _manifest_of(Path(path)) if version == 1 else ""
+    return None if _AMENT.search(manifest) and "catkin" not in manifest else version
 
 
 def _left_behind(launch_files: Iterable[Path | str]) -> Composition:
@@ -92,9 +92,9 @@ def _left_behind(launch_files: Iterable[Path | str]) -> Composition:
         package = _package_of(path)
         together = _left_in(package) if package is not None else []
         first, *others = together if path in together else [path]
-        text = _content(first)
+        text = text_or_nothing(first)
         found = _ROS1.search(text)
-        line = 1 + text.count(b"\n", 0, found.start()) if found else 1
+        line = 1 + text.count("\n", 0, found.start()) if found else 1
         names = ", ".join(other.name for other in others[:_NAMED]) + (", ..." if others[_NAMED:] else "")
         many = f", like {len(others)} other{'s' if others[1:] else ''} of the package ({names})" if others else ""
         message = f"written for ROS 1, in a package for ROS 2{many}: `ros2 launch` rejects it"
@@ -144,14 +144,7 @@ def _package_of(path: Path) -> Path | None:
     return None
 
 
-def _manifest_of(path: Path) -> bytes:
+def _manifest_of(path: Path) -> str:
     """The manifest of the package that a file is in, without comments."""
     package = _package_of(path)
-    return (quick_text(str(package / "package.xml")) or "").encode() if package is not None else b""
-
-
-def _content(path: Path) -> bytes:
-    try:
-        return read_file(path)
-    except OSError:
-        return b""  # reported where it is composed
+    return (quick_text(str(package / "package.xml")) or "") if package is not None else ""

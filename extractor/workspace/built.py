@@ -9,7 +9,7 @@ from typing import Protocol, TypeVar
 
 from rosarch.extractor.workspace.entry_points import Lack, lacks
 from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
-from rosarch.extractor.workspace.model import EntryPoint, Target, Workspace
+from rosarch.extractor.workspace.model import BuildCall, EntryPoint, Target, Workspace
 from rosarch.extractor.workspace.registering import Described, Promised, described, exports_more, promised
 
 INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
@@ -22,7 +22,7 @@ class Built:
 
     `promised` are the components that its CMake files name, `described` the plug-ins that descriptions in it name; there are others when
     it `exports_more`. `obstacles` keep it from being built or used. Its `targets` are built, headers made of its `interfaces`
-    and `configurations`; CMake `finds` packages, and `asks` for what packages would give.
+    and `configurations`; CMake `finds` packages, and makes and registers something by `calls`.
     """
 
     name: str
@@ -40,7 +40,11 @@ class Built:
     interfaces: tuple[Path, ...] = ()
     configurations: tuple[Path, ...] = ()
     finds: frozenset[str] = frozenset()
-    asks: tuple[tuple[str, Path, int], ...] = ()
+    calls: tuple[BuildCall, ...] = ()
+
+    def called(self, *names: str) -> tuple[BuildCall, ...]:
+        """The calls of commands, in the order in which they are run."""
+        return tuple(call for call in self.calls if call.name in names)
 
     def brings(self, path: str) -> bool:
         """Whether there is `path` below the prefix."""
@@ -83,7 +87,7 @@ def builds(workspace: Workspace) -> tuple[Built, ...]:
             (*package.message_files, *package.service_files, *package.action_files),
             package.cfg_files,
             package.finds,
-            package.asks,
+            package.calls,
         )
         for package in workspace.packages
         if not package.installed

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from rosarch.extractor.workspace.cmake_syntax import Command, Statement
 from rosarch.extractor.workspace.installs import Install, Unsure
+from rosarch.extractor.workspace.model import BuildCall
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -122,7 +123,6 @@ class PackageDraft:
     plugin_exports: list[tuple[str, str]] = field(default_factory=list)
     found_packages: list[str] = field(default_factory=list)
     finds: list[str] = field(default_factory=list)
-    asks: list[tuple[str, Path, int]] = field(default_factory=list)
     programs: list[tuple[str, str]] = field(default_factory=list)
     python_folders: list[str] = field(default_factory=list)
     installs: list[Install] = field(default_factory=list)
@@ -130,3 +130,4 @@ class PackageDraft:
     installed_targets: list[tuple[str, str]] = field(default_factory=list)
     installed_files: list[tuple[str, Path, int]] = field(default_factory=list)
     unsure: list[Unsure] = field(default_factory=list)
+    calls: list[BuildCall] = field(default_factory=list)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 from functools import partial
-from pathlib import Path
 
 from rosarch.extractor.workspace.cmake_glob import glob
 from rosarch.extractor.workspace.cmake_state import Call
@@ -131,7 +130,6 @@ def _ament_target_dependencies(run: Evaluator, call: Call) -> None:
     use_packages(run, call, names)
     target.uses_packages.extend(names)
     target.given_line = call.command.line
-    run.draft.asks.extend((name, Path(run.file), call.command.line) for name in names)
 
 
 def use_packages(run: Evaluator, call: Call, names: list[str]) -> None:

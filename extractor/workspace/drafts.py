@@ -74,7 +74,7 @@ def finished_package(run: Evaluator, manifest: Manifest) -> tuple[Package, list[
         installs=setup.installs if manifest.build_type == "ament_python" else tuple(_installs(run, manifest, targets)),
         python_packages=setup.packages,
         finds=frozenset(draft.finds),
-        asks=tuple(dict.fromkeys(draft.asks)),
+        calls=tuple(draft.calls),
         unsure=setup.unsure if manifest.build_type == "ament_python" else tuple(_unsure(run)),
         obstacles=tuple(dict.fromkeys((*setup.obstacles, *_obstacles(run, problems), *_undescribed(exports, manifest, problems)))),
     )

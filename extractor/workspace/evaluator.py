@@ -34,6 +34,7 @@ from rosarch.extractor.workspace.cmake_state import (
 )
 from rosarch.extractor.workspace.cmake_syntax import Argument, Block, Branch, Command, If, Statement, blocks, parse
 from rosarch.extractor.workspace.installs import Unsure
+from rosarch.extractor.workspace.model import BuildCall
 from rosarch.extractor.workspace.options import Options, initial_environment, initial_variables, versions
 
 Handler = Callable[["Evaluator", Call], None]
@@ -43,6 +44,12 @@ INSTALLING = frozenset(
     {"install", "catkin_install_python", "ament_auto_package", "ament_python_install_package", "add_subdirectory", "subdirs", "include"}
 )
 """The commands that copy something to where it is installed, or run files that may do so."""
+_KEPT = frozenset(
+    {"project", "rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files", "generate_messages"}
+    | {"catkin_python_setup", "ament_package", "ament_auto_package", "ament_target_dependencies", "ament_auto_find_build_dependencies"}
+    | {"rosidl_get_typesupport_target", "rosidl_target_interfaces"}
+)
+"""The commands by which a build makes and registers something: claims about that rest on them."""
 _REFERENCE = re.compile(r"\$\{([\w.+-]+)\}")
 
 
@@ -331,6 +338,12 @@ class Evaluator:
         for found in _commands(body):
             if found.name in INSTALLING or found.name in self.procedures or found.name not in COMMANDS:
                 self.unsure(f"{found.written}() under a condition", found.line)
+            if found.name in _KEPT:
+                self._keep(found, (), is_known=False)
+
+    def _keep(self, command: Command, words: Iterable[str], *, is_known: bool) -> None:
+        """Keep a command of those that the build rests on."""
+        self.draft.calls.append(BuildCall(command.name, tuple(words), Path(self.file), command.line, is_known))
 
     def _leaves_nothing(self) -> bool:
         """Whether the file that a `return()` leaves is one of the package's build, and no target of it is made so far."""
@@ -381,8 +394,11 @@ class Evaluator:
             cmake_loops.call_procedure(self, procedure, self.expand_all(command.arguments))
             return
         handler = COMMANDS.get(command.name, COMMANDS[UNKNOWN_COMMAND])
+        words = self.expand_all(command.arguments)
+        if command.name in _KEPT:
+            self._keep(command, words, is_known=not self.has_unset(command))
         try:
-            handler(self, Call(command, self.expand_all(command.arguments), self.file))
+            handler(self, Call(command, words, self.file))
         except (IndexError, ValueError, ArithmeticError, OSError) as error:
             self.complain(command, "cmake-arguments", f"{command.written}: {error}")
 

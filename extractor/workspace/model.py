@@ -112,10 +112,24 @@ class EntryPoint:
 
 
 @dataclass(frozen=True)
+class BuildCall:
+    """A command that CMake runs at a line of a file, with its words.
+
+    It is not known where it stands in a branch that is not taken here, without words, or where nothing has set a variable in its words.
+    """
+
+    name: str
+    words: tuple[str, ...]
+    path: Path
+    line: int
+    is_known: bool = True
+
+
+@dataclass(frozen=True)
 class Package:
     """One package with all that its manifest and CMake files say; of one that is `installed`, all that was found where it lies.
 
-    CMake `finds` packages, and `asks` at a line of a file for what others would have given it.
+    CMake `finds` packages, and makes and registers something by `calls`.
     """
 
     name: str
@@ -145,7 +159,7 @@ class Package:
     obstacles: tuple[Obstacle, ...] = ()
     python_packages: tuple[str, ...] | None = None
     finds: frozenset[str] = frozenset()
-    asks: tuple[tuple[str, Path, int], ...] = ()
+    calls: tuple[BuildCall, ...] = ()
     installed: bool = False
 
     @property

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rosarch.analysis.systems.build_defects import defects, of_build, of_interfaces, of_own_headers
+from rosarch.analysis.systems.builds.defects import defects
+from rosarch.analysis.systems.builds.headers import of_own_headers
+from rosarch.analysis.systems.builds.interfaces import of_interfaces
+from rosarch.analysis.systems.builds.packages import of_build
 from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.extractor.launch_ros2.compose import compose_ros2
 from rosarch.extractor.workspace import discover
@@ -56,6 +59,27 @@ def test_interfaces_that_are_not(tmp_path: Path) -> None:
     ]
     # a list that is not known leaves nothing out
     assert interfaces(tmp_path / "e", "${FILES}", **{"msg/Hue.msg": "float32 x\n"}) == []
+
+
+def test_interfaces_that_variables_list(tmp_path: Path) -> None:
+    def found(name: str, cmake: str, **files: str) -> list[tuple[str, int, str, str]]:
+        messages = {"msg/Dim.msg": "float32 level\n", "msg/Hue.msg": "float32 level\n"}
+        text = f"project(lamp)\nfind_package(ament_cmake REQUIRED)\n{cmake}\nament_package()\n"
+        one = built(tmp_path / name, "lamp", "ament_cmake", GROUP, **{"CMakeLists.txt": text, **messages, **files})
+        return [(each.path.name, each.line, each.kind, each.about) for each in of_interfaces(one)]
+
+    generated = "rosidl_generate_interfaces(lamp ${listed})"
+    assert found("a", f"set(listed\n  msg/Dim.msg\n  msg/Off.msg)\n{generated}") == [
+        ("CMakeLists.txt", 5, "interface file", "msg/Off.msg"),
+        ("CMakeLists.txt", 6, "interface left out", "lamp/Hue"),
+    ]
+    assert found("b", f"file(GLOB listed RELATIVE ${{CMAKE_CURRENT_SOURCE_DIR}} msg/*.msg)\n{generated}") == []
+    # what a branch that is not taken here would generate is not left out
+    other = "if(WITH_COLOUR)\n  rosidl_generate_interfaces(lamp_colour msg/Hue.msg)\nendif()"
+    assert found("c", f"rosidl_generate_interfaces(lamp msg/Dim.msg)\n{other}") == []
+    assert found("d", "add_subdirectory(msg)", **{"msg/CMakeLists.txt": "rosidl_generate_interfaces(lamp Dim.msg)"}) == [
+        ("CMakeLists.txt", 1, "interface left out", "lamp/Hue")
+    ]
 
 
 def kinds(root: Path, package: Built, program: str) -> list[tuple[str, str]]:
@@ -181,6 +205,9 @@ def test_names_and_build_types(tmp_path: Path) -> None:
         ("CMakeLists.txt", 2, "project name", "lenses")
     ]
     assert build(tmp_path / "b", COMPONENTS.format("${NAME}", all_installed)) == []
+    assert build(tmp_path / "b2", "set(NAME lenses)\n" + COMPONENTS.format("${NAME}", all_installed)) == [
+        ("CMakeLists.txt", 2, "project name", "lenses")
+    ]
     for number, build_type in enumerate(("ament_cmake", "ament_python", "catkin")):
         one = built(tmp_path / str(number), "lens", build_type)
         found = [(each.line, each.kind, each.about) for each in of_build(one)]
@@ -230,6 +257,8 @@ def test_packages_that_are_not_registered(tmp_path: Path) -> None:
         ("CMakeLists.txt", 1, "not registered", "")
     ]
     assert build(tmp_path / "c", installed + "finish_package()\n") == []  # it may do that
+    assert build(tmp_path / "d", installed + "if(WHOLE)\n  ament_package()\nendif()\n") == []
+    assert build(tmp_path / "e", installed + "# ament_package()\n") == [("CMakeLists.txt", 1, "not registered", "")]
 
 
 def headers(root: Path, cmake: str, source: str, build_type: str, **files: str) -> list[tuple[str, int, str, str]]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
-from rosarch.analysis.systems.build_uses import Uses, uses
+from rosarch.analysis.systems.builds.uses import Uses, uses
 from rosarch.extractor.workspace import discover
 from rosarch.extractor.workspace.built import builds
 
@@ -72,4 +73,7 @@ rosidl_generate_interfaces(${PROJECT_NAME} "msg/Step.msg"
     ]
     assert one.interfaces_given == {"std_msgs"}
     listed = cmake.replace('"msg/Step.msg"', "${FILES}")
-    assert found(tmp_path / "b", 'set(FILES "msg/Step.msg")\n' + listed, **{"node.cpp": "", "msg/Step.msg": step}).interfaces == ()
+    assert found(tmp_path / "b", listed, **{"node.cpp": "", "msg/Step.msg": step}).interfaces == ()  # nobody knows what is in it
+    assert found(tmp_path / "c", 'set(FILES "msg/Step.msg")\n' + listed, **{"node.cpp": "", "msg/Step.msg": step}).interfaces == tuple(
+        replace(use, path=tmp_path / "c" / "msg" / "Step.msg") for use in one.interfaces
+    )

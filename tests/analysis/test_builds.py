@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rosarch.analysis.systems.builds import build_rows
+from rosarch.analysis.systems.builds.rows import build_rows
 from rosarch.datalog import load_declarations
 from rosarch.extractor.launch import Files, PackagePath, compose
 from rosarch.extractor.manifest import rules_folder

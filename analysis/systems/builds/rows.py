@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from rosarch.analysis.systems.build_defects import defects
-from rosarch.analysis.systems.build_uses import uses
+from rosarch.analysis.systems.builds.defects import defects
+from rosarch.analysis.systems.builds.uses import uses
 from rosarch.base.files import path_text, read_file
 from rosarch.extractor.launch.facts import path_below
 from rosarch.extractor.launch.model import ComponentNamed, Composition, FileMeant, ProgramNamed

@@ -9,15 +9,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from rosarch.analysis.systems.builds.sources import included_in, without_comments
 from rosarch.base.files import text_or_nothing
 from rosarch.extractor.workspace.built import Built
 from rosarch.extractor.workspace.model import EXECUTABLE, MODULE, SHARED, STATIC, Target
 
-_INCLUDE = re.compile(r'[ \t]*#[ \t]*(?:(?P<opens>if\w*)|(?P<closes>endif)|include[ \t]*[<"](?P<name>[\w./-]+)[>"])')
 _INTERFACES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
+_SCOPES = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 _TYPE = re.compile(r"[ \t]*([A-Za-z]\w*)/[A-Z]\w*(?:\[[^\]]*\])?[ \t]+\w")
-GENERATES = re.compile(r"^[ \t]*rosidl_generate_interfaces\s*\(([^()]*)\)", re.MULTILINE)
-_COMMENT = re.compile(r"#[^\n]*")
 _NAMED = re.compile(r"\$\{(\w+)_(?:INCLUDE(?:_DIR)?S|TARGETS|LIBRARIES)\}")
 _OTHER_WAYS = re.compile(r"ament_auto|AMENT_|CPM|FetchContent|include_directories\s*\(\s*(?:SYSTEM\s+)?/")
 
@@ -55,17 +54,17 @@ def uses(package: Built) -> Uses:
     named = _NAMED.findall(text)
     includes = [use for one in targets.values() for use in _included(package, one)]
     given = {(one.name, used) for one in targets.values() for used in (*_given(one, targets), *named)}
-    asks = tuple(Use(path, line, "", name) for name, path, line in package.asks if "$" not in name)
+    asks = tuple(
+        Use(call.path, call.line, "", name)
+        for call in package.called("ament_target_dependencies")
+        for name in call.words[1:]
+        if call.words and call.words[0] in targets and "$" not in name and name not in _SCOPES
+    )
     at = tuple((one.name, one.cmake_file, one.given_line) for one in targets.values())
-    found = GENERATES.search(text)
-    told = frozenset() if found is None else frozenset(re.findall(r"\w+", found[1].partition("DEPENDENCIES")[2]))
-    interfaces = tuple(_of_interfaces(package)) if found is not None and "${" not in found[1].replace("${PROJECT_NAME}", "") else ()
+    generates = package.called("rosidl_generate_interfaces")
+    told = frozenset(word for call in generates for word in call.words[(*call.words, "DEPENDENCIES").index("DEPENDENCIES") + 1 :])
+    interfaces = tuple(_of_interfaces(package)) if generates and all(call.is_known for call in generates) else ()
     return Uses(tuple(includes), frozenset(given), at, asks, package.finds, interfaces, told)
-
-
-def without_comments(build_file: Path) -> str:
-    """The text of a file of CMake, without its comments; empty where it cannot be read."""
-    return _COMMENT.sub("", text_or_nothing(build_file))
 
 
 def _given(target: Target, targets: dict[str, Target]) -> Iterator[str]:
@@ -87,7 +86,7 @@ def _included(package: Built, target: Target) -> Iterator[Use]:
     waiting, seen = list(target.sources), set(target.sources)
     while waiting:
         path = waiting.pop()
-        for name, line in _includes(str(path)):
+        for name, line in included_in(str(path)):
             own = next((one for one in (path.parent / name, *(folder / name for folder in folders)) if os.path.isfile(one)), None)
             used = name.partition("/")[0]
             if own is not None:
@@ -95,32 +94,6 @@ def _included(package: Built, target: Target) -> Iterator[Use]:
                 seen.add(own)
             elif "/" in name and (used in package.finds or _INTERFACES.search(used)) and used != package.name:
                 yield Use(path, line, target.name, used)
-
-
-@lru_cache(maxsize=4096)
-def _includes(path: str) -> tuple[tuple[str, int], ...]:
-    """What a file includes under no condition but its guard."""
-    found, depth, guard = [], 0, 0
-    for number, line in enumerate(text_or_nothing(Path(path)).split("\n"), 1):
-        match = _INCLUDE.match(line)
-        if match is not None and match["opens"]:
-            depth += 1
-            guard = 1 if match["opens"] == "ifndef" and depth == 1 else guard
-        elif match is not None and match["closes"]:
-            depth -= 1
-        elif match is not None and depth <= guard:
-            found.append((match["name"], number))
-    return tuple(found)
-
-
-def own_header(package: Built, target: Target, pattern: str) -> tuple[Path, int, str] | None:
-    """Where the sources of a target include a header of their package whose name, below it, matches: the first place."""
-    for path in target.sources:
-        for name, line in _includes(str(path)):
-            found = re.fullmatch(rf"{re.escape(package.name)}/{pattern}", name)
-            if found is not None and not os.path.isfile(package.folder / "include" / name):
-                return path, line, found[1]
-    return None
 
 
 def _of_interfaces(package: Built) -> Iterator[Use]:

@@ -1,0 +1,71 @@
+"""Messages, services and actions that are not generated."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from pathlib import Path
+
+from rosarch.analysis.systems.builds.defect import Defect
+from rosarch.base.files import text_or_nothing
+from rosarch.extractor.package_names import quick_text
+from rosarch.extractor.workspace.built import Built
+from rosarch.extractor.workspace.installs import line_with
+
+_ADDED = {"msg": "add_message_files", "srv": "add_service_files", "action": "add_action_files"}
+_INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
+_FIELD = re.compile(r"[ \t]*[\w/]+(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
+_FIELD_NAME = re.compile(r"[a-z](?:_?[a-z0-9])*")
+
+
+@lru_cache(maxsize=256)
+def of_interfaces(package: Built) -> tuple[Defect, ...]:
+    """What keeps the interfaces of a package from being generated."""
+    own = {"catkin": _of_catkin, "ament_cmake": _of_rosidl}.get(package.build_type)
+    return tuple(own(package)) if own is not None else ()
+
+
+def _of_rosidl(package: Built) -> Iterator[Defect]:
+    """Interfaces of ROS 2 that do not exist, that no call lists, or that have a field with no proper name."""
+    calls = package.called("rosidl_generate_interfaces")
+    if not calls:
+        return
+    manifest = package.folder / "package.xml"
+    if "rosidl_interface_packages" not in (quick_text(str(manifest)) or "rosidl_interface_packages"):
+        yield Defect(manifest, 1, "interface group", "")
+    for call in calls:
+        for word in call.words[1:]:
+            path = call.path.parent / word
+            name = os.path.relpath(path, package.folder)
+            if _INTERFACE.fullmatch(name) and not os.path.isfile(path):
+                yield Defect(call.path, line_with(call.path, os.path.basename(word)), "interface file", name)
+    known = not package.unsure and all(call.is_known for call in calls)
+    for kind in _ADDED:
+        for path in sorted((package.folder / kind).glob(f"*.{kind}")):
+            if package.brings(f"share/{package.name}/{kind}/{path.name}"):
+                yield from _of_fields(path)
+            elif known:
+                yield Defect(calls[0].path, calls[0].line, "interface left out", f"{package.name}/{path.stem}")
+
+
+def _of_catkin(package: Built) -> Iterator[Defect]:
+    """Interfaces of ROS 1 that no call lists, and lists of which nothing is made."""
+    if package.unsure:
+        return
+    for kind, command in _ADDED.items():
+        calls = package.called(command)
+        for path in sorted((package.folder / kind).glob(f"*.{kind}")) if calls and all(call.is_known for call in calls) else ():
+            if not package.brings(f"share/{package.name}/{kind}/{path.name}"):
+                yield Defect(calls[0].path, calls[0].line, "interface left out", f"{package.name}/{path.stem}")
+    added = package.called(*_ADDED.values())
+    if added and not package.called("generate_messages"):
+        yield Defect(added[0].path, added[0].line, "interfaces not made", "")
+
+
+def _of_fields(path: Path) -> Iterator[Defect]:
+    for number, written in enumerate(text_or_nothing(path).splitlines(), 1):
+        field = _FIELD.match(written)
+        if field is not None and not field[2] and not _FIELD_NAME.fullmatch(field[1]):
+            yield Defect(path, number, "field name", field[1])
