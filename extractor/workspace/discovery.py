@@ -9,7 +9,7 @@ from pathlib import Path
 
 from rosarch.base.boundary import confined, ros_package_path
 from rosarch.base.diagnostics import Diagnostic
-from rosarch.base.files import file_name, read_file
+from rosarch.base.files import file_name
 from rosarch.base.hints import hint
 from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.extractor.package_names import quick_name
@@ -32,7 +32,7 @@ from rosarch.extractor.workspace.commands_ros import finish_ament
 from rosarch.extractor.workspace.drafts import finished_package
 from rosarch.extractor.workspace.evaluator import Evaluator
 from rosarch.extractor.workspace.installed import installed_package
-from rosarch.extractor.workspace.manifests import Manifest, find_manifests, read_manifest
+from rosarch.extractor.workspace.manifests import Manifest, find_manifests, read_manifest, ros_version
 from rosarch.extractor.workspace.model import Package, Workspace
 from rosarch.extractor.workspace.options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, Options
 
@@ -102,7 +102,7 @@ class _Discovery:
         if set(names or ()) - set(self.paths):
             self._locate_ignored(set(names or ()))
         self.underlay = self.underlay.without(self.paths)
-        used = set(map(self._ros, self.paths.values())) if self.underlay.libraries else set()
+        used = {ros_version(Path(path)) for path in self.paths.values()} if self.underlay.libraries else set()
         if len(used) == 1:
             self.underlay = self.underlay.of_ros(*used)
         known = {*self.paths, *self.underlay.packages}
@@ -159,21 +159,9 @@ class _Discovery:
     def manifest(self, name: str) -> Manifest | None:
         """The manifest of a workspace package, parsed once."""
         if name not in self.manifests and name in self.paths:
-            self.manifests[name], problems = read_manifest(Path(self.paths[name]), self._distro(self.paths[name]))
+            self.manifests[name], problems = read_manifest(Path(self.paths[name]), self.options.ros_distro)
             self.diagnostics.extend(problems)
         return self.manifests.get(name)
-
-    def _distro(self, manifest: str) -> str:
-        """The distribution whose conditions a manifest is read with."""
-        return self.options.ros_distro or (DEFAULT_DISTRO if self._ros(manifest) == 1 else DEFAULT_AMENT_DISTRO)
-
-    def _ros(self, manifest: str) -> int:
-        """The version of ROS that a manifest is for: one that names no tool of ROS 1 is for ROS 2."""
-        try:
-            text = read_file(manifest)
-        except OSError:
-            return 1  # reported where it is parsed
-        return 1 if b"catkin" in text or b"ament" not in text else 2
 
     def path(self, name: str) -> str | None:
         """The folder of a workspace package."""

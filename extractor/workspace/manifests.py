@@ -9,19 +9,21 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
+from catkin_pkg.condition import evaluate_condition
 from catkin_pkg.package import Dependency, InvalidPackage, parse_package_string
 
 from rosarch.base.boundary import is_inside
 from rosarch.base.diagnostics import Diagnostic, unreadable
-from rosarch.base.files import LARGEST_PARSED, file_name, is_folder, read_file
+from rosarch.base.files import LARGEST_PARSED, file_name, is_folder, read_file, text_or_nothing
 from rosarch.base.xml_reader import XmlError, read_tree
 from rosarch.extractor.package_names import HEAVY_FOLDERS, IGNORE_MARKERS, NO_PACKAGES
-from rosarch.extractor.workspace.options import DEFAULT_DISTRO, initial_environment
+from rosarch.extractor.workspace.options import DEFAULT_AMENT_DISTRO, DEFAULT_DISTRO, initial_environment
 
 LEADS_OUT = "a link out of the workspace, which is not followed unless its target is in ROS_PACKAGE_PATH"
 _GENERATED_MARKERS = frozenset({".catkin", ".built_by", "CMakeCache.txt"})
@@ -92,8 +94,11 @@ class Manifest:
     plugin_exports: tuple[tuple[str, Path], ...] = ()
 
 
-def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | None, list[Diagnostic]]:
-    """Parse a manifest. One that catkin_pkg rejects but that is XML is kept, with the refusal as a diagnostic."""
+def read_manifest(path: Path, distro: str | None = None) -> tuple[Manifest | None, list[Diagnostic]]:
+    """Parse a manifest; without a distribution, with the conditions of the version of ROS that it is for.
+
+    One that catkin_pkg rejects but that is XML is kept, with the refusal as a diagnostic.
+    """
     try:
         data = read_file(path, LARGEST_PARSED)
         tree = read_tree(data)
@@ -108,16 +113,17 @@ def read_manifest(path: Path, distro: str = DEFAULT_DISTRO) -> tuple[Manifest | 
     if name != file_name(name):
         return None, [Diagnostic("manifest", path, 1, 1, f"not a package name: {name!r}")]
     problems: list[Diagnostic] = []
+    environment = initial_environment(distro or (DEFAULT_DISTRO if ros_version(path) == 1 else DEFAULT_AMENT_DISTRO))
     try:
-        build, run = _strict_depends(data, path, distro)
+        build, run = _strict_depends(data, path, environment)
     except (InvalidPackage, ValueError, AssertionError) as error:
-        build, run = _texts(tree, _BUILD_TAGS), _texts(tree, _RUN_TAGS)
+        build, run = _texts(tree, _BUILD_TAGS, environment), _texts(tree, _RUN_TAGS, environment)
         problems.append(Diagnostic("manifest", path, 1, 1, f"not a valid manifest, read leniently: {_reason(error)}"))
     manifest = Manifest(
         name=name,
         path=path,
         version=(tree.findtext("version") or "").strip(),
-        build_type=_build_type(tree),
+        build_type=_build_type(tree, environment),
         depends=tuple(dict.fromkeys((*build, *run))),
         build_depends=build,
         is_metapackage=tree.find("export/metapackage") is not None,
@@ -130,10 +136,25 @@ _BUILD_TAGS = ("depend", "build_depend", "build_export_depend", "buildtool_depen
 _RUN_TAGS = ("exec_depend",)
 
 
-def _strict_depends(data: bytes, path: Path, distro: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+def ros_version(path: Path) -> int:
+    """The version of ROS that a manifest is for; without a tool of either, 1.
+
+    One that names the tools of both is for that of its CMakeLists.txt: for 2, unless that knows only those of ROS 1.
+    """
+    tools = _tools(path)
+    if len(tools) > 1:
+        tools = _tools(path.parent / "CMakeLists.txt") or tools
+    return 2 if "ament" in tools else 1
+
+
+def _tools(path: Path) -> set[str]:
+    return set(re.findall(r"\b(ament|catkin)", text_or_nothing(path)))
+
+
+def _strict_depends(data: bytes, path: Path, environment: Mapping[str, str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Build and run dependencies as catkin_pkg reads them, conditions (REP 149) evaluated."""
     package = parse_package_string(data, str(path), warnings=[])
-    package.evaluate_conditions(initial_environment(distro))
+    package.evaluate_conditions(environment)
     build = (
         *package.build_depends,
         *package.build_export_depends,
@@ -155,22 +176,26 @@ def _reason(error: Exception) -> str:
     return "; ".join(line for line in lines if "package.xml" not in line) or lines[0]
 
 
-def _texts(tree: Element, tags: tuple[str, ...]) -> tuple[str, ...]:
-    found = ((element.text or "").strip() for tag in tags for element in tree.findall(tag))
+def _texts(tree: Element, tags: tuple[str, ...], environment: Mapping[str, str]) -> tuple[str, ...]:
+    found = ((element.text or "").strip() for tag in tags for element in tree.findall(tag) if _holds(element, environment))
     return tuple(dict.fromkeys(text for text in found if text))
 
 
-def _build_type(tree: Element) -> str:
-    """`<export><build_type>`, the one without a condition for the other ROS version first; without any, catkin."""
-    types = tree.findall("export/build_type")
-    for element in types:
-        condition = element.get("condition") or ""
-        if "== 1" not in condition and element.text:
+def _build_type(tree: Element, environment: Mapping[str, str]) -> str:
+    """`<export><build_type>`; without one, what the tools say."""
+    for element in tree.findall("export/build_type"):
+        if element.text and _holds(element, environment):
             return element.text.strip()
-    if types and types[0].text:
-        return types[0].text.strip()
-    tools = _texts(tree, ("buildtool_depend",))
+    tools = _texts(tree, ("buildtool_depend",), environment)
     return "ament_cmake" if any(tool.startswith("ament_cmake") for tool in tools) and "catkin" not in tools else "catkin"
+
+
+def _holds(element: Element, environment: Mapping[str, str]) -> bool:
+    """Whether the condition of an element holds (REP 149); one that cannot be read does."""
+    try:
+        return bool(evaluate_condition(element.get("condition"), environment))
+    except ValueError:
+        return True
 
 
 def _plugin_exports(tree: Element, folder: Path) -> tuple[tuple[str, Path], ...]:

@@ -70,7 +70,7 @@ def test_sloppy_manifest_is_kept(tmp_path: Path) -> None:
 def test_formats_to_come_are_read_leniently(tmp_path: Path, format_: str) -> None:
     """catkin_pkg asserts that it knows the format."""
     xml = f"""<package format="{format_}"><name>new</name><version>1.0.0</version><description>d</description>
-<maintainer email="a@b.cd">m</maintainer><license>l</license><depend>roscpp</depend></package>"""
+<maintainer email="a@b.orgd">m</maintainer><license>l</license><depend>roscpp</depend></package>"""
     write(tmp_path, {"new/package.xml": xml, "new/CMakeLists.txt": ""})
     workspace = discover(tmp_path)
     assert [(one.name, one.depends) for one in workspace.packages] == [("new", ("roscpp",))]
@@ -201,6 +201,31 @@ def test_conditional_dependencies_follow_the_distribution(tmp_path: Path) -> Non
     write(tmp_path, {"one/package.xml": xml, "one/CMakeLists.txt": ""})
     assert discover(tmp_path).packages[0].depends == ("roscpp", "catkin")
     assert discover(tmp_path, ros_distro="humble").packages[0].depends == ("rclcpp", "catkin")
+
+
+@pytest.mark.parametrize(
+    ("build", "of"),
+    [
+        ("find_package(catkin REQUIRED)\ncatkin_package()", ("catkin", ("roscpp", "catkin"))),
+        ("find_package(ament_cmake REQUIRED)\nament_package()", ("ament_cmake", ("rclcpp", "ament_cmake"))),
+        (
+            "if($ENV{ROS_VERSION} EQUAL 1)\n  catkin_package()\nelse()\n  ament_package()\nendif()",
+            ("ament_cmake", ("rclcpp", "ament_cmake")),
+        ),
+    ],
+)
+def test_a_manifest_for_both_versions_is_for_that_of_its_build_file(tmp_path: Path, build: str, of: tuple[str, tuple[str, ...]]) -> None:
+    def either(tag: str, first: str, second: str) -> str:
+        return f'<{tag} condition="$ROS_VERSION == 1">{first}</{tag}><{tag} condition="$ROS_VERSION == 2">{second}</{tag}>'
+
+    depends = either("depend", "roscpp", "rclcpp") + either("buildtool_depend", "catkin", "ament_cmake")
+    xml = f"""<package format="3"><name>one</name><version>1.0.0</version><description>d</description><license>l</license>
+<maintainer email="a@b.org">a</maintainer>{depends}<export>{either("build_type", "catkin", "ament_cmake")}</export></package>"""
+    write(tmp_path, {"one/package.xml": xml, "one/CMakeLists.txt": f"project(one)\n{build}\n"})
+    write(
+        tmp_path, {"two/package.xml": xml.replace("one", "two").replace("1.0.0", "no version"), "two/CMakeLists.txt": build}
+    )  # read leniently
+    assert [(found.build_type, found.depends) for found in discover(tmp_path).packages] == [of, of]
 
 
 def test_order_does_not_depend_on_the_file_system(tmp_path: Path) -> None:
