@@ -15,7 +15,7 @@ from rosarch.extractor.launch_ros2.argument_types import OF_NODES, RENAMED, WITH
 from rosarch.extractor.launch_ros2.decisions import is_certain
 from rosarch.extractor.launch_ros2.expressions import Expressions, Raised, Undecided
 from rosarch.extractor.launch_ros2.natives import attribute
-from rosarch.extractor.launch_ros2.natives_files import environment_has, environment_item, set_environment
+from rosarch.extractor.launch_ros2.natives_files import environment, environment_has, environment_item, set_environment
 from rosarch.extractor.launch_ros2.registry import KNOWN_MODULES, NATIVES
 from rosarch.extractor.launch_ros2.values import (
     CLASSES,
@@ -239,7 +239,7 @@ class Calls(Expressions):
             if keyword.arg is not None:
                 named[keyword.arg] = value
             elif isinstance(value, dict):
-                named.update({str(key): item for key, item in value.items()})
+                named.update((MORE if isinstance(key, Unknown) else str(key), item) for key, item in value.items())
             else:
                 named[MORE] = value
         return self.call(function, arguments, named, node, frame)
@@ -383,6 +383,10 @@ class Calls(Expressions):
             return environment_item(self, self.value(node.slice, frame))
         return self.unknown(node, frame)
 
+    def entries(self, value: Any, owner: dict[Any, Any]) -> Iterator[tuple[Any, Any]]:
+        is_environment = isinstance(value, Native) and value.name == "os.environ"
+        return super().entries(environment(self) if is_environment else value, owner)
+
     def guarded(self, value: Any, otherwise: Any = NOTHING) -> Any:
         """A value that is added to something under the unknown conditions of the present branch."""
         for condition in reversed(self.path):
@@ -394,9 +398,9 @@ class Calls(Expressions):
         if isinstance(owner, dict) and is_certain(key):
             owner[key] = self.guarded(value, owner.get(key, NOTHING))
         elif isinstance(owner, dict):
-            self.widen(owner)
-            if isinstance(key, Unknown) and not any(isinstance(one, Unknown) for one in owner):
-                owner[key] = Unknown("?", key.place)  # who goes through the entries comes to one more
+            if not self.is_widened(owner):  # who goes through the entries comes to one more
+                more = key if isinstance(key, Unknown) else Unknown("?", Place("", 1))
+                owner[more] = Unknown("?", more.place)
         elif isinstance(owner, list) and isinstance(key, int) and -len(owner) <= key < len(owner):
             owner[key] = self.guarded(value, owner[key])
         elif isinstance(owner, Native) and owner.name == "os.environ":

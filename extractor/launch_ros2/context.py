@@ -88,6 +88,10 @@ class Context:
         """Whether something under this condition, too, may be there."""
         return not exclusive(self.conditions, (condition,))
 
+    def variables(self) -> dict[str, str]:
+        """All environment variables that are set."""
+        return {name: value for name in (*self.outside, *self.environment) if (value := self.variable(name)) is not None}
+
     def add_remap(self, remap: Remap) -> None:
         """Give a remapping to all nodes that follow."""
         self.remaps = _extended(self.remaps, remap)

@@ -18,9 +18,7 @@ MAX_PARTS = 100_000
 
 
 class Decisions:
-    """Truth, comparisons and conditions of values that may be unknown. `widened` are maps that may have more keys."""
-
-    widened: dict[int, Any]
+    """Truth, comparisons and conditions of values that may be unknown. A map with an unknown key may have any other, too."""
 
     def place(self, node: ast.AST, frame: Frame) -> Place:
         """Where a piece of source is."""
@@ -30,13 +28,9 @@ class Decisions:
         """The value of an expression that cannot be determined."""
         return Unknown(source_of(node), self.place(node, frame), reason)
 
-    def widen(self, owner: Any) -> None:
-        """Note that a map has been given something that is not known: it may have any other key, too."""
-        self.widened[id(owner)] = owner
-
     def is_widened(self, owner: Any) -> bool:
         """Whether a map may have keys that are not known."""
-        return id(owner) in self.widened
+        return isinstance(owner, dict) and any(isinstance(key, Unknown) for key in owner)
 
     def truth(self, value: Any) -> bool | None:
         """Whether a value counts as true; None when that is not known."""

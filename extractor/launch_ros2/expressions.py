@@ -32,7 +32,8 @@ from rosarch.extractor.launch_ros2.values import (
 MAX_STEPS = 5_000_000
 _SIZE_COST = 64
 _MAKING = (ast.BinOp, ast.JoinedStr, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)  # what may make something large
-_TEXTS = (str, Unknown, Either)
+_OPEN = (Unknown, Either)
+_TEXTS = (str, *_OPEN)
 
 
 class Stopped(Exception):
@@ -57,7 +58,6 @@ class Expressions(Decisions):
     def __init__(self) -> None:
         self.steps = 0
         self.path: list[Condition] = []
-        self.widened: dict[int, Any] = {}
         self._method: dict[type[ast.AST], Callable[[Any, Frame], Any] | None] = {}
 
     def method_for(self, node: ast.expr | ast.stmt) -> Callable[[Any, Frame], Any] | None:
@@ -144,7 +144,8 @@ class Expressions(Decisions):
     def _items(self, nodes: list[ast.expr], frame: Frame) -> Iterator[Any]:
         for node in nodes:
             if isinstance(node, ast.Starred):
-                yield from self.iterated(self.value(node.value, frame), node.value, frame)
+                value = self.value(node.value, frame)
+                yield from self.spread(value) if isinstance(value, Either) else self.iterated(value, node.value, frame)
             else:
                 yield self.value(node, frame)
 
@@ -153,9 +154,25 @@ class Expressions(Decisions):
         for key, value in zip(node.keys, node.values, strict=True):
             if key is not None:
                 found[self.value(key, frame)] = self.value(value, frame)
-            elif isinstance(merged := self.value(value, frame), dict):
-                found.update(merged)
+            else:
+                found.update(self.entries(self.value(value, frame), found))
         return found
+
+    def entries(self, value: Any, owner: dict[Any, Any]) -> Iterator[tuple[Any, Any]]:
+        """What a value adds to a map, key by key; what is not known may also replace anything that is there."""
+        if isinstance(value, dict):
+            for key in value:
+                yield from _replaced(key, owner) if isinstance(key, Unknown) else ()
+            yield from value.items()
+        elif isinstance(value, Either):
+            first, second = ({**owner, **dict(self.entries(one, owner))} for one in (value.first, value.second))
+            for key in {**first, **second}:
+                yield key, either(value.condition, first.get(key, NOTHING), second.get(key, NOTHING))
+        elif isinstance(value, (list, tuple)) and all(isinstance(pair, (list, tuple)) and len(pair) == 2 for pair in value):
+            yield from value
+        elif value is not NOTHING:
+            more = value if isinstance(value, Unknown) else Unknown("?", Place("", 1))
+            yield from (*_replaced(more, owner), (more, more))
 
     def iterated(self, value: Any, node: ast.expr, frame: Frame) -> list[Any]:
         """The items of a value; a single unknown one where these cannot be determined."""
@@ -166,6 +183,14 @@ class Expressions(Decisions):
         if isinstance(value, (Unknown, Either, TextFile, Made, Instance, Installed, str)):
             return [Unknown(f"each of {source_of(node)}", self.place(node, frame))]
         raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))
+
+    def spread(self, value: Any) -> list[Any]:
+        """What a value adds to a list: of one of two lists, each item where it is this list; what is not known, as one."""
+        if isinstance(value, Either):
+            return [either(condition, item, NOTHING) for condition, one in value.alternatives() for item in self.spread(one)]
+        if value is NOTHING:
+            return []
+        return list(value) if isinstance(value, (list, tuple, set, dict)) else [value]
 
     # -- operators ------------------------------------------------------------------------------------------------------------
 
@@ -190,8 +215,8 @@ class Expressions(Decisions):
                 return left + self.text(self.unknown(node.right if isinstance(node, ast.BinOp) else node, frame))
             if isinstance(left, str) != isinstance(right, str) and isinstance(left, _TEXTS) and isinstance(right, _TEXTS):
                 return self.text(left) + self.text(right)
-            if isinstance(left, list) and isinstance(right, (Unknown, Either)):
-                return [*left, right]
+            if (isinstance(left, list) and isinstance(right, _OPEN)) or (isinstance(left, _OPEN) and isinstance(right, list)):
+                return [*self.spread(left), *self.spread(right)]
         if isinstance(op, ast.Mod) and isinstance(left, str) and is_known(left) and is_certain(right):
             return format_text(left, right)
         function = BINARY.get(type(op))
@@ -333,6 +358,11 @@ class Expressions(Decisions):
     def assign(self, target: ast.expr, value: Any, frame: Frame) -> None:
         """Bind names, items or attributes to a value."""
         raise NotImplementedError
+
+
+def _replaced(more: Unknown, owner: dict[Any, Any]) -> list[tuple[Any, Any]]:
+    """What is in a map, when `more` is added to it, which may replace each."""
+    return [(key, Unknown(f"{key} of {more.text}", more.place)) for key in owner if isinstance(key, str)]
 
 
 def either(condition: Condition, first: Any, second: Any) -> Any:

@@ -125,7 +125,7 @@ def _append(run: Calls, owner: list[Any], item: Any) -> None:
 
 
 def _extend(run: Calls, owner: list[Any], items: Any) -> None:
-    owner.extend(run.guarded(item) for item in (items if isinstance(items, (list, tuple, set, dict)) else [items]))
+    owner.extend(map(run.guarded, run.spread(items)))
 
 
 def _insert(run: Calls, owner: list[Any], index: Any, item: Any) -> None:
@@ -135,14 +135,9 @@ def _insert(run: Calls, owner: list[Any], index: Any, item: Any) -> None:
 def _update(run: Calls, owner: dict[Any, Any], *more: Any, **named: Any) -> None:
     if more and more[0] is None:
         raise Raised("TypeError", "'NoneType' object is not iterable")
-    other = more[0] if more else None
-    if isinstance(other, (list, tuple, dict)):
-        pairs = other if isinstance(other, (list, tuple)) else other.items()
-    else:
-        pairs = ()
-        run.widen(owner)
-    for key, value in (*pairs, *named.items()):
-        run.set_item(owner, key, value)
+    for added in (*more[:1], named):
+        for key, value in run.entries(added, owner):
+            run.set_item(owner, key, value)
 
 
 def _get(run: Calls, owner: dict[Any, Any], key: Any, default: Any = None) -> Any:
@@ -361,8 +356,16 @@ def _items_of(name: str) -> _Call:
     return call
 
 
-for _name in ("list", "tuple", "set", "sorted", "reversed", "enumerate", "zip", "dict", "any", "all"):
+for _name in ("list", "tuple", "set", "sorted", "reversed", "enumerate", "zip", "any", "all"):
     native(_name)(_items_of(_name))
+
+
+@native("dict")
+def _dict(run: Calls, *more: Any, **named: Any) -> dict[Any, Any]:
+    made: dict[Any, Any] = {}
+    for added in (*more[:1], named):
+        made.update(run.entries(added, made))
+    return made
 
 
 @native("map")

@@ -308,6 +308,13 @@ def environment_has(run: Calls, name: str) -> bool:
     return run.world.context.variable(name) is not None or name in _ALWAYS_SET
 
 
+@native("os.environ.copy")
+def environment(run: Calls) -> dict[Any, Any]:
+    """`os.environ` as a map: what is set here, and what may be set where launch runs."""
+    more = Unknown("os.environ", run.world.state.here)
+    return {**run.world.context.variables(), more: more}
+
+
 def set_environment(run: Calls, name: Any, value: Any) -> None:
     """`os.environ[name] = value`: the environment of launch itself."""
     if isinstance(name, str) and is_known(name):

@@ -13,7 +13,7 @@ from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.params_files import ALL, ParamsFile, chosen, leaves, matches, params_file
 from rosarch.extractor.launch_ros2.rcl_values import shown, written
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, PathText, Unknown
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -109,25 +109,50 @@ def settings(world: World, given: Given, name: str | None, context: Context) -> 
         yield from _of_file(world, value, given, name, context)
 
 
-def _of_map(world: World, value: Mapping[Any, Any], given: Given, context: Context, prefix: str = "") -> Iterator[Setting]:
+def _of_map(world: World, value: Mapping[Any, Any], given: Given, context: Context, prefix: str = "") -> Iterator[Setting | Unread]:
     for key, item in value.items():
+        if isinstance(key, Unknown):
+            yield Unread(world.as_text(key), given.place)
+            continue
         name = prefix + (key if isinstance(key, str) else perform(world, key, context))
-        if isinstance(item, Mapping):
-            yield from _of_map(world, item, given, context, f"{name}.")
-        elif item is not NOTHING:
-            value = _arriving(evaluated(world, _of_one_type(name, item), context), given)
-            yield Setting(name, value, given.place, given.conditions, nodes=given.node or ALL)
+        for conditions, one in _cases(item):
+            case = replace(given, conditions=(*given.conditions, *conditions))
+            if isinstance(one, Mapping):
+                yield from _of_map(world, one, case, context, f"{name}.")
+            elif one is not NOTHING:
+                value = _arriving(evaluated(world, _taken(world, name, one), context), case)
+                yield Setting(name, value, case.place, case.conditions, nodes=case.node or ALL)
+
+
+def _cases(item: Any) -> Iterator[tuple[tuple[Condition, ...], Any]]:
+    """What an entry of a map is, and when, if it may be a map itself or may not be there."""
+    if isinstance(item, Either) and not _is_one_value(item):
+        for condition, one in item.alternatives():
+            yield from (((condition, *more), case) for more, case in _cases(one))
+    else:
+        yield (), item
+
+
+def _is_one_value(item: Any) -> bool:
+    if isinstance(item, Either):
+        return _is_one_value(item.first) and _is_one_value(item.second)
+    return item is not NOTHING and not isinstance(item, Mapping)
 
 
 _PLAIN = (bool, int, float, str)
 
 
-def _of_one_type(name: str, value: Any) -> Any:
-    """A list as launch_ros takes it: whole numbers among doubles become doubles.
+def _taken(world: World, name: str, value: Any) -> Any:
+    """A value as launch_ros takes it: whole numbers among doubles of a list become doubles.
 
     Raises:
-        LaunchError: its elements are of other several types.
+        LaunchError: it is of no type that parameters have, or a list whose elements are of other several types.
     """
+    if value is None and world.interpreter.unset:
+        raise LaunchError("env", name, f"the parameter `{name}` is None: an environment variable that the launch file asks for is not set")
+    if value is None or isinstance(value, (PathText, set)):
+        shown = "None" if value is None else "a path of pathlib" if isinstance(value, PathText) else "a set"
+        raise LaunchError("parameter", name, f"the parameter `{name}` is {shown}, which launch does not take for a value")
     if not isinstance(value, (list, tuple)) or not all(type(item) in _PLAIN for item in value):
         return value
     kinds = {type(item) for item in value}

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import (
     ComponentNamed,
+    Condition,
     LaunchError,
     NodeStart,
     PackageNamed,
@@ -30,7 +31,7 @@ from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_o
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import Either, Instance, Made, Unknown, Written
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -173,7 +174,9 @@ def _environment(world: World, made: Made, context: Context) -> tuple[tuple[str,
     found = {name: value for name, value in context.environment.items() if value is not None}
     given = made.arguments.get("additional_env")
     for name, value in given.items() if isinstance(given, dict) else ():
-        found[perform(world, name, context)] = perform(world, value, context)
+        variable, text = perform(world, name, context), perform(world, value, context)
+        if not isinstance(name, Unknown) and text != world.environment.get(variable):  # not what launch is started with
+            found[variable] = text
     return tuple(sorted(found.items()))
 
 
@@ -319,19 +322,20 @@ def _names_in(world: World, package: str, place: Place) -> frozenset[str] | None
 
 def _given(made: Made) -> list[Given]:
     found = made.get("parameters")
-    items = found if isinstance(found, (list, tuple)) else [] if found is None else [found]
-    return [Given(item, item.place if isinstance(item, Made) else made.place) for item in items]
+    parts = _parts([found] if isinstance(found, dict) else found)
+    return [Given(item, item.place if isinstance(item, Made) else made.place, conditions) for item, conditions in parts]
 
 
 def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
     """The remappings of an action, each where it is written: of a list that several actions get, that is one place."""
-    found = made.get("remappings")
     remaps: list[Remap] = []
-    stack: list[tuple[Any, tuple[Any, ...]]] = [(item, ()) for item in reversed(_as_list(found))]
+    stack = [*reversed([*_parts(made.get("remappings"))])]
     while stack:
         item, conditions = stack.pop()
         if isinstance(item, Either):
-            stack.append((item.first, (*conditions, item.condition)))
+            stack += [(one, (*conditions, condition)) for condition, one in reversed(item.alternatives())]
+        elif isinstance(item, Unknown):
+            world.interpreter.misunderstood(made.place, f"what this node remaps is not known: {world.as_text(item)}")
         elif isinstance(item, (list, tuple)) and len(item) in (2, 3) and not isinstance(item[0], tuple):
             place = item[2] if len(item) == 3 else item.place if isinstance(item, Written) else made.place
             remap = Remap(perform(world, item[0], context), perform(world, item[1], context), place, (*context.conditions, *conditions))
@@ -340,12 +344,22 @@ def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
     return remaps
 
 
+def _parts(found: Any) -> Iterator[tuple[Any, tuple[Condition, ...]]]:
+    """What is in a list, each with the conditions under which it is this list and no other."""
+    if isinstance(found, Either):
+        for condition, one in found.alternatives():
+            yield from ((item, (condition, *more)) for item, more in _parts(one))
+    else:
+        yield from ((item, ()) for item in _as_list(found))
+
+
 def _as_list(found: Any) -> list[Any]:
+    """The items of a list, or of what stands for one."""
     if isinstance(found, dict):
         return list(found.items())
     if isinstance(found, (set, frozenset)):  # whose order changes from run to run: as it is written
         return sorted(found, key=lambda one: (one.place.line, one.place.column) if isinstance(one, Written) else (0, 0))
-    return list(found) if isinstance(found, (list, tuple)) else [] if found is None else [found]
+    return list(found) if isinstance(found, (list, tuple)) else [] if found is None or found is NOTHING else [found]
 
 
 def _words(world: World, made: Made, context: Context) -> list[str]:

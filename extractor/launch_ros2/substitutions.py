@@ -191,8 +191,9 @@ def _command(world: World, made: Made, context: Context) -> str:
     unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
     words = words_of(command)
     made_here = any(world.is_made(word.rpartition(":=")[2]) for word in words)
-    world.hand(command)
     call = xacro_call(words)
+    if call is None:
+        world.hand(command)
     if made_here or (call is not None and _is_open(world, call.file)):
         return unknown
     try:

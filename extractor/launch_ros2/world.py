@@ -161,7 +161,7 @@ class World:
 
     def is_made(self, path: str) -> bool:
         """Whether a file is written meanwhile, or may be."""
-        return path in self.written or ("/" in path and self.is_handed(path))
+        return path in self.written or ("/" in path.rstrip("/") and self.is_handed(path))
 
     def is_handed(self, path: str) -> bool:
         """Whether a file that is not there may be written meanwhile: under a path that is not known, or with other arguments than now."""
