@@ -115,7 +115,7 @@ class EntryPoint:
 class BuildCall:
     """A command that CMake runs at a line of a file, with its words.
 
-    It is not known where it stands in a branch that is not taken here, without words, or where nothing has set a variable in its words.
+    It is not known where it is in a branch that is not taken here, without words, or where nothing has set a variable in its words.
     """
 
     name: str
