@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import yaml
 
+from rosarch.base.hints import only_candidate
 from rosarch.extractor.launch.arguments import node_arguments
 from rosarch.extractor.launch.model import LaunchError, NodeStart, Place
 from rosarch.extractor.launch.state import State
@@ -26,6 +27,9 @@ _WAYS = {
 }
 _TOPICS = ("topic_name", "ros_topic_name", "gz_topic_name", "ign_topic_name")
 """Which entry of a file is the name in ROS: the first that is there."""
+_NEEDED = ((*_TOPICS, "service_name"), ("ros_type_name",), ("gz_type_name", "ign_type_name", "gz_req_type_name"))
+"""An entry has one key at least of each of these."""
+_KEYS = {*_TOPICS, "service_name", "ros_type_name", "gz_type_name", "gz_req_type_name", "gz_rep_type_name", "direction", "lazy"}
 
 
 @dataclass(frozen=True)
@@ -46,11 +50,22 @@ class Bridged:
 
 
 @dataclass(frozen=True)
+class Refused:
+    """What a bridge says of an entry that it leaves out; the key `meant` may be what was meant by `written`, which is at `place`."""
+
+    message: str
+    place: Place
+    written: str = ""
+    meant: str = ""
+
+
+@dataclass(frozen=True)
 class BridgeFile:
     """A configuration file of a bridge, read."""
 
     path: str
     entries: tuple[Bridged, ...]
+    refused: tuple[Refused, ...]
 
 
 def of_arguments(node: NodeStart) -> Iterator[Bridged]:
@@ -67,7 +82,7 @@ def unread_of_arguments(node: NodeStart) -> list[str]:
 
 def files_of(node: NodeStart) -> list[str]:
     """The configuration files that a node may be given."""
-    values = [setting.value for setting in node.own_params if setting.name == f"{node.full_name}/{_FILE}"]
+    values = [setting.value for setting in node.own_params if setting.name.rpartition("/")[2] == _FILE]
     return [value for value in values if isinstance(value, str) and value]
 
 
@@ -82,21 +97,38 @@ def read_files(state: State, nodes: Iterable[NodeStart]) -> tuple[BridgeFile, ..
         except (LaunchError, YamlError):
             continue
         if entries is not None:
-            found[path] = BridgeFile(path, entries)
+            kept, refused = (tuple(one for one in entries if isinstance(one, kind)) for kind in (Bridged, Refused))
+            found[path] = BridgeFile(path, kept, refused)
     return tuple(found.values())
 
 
-def _entries(data: bytes, path: str) -> tuple[Bridged, ...] | None:
+def _entries(data: bytes, path: str) -> tuple[Bridged | Refused, ...] | None:
     with opened(data.decode("utf-8", "replace"), Loader) as (_loader, root):
         if not isinstance(root, yaml.SequenceNode) or not all(isinstance(item, yaml.MappingNode) for item in root.value):
             return None
         return tuple(entry for item in root.value for entry in _entry(item, path))
 
 
-def _entry(item: yaml.MappingNode, path: str) -> Iterator[Bridged]:
+def _entry(item: yaml.MappingNode, path: str) -> Iterator[Bridged | Refused]:
+    yield from _refused(item, path)
     texts = {key.value: value for key, value in item.value if isinstance(key, yaml.ScalarNode) and isinstance(value, yaml.ScalarNode)}
     name = next((texts[key] for key in _TOPICS if key in texts), None)
     way = _WAYS.get(texts["direction"].value if "direction" in texts else "BIDIRECTIONAL")
     if name is not None and way is not None and "ros_type_name" in texts:
         place = Place(path, name.start_mark.line + 1, name.start_mark.column + 1)
         yield Bridged(name.value.strip(), texts["ros_type_name"].value.strip(), way, place)
+
+
+def _refused(item: yaml.MappingNode, path: str) -> Iterator[Refused]:
+    keys = {key.value: Place(path, key.start_mark.line + 1, key.start_mark.column + 1) for key, _ in item.value}
+    others = [key for key in keys if key not in _KEYS]
+    for needed in (one for one in _NEEDED if keys.keys().isdisjoint(one)):
+        message = f"the entry has no {needed[0]}"
+        written = next((key for key in others if only_candidate(key, _KEYS) in needed), None)
+        if written:
+            yield Refused(message, keys[written], written, only_candidate(written, _KEYS) or "")
+        else:
+            yield Refused(message, Place(path, item.start_mark.line + 1, item.start_mark.column + 1))
+    for key, value in item.value:
+        if key.value == "direction" and isinstance(value, yaml.ScalarNode) and value.value not in _WAYS:
+            yield Refused(f"there is no direction {value.value}", keys["direction"])

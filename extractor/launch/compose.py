@@ -37,6 +37,7 @@ from rosarch.extractor.launch.unknowns import cleaned
 from rosarch.extractor.launch.views import views_of
 from rosarch.extractor.launch.xml_reader import Element, read_launch
 from rosarch.extractor.urdf.plugins import SimulatorPlugin
+from rosarch.extractor.urdf.robots import Robot
 
 MAX_INCLUDE_DEPTH = 60
 MAX_INCLUDES = 20_000
@@ -262,8 +263,14 @@ def _rendered_remap(remap: Remap, state: State) -> Remap:
 def _rendered_param(setting: ParamSetting, state: State) -> ParamSetting:
     shown = state.unknowns.render
     source = None if setting.source is None else shown(setting.source)
-    plugins = tuple(_rendered_plugin(plugin, state) for plugin in setting.plugins)
-    return replace(setting, name=shown(setting.name), value=_rendered(setting.value, state), source=source, plugins=plugins)
+    robot = setting.robot and _rendered_robot(setting.robot, state)
+    return replace(setting, name=shown(setting.name), value=_rendered(setting.value, state), source=source, robot=robot)
+
+
+def _rendered_robot(robot: Robot, state: State) -> Robot:
+    shown = state.unknowns.render
+    parts = tuple(replace(part, attributes=tuple((name, shown(text)) for name, text in part.attributes)) for part in robot.parts)
+    return replace(robot, parts=parts, plugins=tuple(_rendered_plugin(plugin, state) for plugin in robot.plugins))
 
 
 def _rendered_plugin(plugin: SimulatorPlugin, state: State) -> SimulatorPlugin:

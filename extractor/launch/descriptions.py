@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -13,14 +14,16 @@ from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.urdf.command import XacroCall, run
 from rosarch.extractor.urdf.document import DocumentError, Element, parse
 from rosarch.extractor.urdf.hardware import hardware
-from rosarch.extractor.urdf.plugins import SimulatorPlugin, plugins
+from rosarch.extractor.urdf.robots import Robot, robot
 from rosarch.extractor.urdf.writer import write
 
 _WORLDS = (".world", ".sdf")
+_FOR_XACRO = re.compile(r"<xacro:|\$[({]")
+"""What only xacro makes sense of."""
 
 
-def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tuple[str | None, tuple[SimulatorPlugin, ...]]:
-    """What xacro prints, None when it rejects the file; its problems become those of the launch file.
+def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tuple[str | None, Robot | None]:
+    """What xacro prints, and says of a robot; None when it rejects the file: its problems become those of the launch file.
 
     `installed`: packages are looked for where they are installed, as in ROS 2; a file there may come from elsewhere in their sources.
     """
@@ -29,34 +32,37 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
     for path in (call.program, call.file):
         if is_known(path) and (path is call.file or "/" in path) and not state.files.is_file(path):
             state.report(LaunchError("command", call.program, f"command `{call.program}` would fail: no such file: {path}"))
-            return None, ()
+            return None, None
     expansion = run(call, state.files, state.resolver.environment, state.unknowns, installed=installed)
     state.spend(expansion.work)
     for problem in expansion.problems:
         kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
-    if expansion.document is None or expansion.problems or expansion.incomplete:
-        state.hardware_unseen = True
+    is_whole = expansion.document is not None and not expansion.problems and not expansion.incomplete
+    state.hardware_unseen |= not is_whole
     if expansion.document is None:
-        return None, ()
-    _note_meshes(state, expansion.document.root)
-    state.hardware.update(dict.fromkeys(hardware(expansion.document.root)))
-    return write(expansion.document, call.file), plugins(expansion.document.root)
+        return None, None
+    return write(expansion.document, call.file), _described(state, expansion.document.root, is_whole=is_whole)
 
 
-def plugins_of_file(state: State, path: str, text: str) -> tuple[SimulatorPlugin, ...]:
-    """The plugins of a file with the content `text`; none, with a report, when it is no document."""
-    if not any(tag in text for tag in ("<plugin", "<mesh", "<ros2_control")):
-        return ()
+def robot_of_file(state: State, path: str, text: str) -> Robot | None:
+    """What a file with the content `text` says of a robot or a world; None, with a report, when it is no document."""
+    if not any(tag in text for tag in ("<robot", "<plugin", "<mesh", "<ros2_control")):
+        return None
     state.spend(len(text))
+    is_whole = not _FOR_XACRO.search(text)
+    state.hardware_unseen |= not is_whole
     try:
-        root = state.files.parsed(path, parse).root
-        _note_meshes(state, root)
-        state.hardware.update(dict.fromkeys(hardware(root)))
-        return plugins(root)
+        return _described(state, state.files.parsed(path, parse).root, is_whole=is_whole)
     except DocumentError as error:
         state.problems.setdefault(Problem("urdf", path, error.message, error.place, fatal=False, conditions=state.scope.conditions))
-        return ()
+        return None
+
+
+def _described(state: State, root: Element, *, is_whole: bool = True) -> Robot:
+    _note_meshes(state, root)
+    state.hardware.update(dict.fromkeys(hardware(root)))
+    return robot(root, is_whole=is_whole)
 
 
 def _note_meshes(state: State, root: Element) -> None:
@@ -77,8 +83,9 @@ def note_worlds(state: State, texts: Iterable[str], scope: Scope) -> None:
         if not path.endswith(_WORLDS) or path in state.worlds or not is_known(path) or not state.files.is_file(path):
             continue
         try:
-            found = plugins_of_file(state, path, state.files.read_text(path))
+            found = robot_of_file(state, path, state.files.read_text(path))
         except LaunchError as error:
             state.report(error, fatal=False)
             continue
-        state.worlds[path] = World(path, (*scope.lines, state.here), scope.conditions + state.own_conditions, found)
+        conditions = scope.conditions + state.own_conditions
+        state.worlds[path] = World(path, (*scope.lines, state.here), conditions, found.plugins if found else ())

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any, TypeAlias
 
 from rosarch.extractor.launch.commands import output, words_of
-from rosarch.extractor.launch.descriptions import evaluated, plugins_of_file
+from rosarch.extractor.launch.descriptions import evaluated, robot_of_file
 from rosarch.extractor.launch.model import ArgumentDeclared, ArgumentPassed, LaunchError, ParamSetting, Place, Remap
 from rosarch.extractor.launch.names import canonical, ns_join
 from rosarch.extractor.launch.scope import Scope
@@ -17,7 +17,7 @@ from rosarch.extractor.launch.values import Binary, convert
 from rosarch.extractor.launch.xml_reader import Element
 from rosarch.extractor.launch.yaml_values import YamlError, load_yaml
 from rosarch.extractor.urdf.command import xacro_call
-from rosarch.extractor.urdf.plugins import SimulatorPlugin
+from rosarch.extractor.urdf.robots import Robot
 
 _SUBSTITUTION = re.compile(r"^[^#\n]*?(\$\((?:arg|env|optenv|eval|anon) [^()\n]*\))", re.MULTILINE)
 _VALUES = ("value", "textfile", "binfile", "command")
@@ -74,14 +74,14 @@ def param(state: State, element: Element, scope: Scope, *, private: bool = False
         raise LaunchError("attribute", "name", "<param> has no attribute `name`")
     name = state.resolver.resolve(element.attributes["name"].strip(), scope)
     ((source, text),) = texts.items()
-    value, plugins = _param_value(state, source, text or "", kind)
+    value, robot = _param_value(state, source, text or "", kind)
     setting = ParamSetting(
         name=canonical(name),
         value=value,
         lines=(*scope.lines, state.here),
         conditions=scope.conditions + conditions,
         source=text if source in ("textfile", "binfile") else None,
-        plugins=plugins,
+        robot=robot,
     )
     if private or name.startswith("~"):
         scope.add_private(setting)
@@ -89,51 +89,51 @@ def param(state: State, element: Element, scope: Scope, *, private: bool = False
         state.set_param(replace(setting, name=ns_join(scope.namespace, name)))
 
 
-_Value: TypeAlias = tuple[Any, tuple[SimulatorPlugin, ...]]  # with the simulator plugins of a robot description
+_Value: TypeAlias = tuple[Any, Robot | None]  # with what a robot description says
 
 
 def _param_value(state: State, source: str, text: str, kind: str) -> _Value:
     if source == "value":
-        return _converted(text.strip(), kind), ()
+        return _converted(text.strip(), kind), None
     if source == "command":
         return _command_value(state, text, kind)
     if state.unknowns.is_open(text):
-        return state.unknowns.mark(f"$({source} {state.unknowns.render(text)})", text), ()
+        return state.unknowns.mark(f"$({source} {state.unknowns.render(text)})", text), None
     try:
         if source == "binfile":
-            return Binary(state.files.read(text)), ()
+            return Binary(state.files.read(text)), None
         content = state.files.read_text(text)
         state.spend(len(content))
-        plugins = plugins_of_file(state, text, content)
+        robot = robot_of_file(state, text, content)
     except LaunchError as error:
         state.report_unread(error)
-        return state.unknowns.mark(f"$({source} {text})"), ()
-    return _converted(content, kind), plugins
+        return state.unknowns.mark(f"$({source} {text})"), None
+    return _converted(content, kind), robot
 
 
 def _command_value(state: State, command: str, kind: str) -> _Value:
     """What a command prints; it is not run, so most stay unknown."""
     words = words_of(command)
     unknown = state.unknowns.mark(f"$(command {state.unknowns.render(command)})", command)
-    plugins: tuple[SimulatorPlugin, ...] = ()
+    robot: Robot | None = None
     try:
         call = xacro_call(words)
         if call and not state.unknowns.is_open(call.file):
-            printed, plugins = evaluated(state, call)
-            return (unknown, ()) if printed is None else (_converted(printed, kind), plugins)
+            printed, robot = evaluated(state, call)
+            return (unknown, None) if printed is None else (_converted(printed, kind), robot)
         if state.unknowns.is_open(command):
-            return unknown, ()
+            return unknown, None
         printed = output(words, state.files, state.resolver.environment)
         if printed is not None and len(words) == 2 and state.files.is_file(words[1]):
-            plugins = plugins_of_file(state, words[1], printed)
+            robot = robot_of_file(state, words[1], printed)
     except LaunchError as error:
         if not error.is_limit:
             raise LaunchError("command", words[0], f"command `{words[0]}` would fail: {error.message}") from None
         printed = None
     if printed is None:
         state.warn("command", words[0], f"command `{words[0]}` is not run, what it prints is unknown")
-        return unknown, ()
-    return _converted(printed, kind), plugins
+        return unknown, None
+    return _converted(printed, kind), robot
 
 
 def _converted(text: str, kind: str) -> Any:

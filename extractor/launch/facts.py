@@ -41,6 +41,7 @@ from rosarch.extractor.launch.values import Binary, automatic
 if TYPE_CHECKING:
     from rosarch.extractor.launch.views import View
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
+    from rosarch.extractor.urdf.robots import Robot
 
 Rows = dict[str, set[tuple[Any, ...]]]
 _LONG = 4096  # characters of a value; a robot's description is no name of anything
@@ -73,6 +74,10 @@ class _Writer:
                 self.view(start, view)
             for entry in (*of_arguments(node), *(entry for path in files_of(node) if path in bridges for entry in bridges[path].entries)):
                 self.bridged(start, entry)
+            for refused in (one for path in files_of(node) if path in bridges for one in bridges[path].refused):
+                self.add("bridge_refused", start, self.place(refused.place), refused.message)
+                if refused.meant:
+                    self.add("launch_meant", self.place(refused.place), refused.message, refused.written, refused.meant)
             for unread in (*unread_of_arguments(node), *(path for path in files_of(node) if path not in bridges)):
                 self.add("bridge_unread", start, self.path(unread))
             if node.first:
@@ -94,6 +99,13 @@ class _Writer:
         for remap in composition.remaps:
             row = (self.place(remap.place), self.path(remap.place.path), canonical(remap.source), canonical(remap.target))
             self.add("remap_written", *row)
+        robots = {setting.robot: None for setting in composition.params if setting.robot}
+        numbers = {robot: number for number, robot in enumerate(robots)}
+        for setting in composition.params:
+            if setting.robot:
+                self.add("robot_described", setting.name, f"{numbers[setting.robot]}:0", "whole" if setting.robot.is_whole else "in part")
+        for robot, number in numbers.items():
+            self.robot(robot, number)
         described = [plugin for setting in composition.params for plugin in setting.plugins]
         for plugin in dict.fromkeys((*described, *(plugin for world in composition.worlds for plugin in world.plugins))):
             self.plugin(plugin)
@@ -177,6 +189,13 @@ class _Writer:
             self.add("param_set_if", setting.name, str(condition))
         if setting.source:
             self.add("param_source", setting.name, place, self.path(setting.source))
+
+    def robot(self, robot: Robot, number: int) -> None:
+        """The elements of a robot description."""
+        for index, part in enumerate(robot.parts):
+            self.add("robot_element", f"{number}:{index}", f"{number}:{part.within}", part.tag, self.place(part.place))
+            for name, text in part.attributes:
+                self.add("robot_attribute", f"{number}:{index}", name, text)
 
     def plugin(self, plugin: SimulatorPlugin) -> None:
         """A plug-in of a robot or a world; two of one place differ in their elements."""

@@ -43,6 +43,7 @@ class Files:
         self._packages_of: dict[str, str] = {}
         self._real: dict[str, str] = {}
         self._contents: dict[str, bytes] = {}
+        self._texts: dict[str, str] = {}
         self._documents: dict[tuple[str, object], Any] = {}
         self._references: dict[str, tuple[Reference, ...]] = {}
         self._values: dict[tuple[str, type[Loader]], tuple[Any, KeyLines]] = {}
@@ -114,7 +115,12 @@ class Files:
             text = self.read(path).decode()
         except UnicodeDecodeError as error:
             raise LaunchError("encoding", path, f"{path} is not UTF-8 (byte {error.start})") from None
-        return cleaned(text.replace("\r\n", "\n").replace("\r", "\n"))
+        self._texts[path] = cleaned(text.replace("\r\n", "\n").replace("\r", "\n"))
+        return self._texts[path]
+
+    def with_text(self, text: str) -> str | None:
+        """The file, of those that were read as texts, that has a text."""
+        return next((path for path, read in self._texts.items() if read == text), None)
 
     def parsed(self, path: str, parse: Callable[[bytes, str], _Parsed]) -> _Parsed:
         """What `parse` makes of the content of a file and its path, made once. It must not be changed.

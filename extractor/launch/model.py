@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from rosarch.extractor.launch.views import View
     from rosarch.extractor.urdf.hardware import HardwareInterface
     from rosarch.extractor.urdf.plugins import SimulatorPlugin
+    from rosarch.extractor.urdf.robots import Robot
 
 
 @dataclass(frozen=True, order=True)
@@ -162,7 +163,7 @@ class ParamSetting:
     """A parameter and the value it is set to.
 
     `lines` lead to the element that sets it, `source` is the file the value is from, `written` its line in a YAML text.
-    `plugins` are the simulator plugins of a value that is a robot description.
+    `robot` is what a value that is a robot description says.
     """
 
     name: str
@@ -171,12 +172,17 @@ class ParamSetting:
     conditions: tuple[Condition, ...] = ()
     source: str | None = None
     written: Place | None = None
-    plugins: tuple[SimulatorPlugin, ...] = ()
+    robot: Robot | None = None
 
     @property
     def place(self) -> Place:
         """Where the value is written."""
         return self.written or self.lines[-1]
+
+    @property
+    def plugins(self) -> tuple[SimulatorPlugin, ...]:
+        """The simulator plugins of a robot."""
+        return self.robot.plugins if self.robot else ()
 
 
 @dataclass(frozen=True)

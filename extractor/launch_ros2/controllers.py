@@ -210,7 +210,7 @@ def _unread(file: str, lines: tuple[Place, ...]) -> ProcessSetting:
 
 def _simulated(world: World, context: Context) -> Iterator[NodeStart]:
     """The managers that plug-ins of simulators make, as descriptions of robots and worlds have them."""
-    described = [plugin for plugins in world.described.values() for plugin in plugins]
+    described = [plugin for robot in world.described.values() if robot for plugin in robot.plugins]
     worlds = [plugin for one in world.state.worlds.values() for plugin in one.plugins]
     for plugin in dict.fromkeys((*described, *worlds)):
         if not _SIMULATED.fullmatch(plugin.filename.rpartition("/")[2]):

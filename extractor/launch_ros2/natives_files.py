@@ -226,10 +226,10 @@ def xml_of(run: Calls, document: Made) -> Any:
     call, world = xacro_call(words), run.world
     if call is None or world.state.unknowns.is_open(call.file) or world.is_made(call.file):
         return NOTHING
-    printed, plugins = evaluated(world.state, call, installed=True)
+    printed, robot = evaluated(world.state, call, installed=True)
     if printed is None:
         return NOTHING
-    world.described[printed] = plugins
+    world.described[printed] = robot
     return printed
 
 

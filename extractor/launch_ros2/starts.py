@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from rosarch.extractor.launch.descriptions import robot_of_file
 from rosarch.extractor.launch.model import (
     ComponentNamed,
     Condition,
@@ -35,10 +36,13 @@ from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
+    from rosarch.extractor.urdf.robots import Robot
 
 _NODES = ("Node", "LifecycleNode", "ComposableNodeContainer")
 _KINDS = ("topic", "service")
 """What a remapping rule may be for alone."""
+_DESCRIPTIONS = ("robot_description", "robot_description_semantic")
+"""Parameters whose values are robot descriptions."""
 
 
 @carries_out("Node", "LifecycleNode")
@@ -253,10 +257,17 @@ def _setting(world: World, found: Setting | Unread, context: Context) -> ParamSe
     if isinstance(found, Unread):
         return ParamSetting("", None, lines, context.conditions, found.file)
     conditions = (*context.conditions, *(one for one in found.conditions if one not in context.conditions))
-    plugins = world.described.get(found.value, ()) if isinstance(found.value, str) else ()
-    if found.name == "robot_description" and not (isinstance(found.value, str) and found.value in world.described):
+    robot = _robot(world, found.value) if found.name in _DESCRIPTIONS and isinstance(found.value, str) else None
+    if found.name == "robot_description" and robot is None:
         world.state.hardware_unseen = True
-    return ParamSetting(found.name, found.value, lines, conditions, found.source, found.written, plugins)
+    return ParamSetting(found.name, found.value, lines, conditions, found.source, found.written, robot)
+
+
+def _robot(world: World, text: str) -> Robot | None:
+    """What a robot description says that xacro made, or that is the text of a file."""
+    if text not in world.described and (path := world.state.files.with_text(text)):
+        world.described[text] = robot_of_file(world.state, path, text)
+    return world.described.get(text)
 
 
 def _inferred(world: World, params: list[Given], namespace: str, known: tuple[str, ...], context: Context) -> str | None:

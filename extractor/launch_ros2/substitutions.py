@@ -200,9 +200,9 @@ def _command(world: World, made: Made, context: Context) -> str:
         if call is None:
             printed = output(words, world.state.files, world.environment)
         else:
-            printed, plugins = evaluated(world.state, call, installed=True)
+            printed, robot = evaluated(world.state, call, installed=True)
             if printed is not None:
-                world.described[printed] = plugins
+                world.described[printed] = robot
     except LaunchError as error:
         world.state.report_unread(error)
         return unknown

@@ -18,7 +18,7 @@ from rosarch.extractor.launch_ros2.agenda import Agenda
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.interpreter import Interpreter
 from rosarch.extractor.launch_ros2.values import Class, Either, Function, PathText, Unknown, installed
-from rosarch.extractor.urdf.plugins import SimulatorPlugin
+from rosarch.extractor.urdf.robots import Robot
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.controllers import Asked
@@ -41,7 +41,7 @@ class World:
         self.interpreter = Interpreter(self)
         self.agenda = Agenda(self)
         self.written: dict[str, str] = {}
-        self.described: dict[str, tuple[SimulatorPlugin, ...]] = {}
+        self.described: dict[str, Robot | None] = {}
         self.parameter_texts: dict[tuple[str, bool], ParamsFile] = {}
         self.performed: dict[tuple[int, frozenset[tuple[str, str]]], tuple[Any, str]] = {}
         self.references: list[Reference] = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -97,3 +98,27 @@ def test_files(tmp_path: Path, file: str, expected: set[tuple[str, str]]) -> Non
         places = {place for port, place in rows["interface_port_at"] if "/scan" in port}
         assert places == {"here/bridge.yaml:2:16"}
         assert {port.rpartition("#")[2] for port, _ in rows["interface_port_conditional"]} == {"publisher", "subscriber"}
+
+
+def test_entries_that_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "c.yaml").write_text(
+        "- topic_name: /scan\n  ros_type: sensor_msgs/msg/LaserScan\n  gz_type_name: gz.msgs.LaserScan\n"
+        "- {topic_name: a, ros_type_name: a/msg/A, gz_type_name: b, direction: TO_GZ}\n- {ros_type_name: a/msg/A, gz_type_name: b, far: 1}\n"
+    )
+    (tmp_path / "l.launch.xml").write_text(LAUNCH.format("c.yaml"))
+    found = compose([tmp_path / "l.launch.xml"], files=Files(PackagePath([tmp_path]), str(tmp_path)))
+    rows = launch_rows(found, tmp_path)
+    assert {(place, message) for _, place, message in rows["bridge_refused"]} == {
+        ("c.yaml:2:3", "the entry has no ros_type_name"),
+        ("c.yaml:4:60", "there is no direction TO_GZ"),
+        ("c.yaml:5:3", "the entry has no topic_name"),
+    }
+    assert rows["launch_meant"] == {("c.yaml:2:3", "the entry has no ros_type_name", "ros_type", "ros_type_name")}
+
+
+def test_a_bridge_that_is_called_as_its_code_says(tmp_path: Path) -> None:
+    (tmp_path / "c.yaml").write_text(CONFIG)
+    (tmp_path / "l.launch.xml").write_text(LAUNCH.format("c.yaml").replace(' name="bridge"', ""))
+    found = compose([tmp_path / "l.launch.xml"], files=Files(PackagePath([tmp_path]), str(tmp_path)))
+    renamed = tuple(replace(node, called="ros_gz_bridge") for node in found.nodes)
+    assert {row[-1] for row in launch_rows(replace(found, nodes=renamed), tmp_path)["interface_port"]} >= {"/scan", "cmd", "both"}

@@ -21,6 +21,16 @@ ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 LAUNCH = """<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">
   <param name="robot_description" value="$(command 'xacro $(dirname)/r.urdf prefix:=right_')"/></node></launch>"""
 
+READING = """import os
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    with open(os.path.join(os.path.dirname(__file__), "r.urdf")) as file:
+        robot = file.read()
+    return LaunchDescription([Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{"robot_description": robot}])])
+"""
+
 
 def _hardware(folder: Path, more: str) -> tuple[list[tuple[str, str, str, int]], bool]:
     package = folder / "here"
@@ -50,16 +60,19 @@ def test_descriptions_that_are_not_evaluated(tmp_path: Path) -> None:
     package.mkdir()
     (package / "package.xml").write_text("<package><name>here</name></package>")
     (package / "r.urdf").write_text(ROBOT.format(""))
-    (package / "main.launch.py").write_text(
-        """import os
-from launch import LaunchDescription
-from launch_ros.actions import Node
-
-def generate_launch_description():
-    with open(os.path.join(os.path.dirname(__file__), "r.urdf")) as file:
-        robot = file.read()
-    return LaunchDescription([Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{"robot_description": robot}])])
-"""
-    )
+    (package / "main.launch.py").write_text(READING)
     found = compose([package / "main.launch.py"], files=Files(PackagePath([tmp_path]), str(tmp_path)))
-    assert (found.hardware, found.hardware_unseen) == ((), True)
+    assert found.hardware_unseen and [one.robot.is_whole for one in found.params if one.robot] == [False]
+
+
+def test_descriptions_that_are_read_as_texts(tmp_path: Path) -> None:
+    (tmp_path / "r.urdf").write_text(
+        '<robot name="r"><link name="base"/><joint name="j" type="fixed"><parent link="base"/></joint></robot>\n'
+    )
+    (tmp_path / "main.launch.py").write_text(READING)
+    found = compose([tmp_path / "main.launch.py"], files=Files(PackagePath([tmp_path]), str(tmp_path)))
+    (robot,) = (one.robot for one in found.params if one.robot)
+    assert [(part.tag, part.within, part.place.line) for part in robot.parts] == [
+        ("robot", 0, 1), ("link", 0, 1), ("joint", 0, 1), ("parent", 2, 1)
+    ]  # fmt: skip
+    assert robot.is_whole and not found.hardware_unseen
