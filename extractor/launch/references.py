@@ -17,7 +17,11 @@ from rosarch.extractor.launch.xml_reader import Element
 _FIND = re.compile(r"\$\(find\s+([^()\s$]+)\s*\)")
 _FILE = re.compile(r"(?:\$\(find\s+[^()\s$]+\s*\)|\$\(dirname\))/[^\s'\"]*[^\s'\"/]")
 _ARGUMENT = re.compile(r"\$\(arg\s+([^()\s$]+)\s*\)|\barg\(\s*['\"]([^'\"]+)['\"]\s*\)")
-_HOME = re.compile(r"(?<![^\s='\":,;\[(])(?:(?:/home|/Users)/[^/\s$'\"]+/|~/[^\s'\"]*\.)[^\s'\",;\])]*")  # `~/x` may be a private name
+_HOME = re.compile(  # `~/x` may be a private name
+    r"(?<![^\s='\":,;\[(])(?:(?:/home|/Users)/[^/\s$'\"]+/|~/[^\s'\"]*\.)(?:\$\([^()]*\)|[^\s'\",;\])])*"
+)
+_PATHS = ("file", "textfile", "binfile")
+"""Attributes whose whole text is one path."""
 _ENVIRONMENT = re.compile(r"\$\((?:opt)?env\s[^()]*\)")  # the default of a variable that each machine sets
 
 
@@ -45,7 +49,7 @@ def _files(element: Element, attribute: str, text: str, place: Place, packages: 
     role = element.tag if attribute == "file" else attribute if attribute in ("textfile", "binfile", "command") else "value"
     if attribute == "doc" or (element.tag == "rosparam" and element.attributes.get("command", "load") != "load"):
         return
-    for found in _FILE.findall(text):
+    for found in [text.strip()] if attribute in _PATHS and _FILE.match(text.strip()) else _FILE.findall(text):
         resolved = _FIND.sub(lambda match: packages.find(match[1]) or match[0], found)
         file = os.path.normpath(resolved.replace("$(dirname)", os.path.dirname(os.path.abspath(place.path))))
         if "$(" not in file:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 import logging
+import re
+from bisect import bisect_left
 from functools import lru_cache, partial
 from typing import Any
 
 _FIXERS = ("except", "exec", "has_key", "ne", "numliterals", "paren", "print", "raise", "repr", "tuple_params", "unicode")
+
+_TAKEN_APART = re.compile(r"\s*\(.*\) = xxx_todo_changeme\d*(?:\.args)?")
 
 
 def as_python3(text: str) -> str | None:
@@ -16,6 +21,17 @@ def as_python3(text: str) -> str | None:
         return str(_tool().refactor_string(spaced.rstrip("\n") + "\n", "source"))
     except Exception:  # of its parser, its tokenizer and its tree; whatever it says, the source is not Python 2
         return None
+
+
+def in_its_lines(text: str, tree: ast.Module) -> str:
+    """A converted text without the lines that 2to3 adds where it takes a parameter apart; its tree gets the lines of the source."""
+    lines = text.split("\n")
+    added = [number for number, line in enumerate(lines, 1) if _TAKEN_APART.fullmatch(line)]
+    for node in ast.walk(tree) if added else ():
+        for end in ("lineno", "end_lineno"):
+            if hasattr(node, end):
+                setattr(node, end, getattr(node, end) - bisect_left(added, getattr(node, end)))
+    return "\n".join(line for line in lines if not _TAKEN_APART.fullmatch(line))
 
 
 def _tabs(line: str) -> str:

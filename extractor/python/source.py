@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.base.files import LARGEST_PARSED, read_file
-from rosarch.extractor.python.python2 import as_python3
+from rosarch.extractor.python.python2 import as_python3, in_its_lines
 from rosarch.extractor.python_fstrings import with_older_fstrings
 from rosarch.extractor.python_syntax import parse_as_it_stands
 
@@ -54,9 +54,8 @@ def read_source(path: Path) -> Parsed | Problem:
     if older is not None:
         converted = _parse(older)
         if isinstance(converted, ast.Module):
-            return Parsed(
-                older.encode(), converted, (*problems, Problem(tree.line, tree.column, "Python 2: read as what 2to3 makes of it"))
-            )
+            told = Problem(tree.line, tree.column, "Python 2: read as what 2to3 makes of it")
+            return Parsed(in_its_lines(older, converted).encode(), converted, (*problems, told))
     return _partial(text, tree, problems)
 
 

@@ -31,6 +31,15 @@ def test_files_of_branches_that_are_left_out(tmp_path: Path) -> None:
     ]
 
 
+def test_a_path_is_one_with_its_spaces(tmp_path: Path) -> None:
+    composition = composed(
+        tmp_path,
+        '<rosparam file=" $(find here)/way points.yaml"/><node pkg="here" type="n" name="n" args="-o /home/anna/$(arg log name)_1 -a"/>',
+    )
+    assert {Path(named.file).name for named in composition.references if isinstance(named, FileNamed)} == {"way points.yaml"}
+    assert [named.path for named in composition.references if isinstance(named, HomePath)] == ["/home/anna/$(arg log name)_1"]
+
+
 def test_a_template_stands_for_the_file_that_the_build_makes_of_it(tmp_path: Path) -> None:
     composition = composed(tmp_path, '<include file="$(find here)/made.launch" if="false"/>', made_launch_in="<launch/>")
     assert [named.absent for named in composition.references if isinstance(named, FileNamed)] == [False]

@@ -141,6 +141,8 @@ def test_what_is_not_understood_is_told_and_the_rest_is_read(tmp_path: Path) -> 
     rows, problems = extract(tmp_path, "class A:\n\tdef f(self):\n\t\tprint 'x', self\n        def g(self): pass\nA().g()\n")
     assert problems == ["3:3: Python 2: read as what 2to3 makes of it"]
     assert callees(rows)["5"] == {"main::A::g"}
+    taken_apart = "def f((a, b), (c, d)):\n    '''Doc.'''\n    g(a)\ndef g(a): pass\ntry:\n    g(1)\nexcept OSError, (a, b):\n    g(2)\n"
+    assert set(callees(extract(tmp_path, taken_apart)[0])) == {"3", "6", "8"}  # not those of the lines that 2to3 adds
     assert extract(tmp_path, b"a = 1\nb = '\0'\n") == ({}, ["2:1: not a text file"])
     assert extract(tmp_path, b"# -*- coding: latin-1 -*-\na = '\xe4'\n")[1] == []
     assert extract(tmp_path, b"a = '\xe4'\n")[1] == ["1:6: not UTF-8 (byte 0xe4); read as Latin-1"]
