@@ -225,9 +225,17 @@ def _first(rows: Iterable[Row]) -> dict[Any, Any]:
     return {row[0]: row[1] for row in sorted(rows, key=lambda row: (repr(row[0]), str(row[1])), reverse=True)}
 
 
+def _only(rows: Iterable[Row]) -> dict[Any, Any]:
+    """The value of each key that has one: of several, none is known to be it."""
+    found: dict[Any, set[Any]] = defaultdict(set)
+    for key, value in rows:
+        found[key].add(value)
+    return {key: values.pop() for key, values in found.items() if len(values) == 1}
+
+
 def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) -> tuple[tuple[Port, ...], dict[Row, str]]:
     """The ports, and the ids of those that are not implicit by their record."""
-    types, parameters = _first(relations["port_type"]), _first(relations["port_parameter"])
+    types, parameters = _only(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
     relative, qualities = _first(relations["port_in_namespace"]), _qualities(relations)

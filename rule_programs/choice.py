@@ -25,4 +25,13 @@ SHIPPED = RuleSet()
 
 def closed_world(rules: RuleSet) -> RuleSet:
     """The same rules, which claim as though there was no more than was seen."""
-    return replace(rules, options=tuple(sorted({**dict(rules.options), "world": "closed"}.items())))
+    return _with_option(rules, "world", "closed")
+
+
+def of_any_name(rules: RuleSet) -> RuleSet:
+    """The same rules, for nodes that may be started under any name: their own is `{node}` in what is made of it."""
+    return _with_option(rules, "own-name", "any")
+
+
+def _with_option(rules: RuleSet, name: str, value: str) -> RuleSet:
+    return replace(rules, options=tuple(sorted({**dict(rules.options), name: value}.items())))

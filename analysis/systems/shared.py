@@ -349,7 +349,8 @@ class _Needed:
         worlds = [plugin for launch in launches for world in launch.composition.worlds for plugin in world.plugins]
         robots = [plugin for launch in launches for setting in launch.composition.params for plugin in setting.plugins]
         self.plugins = {library_name(plugin.filename) for plugin in (*worlds, *robots)}
-        self.words = {word for _, _, words in asked for word in words}
+        classes = {type_ for _, type_ in self.executables if "/" in type_}
+        self.words = classes | {word for _, _, words in asked for word in words}
         self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
         self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}
         self.packages |= _packages_of_files(launches)
@@ -366,8 +367,8 @@ class _Needed:
     def of(self, library: Library, models: Sequence[ComponentModel], underlay: Underlay) -> list[LibraryComponent]:
         """The components of the library that are started, and those that these load, unless they are among `models`.
 
-        A package that is installed has no other programs than are there. A plug-in of a simulator goes by its file alone: one that the
-        workspace builds hides those of all packages.
+        A package that is installed has no other programs than are there. A class that is loaded goes by its name alone, a plug-in of a
+        simulator by its file: one that the workspace builds hides those of all packages.
         """
         own = {(model.package, type_) for model in models for type_ in (*model.types, model.executable)}
         built = {model.plugin.name for model in models if model.plugin}

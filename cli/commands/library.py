@@ -82,12 +82,13 @@ def build(
     """Write library files for the packages below DIR, from their sources."""
     from rosarch.library.build import library_documents, write_library
     from rosarch.library.model import Source
+    from rosarch.rule_programs.choice import of_any_name
 
     for option, text in (("--origin", origin), ("--revision", revision)):
         if not text.strip():
             raise InputError(f"{option}: is empty")
     check_output(out)
-    analysis = reading.analysis(reading.rules(), folder, packages)
+    analysis = reading.analysis(of_any_name(reading.rules()), folder, packages)
     chosen = [model for model in analysis.models if not packages or model.package in packages]
     source = Source(origin, revision, tuple(distributions or ()))
     diagnostics = analysis.diagnostics

@@ -63,7 +63,7 @@ def system_model(name: str, launch: Sequence[str], rows: Rows, result: Result, p
             )
         )
     inclusions = tuple(sorted((_inclusion(row, places) for row in rows.get("included", ())), key=lambda inclusion: inclusion.at))
-    return SystemModel(name, tuple(launch), tuple(nodes), _connectors(result, ids, rows), inclusions, _unseen(result, names, places))
+    return SystemModel(name, tuple(launch), tuple(nodes), _connectors(result, ids), inclusions, _unseen(result, names, places))
 
 
 def _instances(rows: Rows, result: Result) -> dict[str, list[str]]:
@@ -92,7 +92,7 @@ def _ports(
 ) -> tuple[dict[str, list[SystemPort]], dict[Any, tuple[str, str]]]:
     """The ports by node, and node and port id of each port's record; the ids of a plug-in's ports name the plug-in, too."""
     models = {row[1]: row for row in rows.get("interface_port", ())}
-    types = {row[0]: row[1] for row in sorted(rows.get("interface_port_type", ()), reverse=True)}
+    types = _types(result)
     at = {row[0]: row[1] for row in rows.get("interface_port_at", ())}
     conditional = {row[0]: row[1] for row in rows.get("interface_port_conditional", ())}
     implicit = {row[0] for row in rows.get("interface_port_implicit", ())}
@@ -111,7 +111,7 @@ def _ports(
             kind,
             names.get(record) or written,
             written,
-            types.get(model),
+            _only_type(types.get(record, [])),
             places.get(at.get(model, "")),
             model in implicit,
             None if (node, model) in decided else conditional.get(model),
@@ -120,13 +120,23 @@ def _ports(
     return ports, ids
 
 
-def _connectors(result: Result, ids: Mapping[Any, tuple[str, str]], rows: Rows) -> tuple[Connector, ...]:
-    types = grouped(rows.get("interface_port_type", ()))
+def _only_type(types: Sequence[tuple[Any, ...]]) -> str | None:
+    """The type of a port; of several that may pass through it, none is known to be it."""
+    return str(types[0][0]) if len(types) == 1 else None
+
+
+def _types(result: Result) -> dict[Any, list[tuple[Any, ...]]]:
+    """The types of the messages that may pass through each port's record."""
+    return grouped((tuple(port), type_) for port, type_ in result.rows("node_port_type"))
+
+
+def _connectors(result: Result, ids: Mapping[Any, tuple[str, str]]) -> tuple[Connector, ...]:
+    types = _types(result)
     found: dict[tuple[str, str], dict[str, set[tuple[str, str]]]] = {}
     passed: dict[tuple[str, str], set[str]] = defaultdict(set)
     for kind, name, side, port in result.rows("joins_connector"):
         found.setdefault((kind, name), {"source": set(), "sink": set()})[side].add(ids[tuple(port)])
-        passed[kind, name].update(type_ for (type_,) in types.get(port[1], []))
+        passed[kind, name].update(type_ for (type_,) in types.get(tuple(port), []))
     opened = set(result.rows("connector_open"))
     return tuple(
         Connector(*key, tuple(sorted(passed[key])), tuple(sorted(sides["source"])), tuple(sorted(sides["sink"])), key in opened)

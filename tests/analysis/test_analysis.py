@@ -84,6 +84,33 @@ def test_inclusions_and_diagnostics(analysis: SystemAnalysis, workspace: Path) -
     assert [model.component for model in analysis.models] == ["talker"]
 
 
+def test_what_a_viewer_shows_is_of_the_types_of_its_displays(workspace: Path) -> None:
+    config = "Visualization Manager:\n  Displays:\n  - {Class: rviz/LaserScan, Topic: /scan}\n  Tools:\n  - {Class: rviz/SetGoal, Topic: /goal}\n"
+    (workspace / "talker" / "demo.rviz").write_text(config)
+    node = '<node pkg="rviz" type="rviz" name="rviz" args="-d $(find talker)/demo.rviz"/>'
+    (workspace / "talker" / "view.launch").write_text(f"<launch>{node}</launch>")
+    launches = given([parse_request("talker/view.launch")], LaunchEnvironment(workspace, (workspace,), {}))
+    (system,) = analyze_systems(workspace, launches, Method(sources=Settings(jobs=1))).systems
+    types = {"/scan": "sensor_msgs/LaserScan", "/goal": "geometry_msgs/PoseStamped"}
+    assert {port.name: port.type for port in system.nodes[0].ports if port.name in types} == types
+    assert {connector.name: connector.types for connector in system.connectors if connector.name in types} == {
+        name: (type_,) for name, type_ in types.items()
+    }
+
+
+def test_a_controller_goes_by_the_name_of_its_class(workspace: Path) -> None:
+    kind = "position_controllers/GripperActionController"  # of the package gripper_controllers
+    (workspace / "talker" / "c.yaml").write_text(f"controller_manager:\n  ros__parameters:\n    gripper: {{type: {kind}}}\n")
+    manager = '<node pkg="controller_manager" exec="ros2_control_node"><param from="$(find-pkg-share talker)/c.yaml"/></node>'
+    spawner = '<node pkg="controller_manager" exec="spawner" args="gripper"/>'
+    (workspace / "talker" / "arm.launch.xml").write_text(f"<launch>{manager}{spawner}</launch>")
+    launches = given([parse_request("talker/arm.launch.xml")], LaunchEnvironment(workspace, (workspace,), {}))
+    (system,) = analyze_systems(workspace, launches, Method(sources=Settings(jobs=1))).systems
+    (gripper,) = (node for node in system.nodes if node.name == "/gripper")
+    assert (gripper.origin, gripper.component) == ("library", f"gripper_controllers/{kind}")
+    assert [port.name for port in gripper.ports if not port.implicit] == ["/gripper/gripper_cmd"]
+
+
 def test_one_system_that_fails_costs_that_system(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("a", "b"):
         (workspace / "talker" / f"{name}.launch").write_text('<launch><node pkg="talker" type="talker" name="t"/></launch>')

@@ -149,3 +149,30 @@ def test_conditions_of_ports_are_kept(rosarch: Callable, tmp_path: Path) -> None
     assert rosarch("library", "build", tmp_path / "ws", *ORIGIN, "-o", tmp_path / "own").code == 0
     found = find("p", "n", [tmp_path / "own"])
     assert found and {port.name: port.conditional for port in found.ports} == {"always": None, "sometimes": "~use_control"}
+
+
+NAMED_AFTER_ITSELF = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_srvs/srv/trigger.hpp>
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("keeper");
+  auto answer = [](std_srvs::srv::Trigger::Request::SharedPtr, std_srvs::srv::Trigger::Response::SharedPtr) {};
+  auto service = node->create_service<std_srvs::srv::Trigger>(std::string(node->get_name()) + "/is_active", answer);
+  rclcpp::spin(node);
+}
+"""
+
+
+@pytest.mark.slow
+def test_names_made_of_the_own_one_are_for_any(rosarch: Callable, tmp_path: Path) -> None:
+    package = tmp_path / "ws" / "p"
+    package.mkdir(parents=True)
+    manifest = "<package><name>p</name><depend>rclcpp</depend><depend>std_srvs</depend><export><build_type>ament_cmake</build_type></export></package>"
+    (package / "package.xml").write_text(manifest)
+    (package / "CMakeLists.txt").write_text("find_package(rclcpp REQUIRED)\nadd_executable(n n.cpp)\n")
+    (package / "n.cpp").write_text(NAMED_AFTER_ITSELF)
+    assert rosarch("library", "build", tmp_path / "ws", *ORIGIN, "-o", tmp_path / "own").code == 0
+    found = find("p", "n", [tmp_path / "own"])
+    assert found and found.node_name == "keeper"
+    assert [port.name for port in found.ports if not port.implicit] == ["{node}/is_active"]

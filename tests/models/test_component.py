@@ -111,6 +111,14 @@ def test_the_order_of_rows_changes_nothing(seed: int) -> None:
     assert to_json(model(**shuffled)) == to_json(model(**relations))
 
 
+def test_of_several_types_none_is_known() -> None:
+    found = model(**{**RELATIONS, "port_type": [*RELATIONS["port_type"], (OUT, "a/Other")]})
+    assert {port.kind: port.type for port in found.ports if port.kind in ("publisher", "subscriber")} == {
+        "publisher": None,
+        "subscriber": "std_msgs/Empty",
+    }
+
+
 def test_ids_follow_the_source() -> None:
     sites = place("c3", "c1", "c2")
     found = model(port=[((site, "publisher", site),) for site in ("c1", "c2", "c3")], node_location=sites)

@@ -13,7 +13,7 @@
 // expect: _called_inside(_, V), variable_name(V, "action"), 1 = count : { _called_inside(_, _) }
 // expect-not: _assigned(_); timer_variable(_, _); _enters_at(_, _); _of_parameter_type(_); template_made_with(_, _); asks_if_empty(_, _)
 // expect: 12 = count : { expr_class(_, _) }, 16 = count : { made_of(_, _) }, 12 = count : { place_of(_, _) }
-// expect-not: given_role(_, _, _, _)
+// expect-not: given_role(_, _, _, _, _)
 #include <functional>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
