@@ -25,13 +25,7 @@ if TYPE_CHECKING:
 
 Handler = Callable[["World", Made, Context], None]
 HANDLERS: dict[str, Handler] = {}
-_SILENT = frozenset(
-    {
-        *("LogInfo", "Shutdown", "UnregisterEventHandler", "ReadyToTest", "SetROSLogDir"),
-        # groups do this; by hand it is next to never done
-        *("PushLaunchConfigurations", "PopLaunchConfigurations", "PushEnvironment", "PopEnvironment"),
-    }
-)
+_SILENT = frozenset({"Shutdown", "UnregisterEventHandler", "ReadyToTest"})
 
 
 def carries_out(*kinds: str) -> Callable[[Handler], Handler]:
@@ -144,6 +138,34 @@ def _put(context: Context, configurations: Mapping[str, str], *, alone: bool) ->
     if alone and all(map(is_known, configurations)):
         context.clear()
     context.put(configurations)
+
+
+@carries_out("PushLaunchConfigurations")
+def _push_configurations(_world: World, _made: Made, context: Context) -> None:
+    context.push_configurations()
+
+
+@carries_out("PopLaunchConfigurations")
+def _pop_configurations(_world: World, _made: Made, context: Context) -> None:
+    context.pop_configurations()
+
+
+@carries_out("PushEnvironment")
+def _push_environment(_world: World, _made: Made, context: Context) -> None:
+    context.push_environment()
+
+
+@carries_out("PopEnvironment")
+def _pop_environment(_world: World, _made: Made, context: Context) -> None:
+    context.pop_environment()
+
+
+@carries_out("LogInfo", "SetROSLogDir")
+def _told(world: World, made: Made, context: Context) -> None:
+    """Nothing starts, but launch ends when the text cannot be made."""
+    text = made.get("msg", "new_log_dir")
+    if text is not None:
+        perform(world, text, context)
 
 
 @carries_out("ResetEnvironment")

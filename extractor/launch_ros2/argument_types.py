@@ -1,6 +1,6 @@
 """Arguments that the classes of launch_ros reject, in all versions: their types, and those that must be there.
 
-Sources: launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py.
+Sources: launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py, launch/utilities/type_utils.py.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ _REQUIRED = {  # by any of their names
 RENAMED = {"node_executable": "executable", "node_name": "name", "node_namespace": "namespace", "node_plugin": "plugin"}
 """Arguments by the names that they had until Foxy, and their names since Galactic."""
 WITH_OLD_NAMES = frozenset({"dashing", "eloquent", "foxy"})
+TYPES: dict[str, type] = {"str": str, "int": int, "float": float, "bool": bool}
+"""The types that a scalar parameter can be said to have."""
 OF_NODES = _NODES | {"ComposableNode", "ComposableLifecycleNode"}
 """The classes that describe nodes."""
 
@@ -37,8 +39,21 @@ def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         yield "parameters", "parameters must be a list"
     if kind == "IncludeLaunchDescription" and isinstance(given.get("launch_arguments"), dict):
         yield "launch_arguments", "launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
+    wanted, value = type_name(given.get("value_type")), given.get("value")
+    if kind == "ParameterValue" and _is_scalar(value) and not is_of(value, wanted):
+        yield "value", f"{value!r} is no {wanted}: only what substitutions come to is converted"
     if kind in OF_NODES and any(not _is_rule(rule) for rule in _rules(given.get("remappings"))):
         yield "remappings", "each of the remappings must be a tuple of two names"
+
+
+def type_name(kind: Any) -> str:
+    """What a type is called that a parameter is said to have; `auto` when it is not said."""
+    return kind if isinstance(kind, str) else str(getattr(kind, "__name__", None) or getattr(kind, "name", "auto"))
+
+
+def is_of(value: Any, name: str) -> bool:
+    """Whether launch takes a value that is no substitution for one of this type."""
+    return name not in TYPES or isinstance(value, TYPES[name])
 
 
 def _rules(remappings: Any) -> list[Any]:
@@ -48,6 +63,10 @@ def _rules(remappings: Any) -> list[Any]:
 def _is_rule(rule: Any) -> bool:
     """Whether this may be a pair of names: all that is not known may."""
     return not (isinstance(rule, list) or _is_text(rule) or (isinstance(rule, tuple) and len(rule) != 2))
+
+
+def _is_scalar(value: Any) -> bool:
+    return isinstance(value, (int, float)) or _is_text(value)
 
 
 def _is_text(value: Any) -> bool:

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rosarch.extractor.launch.model import Condition, Place, Remap, exclusive
+from rosarch.extractor.launch.model import Condition, LaunchError, Place, Remap, exclusive
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Context:
     It `is_in_namespace` when one was pushed, be that the root.
 
     `origins` are those of configurations that are arguments; `environment` is what differs from the environment `outside`, with None for a
-    variable that was unset.
+    variable that was unset. `kept` and `environments` are what was pushed, the last at the end.
     """
 
     file: str
@@ -77,6 +77,8 @@ class Context:
     held: tuple[Condition, ...] = ()
     lines: tuple[Place, ...] = ()
     loop: Mapping[str, Any] = field(default_factory=dict)
+    kept: list[Context] = field(default_factory=list)
+    environments: list[dict[str, str | None]] = field(default_factory=list)
     anew: bool = False
     """Whether the end of a process starts what is visited: the actions that have started before are started once more."""
 
@@ -142,16 +144,46 @@ class Context:
         self.file, self.lines, self.conditions = moment.file, moment.lines, moment.conditions
         self.held, self.loop = moment.held, moment.loop
 
+    def push_configurations(self) -> None:
+        """Keep all configurations, of which namespace, remappings and parameters for all nodes are some."""
+        self.kept.append(replace(self, configurations=dict(self.configurations), origins=dict(self.origins)))
+
+    def pop_configurations(self) -> None:
+        """Put back the configurations that were kept last.
+
+        Raises:
+            LaunchError: none were.
+        """
+        if not self.kept:
+            raise LaunchError("scope", "PopLaunchConfigurations", "PopLaunchConfigurations: nothing was pushed before")
+        kept = self.kept.pop()
+        self.configurations, self.origins, self.remaps, self.params = kept.configurations, kept.origins, kept.remaps, kept.params
+        self.namespace, self.is_in_namespace = kept.namespace, kept.is_in_namespace
+
+    def push_environment(self) -> None:
+        """Keep all environment variables."""
+        self.environments.append(dict(self.environment))
+
+    def pop_environment(self) -> None:
+        """Put back the environment variables that were kept last.
+
+        Raises:
+            LaunchError: none were.
+        """
+        if not self.environments:
+            raise LaunchError("scope", "PopEnvironment", "PopEnvironment: nothing was pushed before")
+        self.environment = self.environments.pop()
+
     @contextmanager
     def scoped(self) -> Iterator[None]:
         """What changes meanwhile is put back."""
-        kept = replace(self, configurations=dict(self.configurations), origins=dict(self.origins), environment=dict(self.environment))
+        self.push_configurations()
+        self.push_environment()
         try:
             yield
         finally:
-            self.configurations, self.origins, self.environment = kept.configurations, kept.origins, kept.environment
-            self.namespace, self.is_in_namespace = kept.namespace, kept.is_in_namespace
-            self.remaps, self.params = kept.remaps, kept.params
+            self.pop_environment()
+            self.pop_configurations()
 
     @contextmanager
     def within(self, *conditions: Condition) -> Iterator[None]:

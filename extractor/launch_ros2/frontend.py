@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.base.hints import only_candidate
 from rosarch.extractor.launch.model import LaunchError, Place
+from rosarch.extractor.launch_ros2.argument_types import TYPES, is_of
 from rosarch.extractor.launch_ros2.texts import parsed
 from rosarch.extractor.launch_ros2.values import Made
 
@@ -255,10 +256,35 @@ def _executable(_world: World, child: Entity) -> Made:
     return made(child, "ExecuteProcess", cmd=_words(child, "cmd"), args=_words(child, "args"))
 
 
-@element("log", "log_info", "log_debug", "log_warning", "log_error", "shutdown", "push_launch_configurations", "pop_launch_configurations")
-@element("push_env", "pop_env", "reset_env", "set_ros_log_dir", "test", "lifecycle_transition")
+@element("log", "log_info", "log_debug", "log_warning", "log_error")
+def _log(_world: World, child: Entity) -> Made:
+    return made(child, "LogInfo", msg=required(child, "message"))
+
+
+@element("set_ros_log_dir")
+def _log_folder(_world: World, child: Entity) -> Made:
+    return made(child, "SetROSLogDir", new_log_dir=required(child, "new_log_dir"))
+
+
+@element("shutdown")
+def _shutdown(_world: World, child: Entity) -> Made:
+    return made(child, "Shutdown", reason=text(child, "reason"))
+
+
+@element("test", "lifecycle_transition")
 def _silent(_world: World, child: Entity) -> Made:
     return made(child, "LogInfo")
+
+
+_PLAIN = {
+    "reset_env": "ResetEnvironment", "push_env": "PushEnvironment", "pop_env": "PopEnvironment",
+    "push_launch_configurations": "PushLaunchConfigurations", "pop_launch_configurations": "PopLaunchConfigurations",
+}  # fmt: skip
+
+
+@element(*_PLAIN)
+def _plain(_world: World, child: Entity) -> Made:
+    return made(child, _PLAIN[child.name.replace("-", "_")])
 
 
 @element("node", "lifecycle_node")
@@ -319,16 +345,23 @@ def _param(child: Entity) -> Made:
     return made(child, "ParameterEntry", name=required(child, "name"), value=value_of(child))
 
 
+_KINDS = frozenset({"auto", "yaml", *TYPES, *(f"list_of_{name}" for name in TYPES)})
+
+
 def value_of(child: Entity) -> Any:
     """The value of a parameter: a text that is read as YAML once it is known, unless its type is said."""
     found = child.attributes.get("value")
     kind = child.attributes.get("type", "auto")
     if found is None:
         raise LaunchError("attribute", "value", f"<{child.name}> has no attribute `value`")
+    if kind not in _KINDS:
+        raise LaunchError("attribute", "type", f"`{kind}` is no type of parameters: these are {', '.join(sorted(_KINDS))}")
     if isinstance(found, list):
         substituted = any("$(" in one for one in found if isinstance(one, str))
         return [_item(one, kind, child) for one in found] if substituted else found
     if not isinstance(found, str) or (child.typed and "$(" not in found):
+        if not isinstance(found, dict) and not is_of(found, kind):
+            raise LaunchError("parameter", str(found), f"{found!r} is no {kind}")
         return found
     separator = child.attributes.get("value-sep")
     if separator:

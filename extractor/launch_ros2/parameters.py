@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
+from rosarch.extractor.launch_ros2.argument_types import TYPES, type_name
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.params_files import ALL, ParamsFile, chosen, leaves, matches, params_file
 from rosarch.extractor.launch_ros2.rcl_values import shown, written
@@ -212,14 +214,31 @@ def _typed(world: World, made: Made, context: Context) -> Any:
     value, kind = made.arguments.get("value"), made.arguments.get("value_type")
     if not isinstance(value, (str, list, tuple, Made, Instance, Either, Unknown)):
         return value
-    text = perform(world, value, context)
-    name = kind if isinstance(kind, str) else getattr(kind, "__name__", None) or getattr(kind, "name", "auto")
-    if name in ("str", "string"):
+    text, name = perform(world, value, context), type_name(kind)
+    if name == "str" or world.state.unknowns.is_open(text):
         return text
+    if name in TYPES:
+        return _converted(text, TYPES[name])
     found = _read(world, text)
-    if name == "auto" and not (_is_value(found) and (not text or yaml_value(text) is not None)):
+    of, several = TYPES.get(name.removeprefix("list_of_")), isinstance(found, list)
+    if of is not None and not (several and all(isinstance(item, of) for item in found)):
+        raise LaunchError("parameter", text, f"`{text}` is no list of {of.__name__}")
+    if name in ("auto", "yaml") and not (_is_value(found) and (not text or yaml_value(text) is not None)):
         raise LaunchError("parameter", text, f"`{world.state.unknowns.render(text)}` is neither a scalar nor a list of one type")
-    return float(found) if name in ("float", "double") and isinstance(found, int) and not isinstance(found, bool) else found
+    return found
+
+
+def _converted(text: str, kind: type) -> Any:
+    """A text as a number or Boolean.
+
+    Raises:
+        LaunchError: it is none.
+    """
+    with suppress(ValueError):
+        found = yaml_value({"1": "true", "0": "false"}.get(text, text)) if kind is bool else kind(text)
+        if isinstance(found, kind):
+            return found
+    raise LaunchError("parameter", text, f"`{text}` is no {kind.__name__}")
 
 
 def _is_value(found: Any) -> bool:

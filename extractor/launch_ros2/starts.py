@@ -81,7 +81,8 @@ def _target(world: World, target: Any, context: Context) -> str:
 def start_node(world: World, made: Made, context: Context) -> NodeStart:
     """Start a node as a process."""
     given = ros_arguments(world, _words(world, made, context))
-    package, executable = perform(world, made.get("package"), context), perform(world, made.get("executable", "node_executable"), context)
+    package = perform(world, made.get("package"), context)
+    executable = world.by_names(perform(world, made.get("executable", "node_executable"), context))
     named = made.get("name", "node_name")
     name = None if named is None else perform(world, named, context)
     if name is not None:
@@ -424,7 +425,8 @@ def _process(world: World, made: Made, context: Context) -> None:
     """A program; `ros2 run package executable` is a node."""
     description = made.get("process_description")
     source = description if isinstance(description, Made) else made
-    words = [*_words_of(world, source.get("cmd"), context), *_words_of(world, source.get("args"), context)]
+    given = (*_words_of(world, source.get("cmd"), context), *_words_of(world, source.get("args"), context))
+    words = [*map(world.by_names, given)]
     world.hand(words)
     if len(words) > 3 and os.path.basename(words[0]) == "ros2" and words[1] == "run":
         node = Made("Node", {"package": words[2], "executable": words[3], "arguments": words[4:]}, made.place)

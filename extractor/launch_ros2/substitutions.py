@@ -169,7 +169,11 @@ def _executable(world: World, made: Made, context: Context) -> str:
 
 @performs("FindExecutable")
 def _program(world: World, made: Made, context: Context) -> str:
-    return perform(world, made.get("name"), context)
+    """Where a program is, which differs from machine to machine."""
+    name = perform(world, made.get("name"), context)
+    mark = _mark(world, f"$(find-exec {_rendered(world, name)})", name)
+    world.programs[mark] = name
+    return mark
 
 
 @performs("FileContent")
@@ -187,7 +191,7 @@ def _content(world: World, made: Made, context: Context) -> str:
 @performs("Command")
 def _command(world: World, made: Made, context: Context) -> str:
     """What a command prints: it is not run. rosarch evaluates xacro files itself, and knows what `cat` and `echo` print."""
-    command = perform(world, made.get("command"), context)
+    command = world.by_names(perform(world, made.get("command"), context))
     unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
     words = words_of(command)
     made_here = any(world.is_made(word.rpartition(":=")[2]) for word in words)
@@ -348,13 +352,18 @@ def _loop(world: World, made: Made, context: Context) -> str:
 
 @performs("Parameter")
 def _parameter(world: World, made: Made, context: Context) -> str:
-    name = perform(world, made.get("name"), context)
-    found = next((given.value for given in reversed(context.params) if given.name == name), None)
-    return (
-        _mark(world, f"$(param {_rendered(world, name)})")
-        if found is None or isinstance(found, Unknown)
-        else perform(world, found, context)
-    )
+    """The first value that was given to all nodes under a name, as Python writes it."""
+    name, default = perform(world, made.get("name"), context), made.get("default")
+    unknown = _mark(world, f"$(param {_rendered(world, name)})", name)
+    if _is_open(world, name):
+        return unknown
+    for given in context.params:
+        if given.name == name:
+            sure = set(given.conditions) <= set(context.conditions)
+            return world.as_text(tuple(given.value) if isinstance(given.value, list) else given.value) if sure else unknown
+    if default is None:
+        raise LaunchError("parameter", name, f"the parameter `{name}` is given to no node before")
+    return perform(world, default, context) if isinstance(default, (str, list, tuple, Made, Unknown, Either)) else world.as_text(default)
 
 
 @performs("ParameterFile")

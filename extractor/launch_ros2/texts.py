@@ -35,14 +35,15 @@ _NAMED: dict[str, tuple[str, tuple[str, ...]]] = {
     "equals": ("EqualsSubstitution", ("left", "right")),
     "not-equals": ("NotEqualsSubstitution", ("left", "right")),
     "if": ("IfElseSubstitution", ("condition", "if_value", "else_value")),
-    "param": ("Parameter", ("name",)),
+    "param": ("Parameter", ("name", "default")),
     "for-var": ("ForEachVar", ("name", "default_value")),
     "index": ("ForLoopIndex", ("name",)),
     "ros_log_dir": ("LaunchLogDir", ()),
     "launch_log_dir": ("LaunchLogDir", ()),
     "log_dir": ("LaunchLogDir", ()),
 }
-_LISTS = {"any": "AnySubstitution", "all": "AllSubstitution"}
+_REFUSED = frozenset({"any", "all"})
+"""What launch has under a name for front ends, but cannot make: it hands the arguments over by a keyword that the class does not take."""
 _PLAIN = {ends: re.compile(rf"[^\\${re.escape(ends)}]+") for ends in ("", '"', "'", " \t\r\n)")}
 """What ends before a character that may mean something, in a text that some characters end."""
 _PATHS = {"path-join": ("PathJoinSubstitution", "substitutions"), "string-join": ("StringJoinSubstitution", "substitutions")}
@@ -114,8 +115,8 @@ class _Parser:
         """A substitution by its name and arguments."""
         name = arguments[0][0] if arguments and len(arguments[0]) == 1 and isinstance(arguments[0][0], str) else ""
         values: list[Any] = arguments[1:]
-        if name in _LISTS:
-            return Made(_LISTS[name], {}, self.place, tuple(values))
+        if name in _REFUSED:
+            raise LaunchError("substitution", name, f"$({name} ...) fails in launch files in XML and YAML: use `and` and `or`")
         if name in _PATHS:
             kind, parameter = _PATHS[name]
             return Made(kind, {parameter: values}, self.place)

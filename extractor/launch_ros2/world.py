@@ -50,6 +50,7 @@ class World:
         self.controllers: list[Asked] = []
         self.asked: list[str] = []
         self.handed: list[str] = []
+        self.programs: dict[str, str] = {}
         self.temporary = 0
         self.context = Context("", outside=self.environment)
 
@@ -146,6 +147,12 @@ class World:
     def content_of(self, path: str) -> str:
         """What is in a file, when that is not known."""
         return self.state.unknowns.mark(f"$(file-content {self.state.unknowns.render(path)})", path)
+
+    def by_names(self, command: str) -> str:
+        """A command with the names of programs for where they were found."""
+        for found, name in self.programs.items():
+            command = command.replace(found, name)
+        return command
 
     def hand(self, *values: Any) -> None:
         """Note what programs and functions get that are not seen here: they may write the files that it names."""
