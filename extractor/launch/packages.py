@@ -140,6 +140,13 @@ class PackagePath:
             self._names[folder] = frozenset(found)
         return self._names[folder]
 
+    def installing_module(self, name: str) -> Iterator[str]:
+        """The folders in which packages have the Python package called so, and install it: their build files name it."""
+        for folder in self.own.values():
+            for root in (folder, f"{folder}/src"):
+                if os.path.isfile(f"{root}/{name}/__init__.py") and name in self.names_in(folder):
+                    yield root
+
     def describing(self, plugin: str) -> str | None:
         """The package of the folders that has a description of the plug-in called so."""
         return next((package for package, folder in self.own.items() if plugin in self._described_in(folder)), None)

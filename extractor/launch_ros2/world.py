@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from contextlib import suppress
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -183,12 +184,14 @@ class World:
         return path if self.state.unknowns.is_open(path) else self.state.files.located(path)
 
     def module_source(self, name: str, beside: str) -> tuple[str, str] | None:
-        """File and text of a module: one that rosarch knows, of the workspace, of the launch file's folder, of an installed package."""
+        """File and text of a module: one that rosarch knows, of the launch file's folder, of the workspace, of an installed package."""
         if name in _KNOWN_NAMES:
             return name, (_KNOWN / f"{name}.txt").read_text(encoding="utf-8")
         words = name.split(".")
-        folder = self.state.files.packages.find(words[0])
-        for root in [os.path.dirname(beside), *([folder, os.path.join(folder, "src")] if folder else [])]:
+        packages = self.state.files.packages
+        folder = packages.find(words[0])
+        beside_it = [os.path.dirname(beside), *([folder, os.path.join(folder, "src")] if folder else [])]
+        for root in chain(beside_it, packages.installing_module(words[0])):
             base = os.path.join(root, *words)
             for path in (f"{base}.py", os.path.join(base, "__init__.py")):
                 if self.state.files.is_file(path):

@@ -30,7 +30,11 @@ def python_nodes(workspace: Workspace, problems: list[Diagnostic]) -> Iterator[C
     """The Python nodes of the selected packages. `problems` lists entry points without a module."""
     modules = Modules(workspace.underlay)
     shared = [root for package in workspace.packages for root in _roots(package)]
-    roots = {one.name: tuple(dict.fromkeys((*_roots(one), *shared))) for one in workspace.packages if one.name in workspace.selected}
+    roots = {
+        one.name: tuple(dict.fromkeys((*_roots(one), *shared, *_above(one, workspace.root))))
+        for one in workspace.packages
+        if one.name in workspace.selected
+    }
     found = list(_installed_or_found(workspace, roots, modules, problems))
     yield from found
     if workspace.searched:
@@ -55,6 +59,11 @@ def _roots(package: Package) -> tuple[Path, ...]:
     below = (package.path / plugin.library for plugin in package.plugins if plugin.in_python)
     told = tuple(dict.fromkeys((*package.python_roots, *(path for path in below if os.path.isdir(path)))))
     return told if told or not package.build_type.startswith("ament") else (package.path,)
+
+
+def _above(package: Package, workspace: Path) -> Iterator[Path]:
+    """The folders of the workspace around a package: what is imported and is in no package, PYTHONPATH finds there."""
+    return (folder for folder in package.path.parents if folder.is_relative_to(workspace))
 
 
 def _of_entry_points(package: Package, roots: tuple[Path, ...], modules: Modules, problems: list[Diagnostic]) -> Iterator[Component]:

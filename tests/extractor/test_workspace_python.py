@@ -52,7 +52,7 @@ def test_entry_points_of_setup_py(tmp_path: Path) -> None:
     assert found["talk"].executables == ("talk",)
     start = found["talk"].python
     assert start is not None
-    assert (start.module, start.function, start.roots) == ("demo.topics.talker", "main", (tmp_path / "demo",))
+    assert (start.module, start.function, start.roots) == ("demo.topics.talker", "main", (tmp_path / "demo", tmp_path))
     assert dict(start.modules) == {
         "demo.topics.talker": tmp_path / "demo/demo/topics/talker.py",
         "demo.common": tmp_path / "demo/demo/common.py",
@@ -180,6 +180,19 @@ def test_scripts_that_are_started_by_hand(tmp_path: Path) -> None:
     assert [path.name for path in found["probe"].sources] == ["probe.py", "tools.py"]
 
 
+def test_modules_in_a_folder_that_packages_lie_in(tmp_path: Path) -> None:
+    setup = "from setuptools import setup\nsetup(packages=['demo'], entry_points={'console_scripts': ['run = demo.run:main']})\n"
+    ament(
+        tmp_path / "src",
+        "demo",
+        setup,
+        {"demo/run.py": "import rclpy\nfrom lib.motors.wheel import Wheel\nimport absent.wheel\ndef main(): pass\n"},
+    )
+    write(tmp_path, {"src/lib/motors/wheel.py": "class Wheel: pass\n", "absent/__init__.txt": ""})
+    (found,) = nodes(tmp_path).values()
+    assert [path.name for path in (*found.sources, *found.library_sources)] == ["run.py", "wheel.py"]
+
+
 def test_scripts_that_rosrun_finds(tmp_path: Path) -> None:
     package(
         tmp_path,
@@ -243,7 +256,7 @@ def test_nothing_is_run_without_being_installed_in_ros_2(tmp_path: Path) -> None
     found = nodes(tmp_path)
     assert list(found) == ["a"]
     assert found["a"].python is not None
-    assert found["a"].python.roots == (tmp_path / "demo/scripts", tmp_path / "demo/python")
+    assert found["a"].python.roots == (tmp_path / "demo/scripts", tmp_path / "demo/python", tmp_path)
 
 
 def test_a_node_and_a_script_of_one_name(tmp_path: Path) -> None:

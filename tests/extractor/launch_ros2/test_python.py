@@ -7,7 +7,7 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
-from ros2_launch_builder import HEAD, composed, described, names, params, problems
+from ros2_launch_builder import HEAD, MANIFEST, composed, described, names, params, problems
 
 
 def test_a_node_with_all_that_it_is_given(tmp_path: Path) -> None:
@@ -278,6 +278,17 @@ class Upper(Substitution):
     )
     found = composed(tmp_path, {"main.launch.py": main, "here/__init__.py": "", "here/tools.py": helper})
     assert names(found) == ["/ABC"]
+
+
+@pytest.mark.parametrize(("build", "started"), [("ament_python_install_package(loader)", ["/a", "/b"]), ("ament_package()", ["/b"])])
+def test_helpers_that_another_package_installs_under_another_name(tmp_path: Path, build: str, started: list[str]) -> None:
+    other = tmp_path / "tools"
+    helpers = {"loader/__init__.py": "", "loader/nodes.py": HEAD + "def more():\n    return [node('a')]\n"}
+    for name, text in {"package.xml": MANIFEST.format("tools"), "CMakeLists.txt": f"project(tools)\n{build}\n", **helpers}.items():
+        (other / name).parent.mkdir(parents=True, exist_ok=True)
+        (other / name).write_text(text)
+    main = "from loader import nodes\ndef generate_launch_description():\n    return LaunchDescription(nodes.more() + [node('b')])\n"
+    assert names(composed(tmp_path, {"main.launch.py": HEAD + main})) == started
 
 
 def test_a_configuration_that_code_sets_to_what_is_not_known(tmp_path: Path) -> None:
