@@ -219,8 +219,8 @@ def _reactive(
         if source in ports and sink in ports:
             ways = [
                 (places[site], way.guard)
-                for function in sorted(functions[source])
                 for site in sorted(sites)
+                for function in guards.those_that_run(sorted(functions[source]), site)
                 for way in guards.ways(function, site, "")
                 if way.guard != FALSE
             ]

@@ -134,6 +134,11 @@ class Guards:
         """When the activity of `root` evaluates `node`: true when nothing is known, false when what calls give rules it out."""
         return either(way.guard for way in self.ways(root, node, ""))
 
+    def those_that_run(self, roots: Iterable[str], node: str) -> list[str]:
+        """The roots whose activities come to `node`; all of them when that is not seen of any."""
+        known = list(roots)
+        return [root for root in known if any(self._runs(root, block) for block in self._blocks.get(node, ()))] or known
+
     def ways(self, root: str, node: str, value: str) -> list[Way]:
         """How the activity of `root` comes to `node`, and what `value`, an expression of its function, is then: calls may give it.
 

@@ -15,6 +15,7 @@ from rosarch.models.formula import Condition, Formula
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import Comparison, Operand, constant, parse_condition, strip
 from rosarch.models.machine.counting import whole
+from rosarch.models.machine.logic import BOOLEAN
 from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses, is_ambiguous
 from rosarch.models.machine.steps import Step
 
@@ -58,6 +59,8 @@ def _need(item: Condition, kept: Mapping[str, str]) -> tuple[str, str, bool] | N
         return kept[name], "true", holds
     if isinstance(condition, Comparison) and condition.op == "==" and (name := _name(condition.left)) in kept:
         value = constant(condition.right)
+        if value in BOOLEAN:
+            return kept[name], "true", holds is (value == "true")
         if value is not None and value[:1] in "\"'":
             return kept[name], value[1:-1], holds
     return None

@@ -132,6 +132,12 @@ TRAITS = {
     "sent_by_several": ("port",),
     "least_gap": ("port", "port", "text", "text"),
     "answers_surely": ("port",),
+    "in_callback": ("port", "place", "place"),
+    "continues_with": ("place", "place"),
+    "done_at_once": ("place",),
+    "gives_way": ("port", "place"),
+    "gives_way_otherwise": ("place",),
+    "runs_any_method": ("place", "text"),
     **FLOW_TRAITS,
 }
 

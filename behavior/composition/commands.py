@@ -14,6 +14,7 @@ from rosarch.behavior.composition.reactions import Effect, cases_of, effects
 from rosarch.behavior.composition.system import ENVIRONMENT, End, System, Topic
 from rosarch.models.machine.elapsed import LONG
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
+from rosarch.models.machine.parts import continuation, short
 from rosarch.models.machine.reactions import is_ambiguous
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import OFF, START
@@ -77,7 +78,10 @@ def _doubts(system: System, cone: Cone) -> Iterator[str]:
             yield f"callbacks of {node} that may run at the same time change {system.nodes[node].variables[key].text}"
         if key in system.nodes[node].multiplied:
             yield f"several objects of {node} may have or change {system.nodes[node].variables[key].text}"
-    for node in sorted({node for node, _ in (*cone.variables, *cone.steps)} & set(system.conditions)):
+    nodes = sorted({node for node, _ in (*cone.variables, *cone.steps)})
+    for node in nodes:
+        yield from (f"{node}: {text}" for text in system.nodes[node].unfollowed)
+    for node in (node for node in nodes if node in system.conditions):
         yield f"{node} is started only if {system.conditions[node]}"
     for (node, _), steps in cone.steps.items():
         if not system.nodes[node].shared.isdisjoint(port for step in steps for port in step.outputs):
@@ -216,7 +220,7 @@ def _runs_if(builder: _Builder, end: End) -> tuple[str, ...]:
     if trigger in component.rates:
         reason = component.unsteady.get(trigger)
         return (f"{component.label(trigger)} of {node} runs then ({reason})",) if reason else ()
-    if trigger in component.answered:
+    if trigger in component.answered and not builder.system.is_answered(end):
         return (f"what {node} asked through {trigger} is answered then",)
     if component.together.get(trigger):
         return (f"messages that {node} waits for together belong together",)
@@ -226,6 +230,8 @@ def _runs_if(builder: _Builder, end: End) -> tuple[str, ...]:
         return ()
     if _runs_when_set(component, trigger):
         return ()
+    if waited := continuation(trigger):
+        return (f"what {node} awaits at {short(waited[1])} has come then",)
     return (f"{_ACTIVITIES.get(trigger, f'`{trigger}`')} of {node} runs then",)
 
 

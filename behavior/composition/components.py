@@ -13,6 +13,7 @@ from rosarch.models.machine.counting import whole
 from rosarch.models.machine.elapsed import with_elapsed
 from rosarch.models.machine.limits import NO_NUMBER, is_beyond
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
+from rosarch.models.machine.parts import in_turn
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger, names_of_messages
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import START, gated, gates, starting
@@ -176,6 +177,13 @@ class Component:
         return frozenset(port for (port,) in self._traits("answers_surely") if port not in self.unheard)
 
     @cached_property
+    def unfollowed(self) -> tuple[str, ...]:
+        """What the component does at some time and may do anything to it, as texts."""
+        waits = (f"a timer or thread lets others run at {place} before it continues" for (place,) in self._traits("gives_way_otherwise"))
+        called = (f"a method of {name} is called at {place} whose name is not known" for place, name in self._traits("runs_any_method"))
+        return (*waits, *called)
+
+    @cached_property
     def disturbed(self) -> frozenset[str]:
         """The variables that callbacks which may run at the same time change or test without a lock."""
         names = {name for name, *_ in self._traits("changed_at_once")}
@@ -254,6 +262,8 @@ def component(document: Document, settings: Settings | None = None) -> Component
     for key, cell in domains.cells.items():
         initial = cell.subject.values if cell.variable in read else cell.initial
         variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial)
+    steps, waiting = in_turn(steps)
+    variables |= {cell.variable: StateVariable(cell.variable, cell.subject.text, cell.subject.values, cell.initial) for cell in waiting}
     variables |= {
         gate.cell.subject.key: StateVariable(gate.cell.subject.key, gate.text, gate.cell.subject.values, gate.cell.initial)
         for gate in gates(document)

@@ -73,7 +73,8 @@ class Names:
     @staticmethod
     def value(text: str, variable: StateVariable, value: str) -> str:
         """A value of a variable, which is called `text`."""
-        known = value if value in variable.values else value_in(value, variable.values)
+        written = {_in_double_quotes(each): each for each in variable.values}
+        known = written.get(_in_double_quotes(value)) or value_in(value, variable.values)
         if known is None or (known == OTHER and value != OTHER):
             near = hint(value, variable.values) or f", there are {', '.join(variable.values)}"
             raise UnknownNameError(f"`{text}` is never told apart as `{value}`{near}", of_value=True)
@@ -89,6 +90,11 @@ class Names:
             verb = "send" if kind == "sent" else "receive"
             raise UnknownNameError(f"{node} does not {verb} {topic}" + (f"; {', '.join(others)} {verb}s it" if others else ""))
         return Event(kind, topic, node)
+
+
+def _in_double_quotes(value: str) -> str:
+    """A value; one in quotes, in those of both languages."""
+    return f'"{value[1:-1]}"' if value[:1] == "'" else value
 
 
 def _spellings(variable: StateVariable) -> Iterable[str]:

@@ -353,8 +353,13 @@ def _dict(body: Body, node: ast.expr) -> str:
     return body.operator(node, "{}", *pairs, form="list")
 
 
-def _passed(body: Body, node: ast.expr) -> str:
-    assert isinstance(node, (ast.Await, ast.Starred))
+def _await(body: Body, node: ast.Await) -> str:
+    expr = lower(body, node.value)
+    body.facts.add("awaited", expr)
+    return expr
+
+
+def _starred(body: Body, node: ast.Starred) -> str:
     return lower(body, node.value)
 
 
@@ -400,6 +405,6 @@ _FORMS: dict[type[ast.AST], Callable[[Body, Any], str]] = {
     ast.DictComp: lower_comprehension,
     ast.Yield: _yield,
     ast.NamedExpr: _walrus,
-    ast.Await: _passed,
-    ast.Starred: _passed,
+    ast.Await: _await,
+    ast.Starred: _starred,
 }

@@ -17,6 +17,7 @@ from rosarch.models.component import sent_in_loop
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import spaced
 from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects
+from rosarch.models.machine.parts import continuation, short
 from rosarch.models.machine.reactions import PERIODIC, Course, TooManyCases, component_steps, courses, distinguished_loops, loop_trigger
 from rosarch.models.machine.steps import Output, Row, Step
 
@@ -374,6 +375,8 @@ def _port_labels(document: Document) -> dict[str, str]:
 
 
 def _trigger_label(id_: str, document: Document, ports: Mapping[str, str]) -> str:
+    if after := continuation(id_):
+        return f"{_trigger_label(after[0], document, ports)} after {short(after[1])}"
     if id_ in ports:
         return "reconfigure" if ports[id_] == "~" else ports[id_]
     loops = {str(row.get("at")): row.get("hz") for row in document.get("periodic") or ()}

@@ -120,6 +120,7 @@ class _Draft:
     inputs: set[str] = field(default_factory=set)  # that it takes values from or is compared with
     asked: list[tuple[Arithmetic, int]] = field(default_factory=list)  # comparisons with whole numbers
     given: list[str | None] = field(default_factory=list)  # the texts that are assigned
+    truth_compared: bool = False  # with True or False, which are one and zero among numbers
     compared: bool = False  # with something that is no number
     limits: set[float] = field(default_factory=set)  # that it is compared with by size
 
@@ -249,6 +250,9 @@ class Domains:
         if sides := chosen_sides(asked) or boolean_sides(asked):
             for part in sides:
                 self._read_condition(part, owner)
+        elif asked.op == "==" and asked.right in ("True", "False"):
+            draft = self._draft(asked.left, owner)
+            draft.tested = draft.truth_compared = True
         elif asked.op in ("==", "is"):
             self._read_equality(asked.left, asked.right, owner)
         else:
@@ -351,6 +355,8 @@ class Domains:
             first = self._initial(place)
             draft.constants = dict.fromkeys([*([first] if first is not None else ()), *draft.constants])
             draft.open |= first is None
+            if draft.truth_compared and draft.constants.keys() - {*BOOLEAN, NULL}:
+                draft.constants |= dict.fromkeys(("0", "1"))
         changed = True
         while changed:
             changed = False

@@ -32,7 +32,7 @@ class Operand(Leaf):
 class Comparison(Leaf):
     """`left op right`, where `op` is `==`, `<`, `<=`, `>` or `>=`; a constant, if there is one, stands on the right.
 
-    Of Python's `x is True` and `x is False`, which are not so of everything that counts as true or false, `op` is `is`.
+    Python's `x is True` and `x == True`, where `op` is `is` or `==`, are not so of everything that counts as true.
     """
 
     op: str
@@ -348,7 +348,7 @@ def _normal(op: str, left: str, right: str) -> Condition:
         return opposite(_normal("==", left, right))
     if constant(left) is not None and constant(right) is None:
         left, op, right = right, MIRRORED.get(op, op), left
-    if op == "==" and constant(right) in ("true", "false"):
+    if op == "==" and constant(right) in ("true", "false") and not (right in ("True", "False") and _is_operand(left)):
         inner = parse_condition(left)
         return inner if constant(right) == "true" else opposite(inner)
     return Comparison(op, left, right)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rosarch.base.logic import TRUE, All, Any, Not, conjuncts
 from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
@@ -141,6 +141,8 @@ class Meaning:
 
     def _equality(self, condition: Comparison, owner: str) -> Formula:
         cell = self._domains.cell(self._domains.locator.locate(condition.left, owner))
+        if condition.op == "==" and condition.right in ("True", "False"):
+            return self._equal_to_truth(condition, cell.subject if cell else self._domains.input(condition.left), owner)
         if cell and cell.counting:
             return self._compared(condition)
         limit = number(condition.right)
@@ -161,6 +163,18 @@ class Meaning:
         unlike = frozenset(v for v in subject.values if v != OTHER and _may_be_same(v, str(known), characters))
         same = Is(subject, frozenset({str(known)}))
         return Any((same, All((Is(subject, unlike), self._compared(condition))))) if unlike else same
+
+    def _equal_to_truth(self, condition: Comparison, subject: Subject, owner: str) -> Formula:
+        """Whether something equals Python's True or False, which are one and zero among numbers, and no other value."""
+        alike = ("true", "1") if condition.right == "True" else ("false", "0")
+        as_number = replace(condition, right=alike[1])
+        if found := self._counted("==", condition.left, alike[1], owner):
+            return found
+        if are_ranges(subject.values):
+            return self._equality(as_number, owner)
+        same = Is(subject, frozenset(value for value in subject.values if value in alike))
+        unsure = frozenset(value for value in subject.values if value == OTHER or is_name(value))
+        return Any((same, All((Is(subject, unsure), self._compared(condition))))) if unsure else same
 
     def _same(self, one: Subject, two: Subject, condition: Comparison) -> Formula:
         """Two operands are equal."""

@@ -19,6 +19,7 @@ from rosarch.models.machine.cells import Document, Domains, condition_of, variab
 from rosarch.models.machine.epochs import with_epochs
 from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, first_unknown, simplify, subjects
 from rosarch.models.machine.meaning import Meaning
+from rosarch.models.machine.parts import apart, by_callback
 from rosarch.models.machine.steps import Output, Row, Step
 from rosarch.models.machine.switching import WAYS, gated, gates, switch_steps
 
@@ -88,8 +89,9 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     later = _done_later(document)
     traits = document.get("traits") or {}
     unsteady, anew = ({str(name) for (name,) in traits.get(trait, ())} for trait in ("unsteady_name", "gives_another"))
-    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees, unsteady, anew) for trigger, steps in found.items()}
-    return {trigger: gated(steps, trigger, known, document) for trigger, steps in ordered.items()}
+    parts = apart(found, trees, document)
+    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees, unsteady, anew) for trigger, steps in parts.items()}
+    return {trigger: by_callback(gated(steps, trigger, known, document), trigger, document) for trigger, steps in ordered.items()}
 
 
 def _rounds(document: Document) -> Iterator[tuple[int, Mapping[str, Any]]]:

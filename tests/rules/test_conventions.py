@@ -28,6 +28,7 @@ DIRECTIVE = re.compile(r"^\s*\.(input|output|printsize)\s+(\w+)", re.MULTILINE)
 ELSEWHERE = {
     "source_failed": "tests/extractor/test_pipeline.py",
     "macro_undefined": "tests/extractor/cxx/test_undefined_macros.py",
+    "awaited": "tests/rules/sources/answers_that_are_awaited.py",
     "source_lost": "tests/extractor/cxx/test_undefined_macros.py",
     "module_member_absent": "tests/rules/packages/python_members/scripts/stock.py",
     "call_misfits": "tests/rules/packages/python_calls/scripts/filler.py",
