@@ -255,11 +255,9 @@ class Writer:
         return Action("include", {"file": self.in_package(self.included), "arguments": passed})
 
     def timer(self, depth: int) -> Action:
-        return Action(
-            self.rng.choice(("timer", "ros_timer")),
-            {"period": self.rng.choice((0.5, 1.0, 2.0))},
-            self.actions(self.rng.randint(1, 2), depth + 1),
-        )
+        kind = self.rng.choice(("timer", "ros_timer"))
+        periods = (0.5, 1.0, 2.0) if kind == "timer" else (0.001,)  # before any other, also where other timers are played faster
+        return Action(kind, {"period": self.rng.choice(periods)}, self.actions(self.rng.randint(1, 2), depth + 1))
 
     def executable(self, _depth: int) -> Action:
         return Action("executable", {"cmd": [Part("text", text="run "), *self.text(2)]})

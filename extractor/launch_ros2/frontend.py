@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rosarch.base.hints import only_candidate
 from rosarch.extractor.launch.model import LaunchError, Place
 from rosarch.extractor.launch_ros2.argument_types import TYPES, is_of
+from rosarch.extractor.launch_ros2.parameters import converted
 from rosarch.extractor.launch_ros2.texts import parsed
 from rosarch.extractor.launch_ros2.values import Made
 
@@ -366,6 +367,8 @@ def value_of(child: Entity) -> Any:
     separator = child.attributes.get("value-sep")
     if separator:
         return [_typed(part, kind, child) for part in found.split(separator)]
+    if kind in TYPES and kind != "str" and "$(" not in found:
+        return converted(found, TYPES[kind])  # as the file is read, whether or not the node is started
     return _typed(found, kind, child)
 
 

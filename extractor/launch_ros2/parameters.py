@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 class Setting:
     """A parameter of the nodes that match `nodes`: its name, with dots, its value, the file it is from and the line there.
 
-    With `substituted`, launch has replaced the substitutions in that file.
+    With `substituted`, launch has replaced the substitutions in that file; `nested`: there, its name is that of a map and of a key in it.
     """
 
     name: str
@@ -36,6 +36,7 @@ class Setting:
     written: Place | None = None
     nodes: str = ALL
     substituted: bool = False
+    nested: bool = False
 
     def is_for(self, node: str) -> bool:
         """Whether the node of this (absolute) name gets it."""
@@ -68,15 +69,30 @@ def is_map(value: Any) -> bool:
 
 
 def in_order_of_rcl(found: Iterable[Setting | Unread | Read]) -> Iterator[Setting | Unread | Read]:
-    """What a process is given, in the order in which rcl has it override each other: all for one key, in the place of the first.
-
-    Of values with several types for one key, the first type of rcl's list counts, as it keeps one of each.
-    """
+    """What a process is given, in the order in which rcl has it override each other: all for one key, in the place of the first."""
     groups: dict[str, list[Setting | Unread | Read]] = {}
     for one in found:
         groups.setdefault(one.nodes if isinstance(one, Setting) else "", []).append(one)
     for group in groups.values():
-        yield from sorted(group, key=_rank, reverse=True)
+        for entry in _entries(group):
+            yield from sorted(entry, key=_rank, reverse=True)
+
+
+def _entries(group: Iterable[Setting | Unread | Read]) -> list[list[Setting | Unread | Read]]:
+    """The parameters that rcl keeps for one key: the last of a name counts, and of its values that of the first type in rcl's list.
+
+    A value goes to the first parameter of its name, which keeps one of each type, unless it is nested: then it is one more parameter.
+    """
+    entries: list[list[Setting | Unread | Read]] = []
+    first: dict[str, list[Setting | Unread | Read]] = {}
+    for one in group:
+        if isinstance(one, Setting) and not one.nested and one.name in first:
+            first[one.name].append(one)
+            continue
+        entries.append([one])
+        if isinstance(one, Setting):
+            first.setdefault(one.name, entries[-1])
+    return entries
 
 
 def _rank(found: Setting | Unread | Read) -> int:
@@ -218,7 +234,7 @@ def _typed(world: World, made: Made, context: Context) -> Any:
     if name == "str" or world.state.unknowns.is_open(text):
         return text
     if name in TYPES:
-        return _converted(text, TYPES[name])
+        return converted(text, TYPES[name])
     found = _read(world, text)
     of, several = TYPES.get(name.removeprefix("list_of_")), isinstance(found, list)
     if of is not None and not (several and all(isinstance(item, of) for item in found)):
@@ -228,7 +244,7 @@ def _typed(world: World, made: Made, context: Context) -> Any:
     return found
 
 
-def _converted(text: str, kind: type) -> Any:
+def converted(text: str, kind: type) -> Any:
     """A text as a number or Boolean.
 
     Raises:
@@ -291,4 +307,7 @@ def _of_file(world: World, value: Any, given: Given, name: str | None, context: 
         for local, found, keys in leaves("", section.values, section.keys):
             line = file.lines.get(keys)
             written = Place(shown, line) if line and shown is not None else None
-            yield Setting(local, found, given.place, given.conditions, path, written, ALL if given.node else section.pattern, substituted)
+            nested = len(keys) > len(section.keys) + 1
+            yield Setting(
+                local, found, given.place, given.conditions, path, written, ALL if given.node else section.pattern, substituted, nested
+            )

@@ -103,6 +103,12 @@ def test_the_type_of_a_parameter_in_xml(tmp_path: Path, value: str, kind: str, e
         assert (_refused(found) or params(found)["/n/p"]) == expected
 
 
+def test_a_value_of_another_type_where_no_node_starts(tmp_path: Path) -> None:
+    """launch converts it as it reads the file."""
+    found = xml(tmp_path, '<node pkg="here" exec="run" if="false"><param name="p" value="x" type="float"/></node>')
+    assert _refused(found) == "`x` is no float"
+
+
 @pytest.mark.parametrize(
     ("value", "kind", "told"),
     [
