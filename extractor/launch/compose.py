@@ -211,7 +211,7 @@ class _Composer:
         state.at(element, scope, conditions)
         for name in sorted(inner.declared - set(passed)):
             state.report(LaunchError("arg-without-value", name, f"argument `{name}` is passed without a value"))
-        note_worlds(state, passed.values(), scope)
+        note_worlds(state, passed.values(), scope.lines, scope.conditions)
         inner.args, inner.declared, inner.maybe_declared, inner.anonymous = passed, set(), {}, {}
         return inner
 

@@ -7,8 +7,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import replace
 
-from rosarch.extractor.launch.model import LaunchError, Problem, World
-from rosarch.extractor.launch.scope import Scope
+from rosarch.extractor.launch.model import Condition, LaunchError, Place, Problem, World
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.urdf.command import XacroCall, run
@@ -77,8 +76,8 @@ def _note_meshes(state: State, root: Element) -> None:
         _note_meshes(state, element)
 
 
-def note_worlds(state: State, texts: Iterable[str], scope: Scope) -> None:
-    """Note the worlds whose files `texts` name: arguments of a node, or of an included file."""
+def note_worlds(state: State, texts: Iterable[str], lines: tuple[Place, ...], conditions: tuple[Condition, ...]) -> None:
+    """Note the worlds whose files `texts` name, arguments of a node or of an included file, which stands below `lines`."""
     for path in texts:
         if not path.endswith(_WORLDS) or path in state.worlds or not is_known(path) or not state.files.is_file(path):
             continue
@@ -87,5 +86,4 @@ def note_worlds(state: State, texts: Iterable[str], scope: Scope) -> None:
         except LaunchError as error:
             state.report(error, fatal=False)
             continue
-        conditions = scope.conditions + state.own_conditions
-        state.worlds[path] = World(path, (*scope.lines, state.here), conditions, found.plugins if found else ())
+        state.worlds[path] = World(path, (*lines, state.here), conditions + state.own_conditions, found.plugins if found else ())

@@ -202,6 +202,7 @@ class _Writer:
         place = self.place(plugin.place)
         key = f"{place}:{plugin.name}:{plugin.reference or plugin.sensor or ''}"
         self.add("simulated_plugin", key, library_name(plugin.filename), place)
+        self.add("plugin_called", key, plugin.name)
         for element, text in plugin.elements:
             self.add("plugin_element", key, element, text)
 

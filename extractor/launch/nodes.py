@@ -34,7 +34,7 @@ def node(state: State, element: Element, scope: Scope) -> None:
     name = state.required(element, "name", scope)
     started = _start(state, element, scope, name, conditions)
     state.at(element, scope, conditions)
-    note_worlds(state, started.args.split(), scope)
+    note_worlds(state, started.args.split(), scope.lines, scope.conditions)
     state.add_node(started)
 
 

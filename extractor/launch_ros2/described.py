@@ -37,6 +37,7 @@ from rosarch.extractor.launch_ros2.values import (
     ModuleFrame,
     PathText,
     Unknown,
+    in_order,
 )
 from rosarch.extractor.launch_ros2.world import World, has_known_modules, known_class
 
@@ -144,6 +145,8 @@ class _Writer:
                 return parts[0] if len(parts) == 1 else parts
             case list() | tuple():
                 return [self.document(one) for one in value]
+            case set() | frozenset():
+                return [self.document(one) for one in in_order(value)]
             case dict():
                 return {"pairs": [[self.document(name), self.document(one)] for name, one in value.items()]}
             case None | bool() | int() | float():

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch.descriptions import robot_of_file
+from rosarch.extractor.launch.descriptions import note_worlds, robot_of_file
 from rosarch.extractor.launch.model import (
     ComponentNamed,
     Condition,
@@ -32,13 +32,15 @@ from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_o
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written, in_order
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
     from rosarch.extractor.urdf.robots import Robot
 
 _NODES = ("Node", "LifecycleNode", "ComposableNodeContainer")
+_SIMULATOR = ("gzserver", "gazebo")
+"""What runs Gazebo classic; `gazebo` has a window, too."""
 _KINDS = ("topic", "service")
 """What a remapping rule may be for alone."""
 _DESCRIPTIONS = ("robot_description", "robot_description_semantic")
@@ -151,6 +153,7 @@ def _start(
     lines = (*context.lines, made.place)
     params = list(params)
     called = name or _inferred(world, params, namespace, (executable, package), context) or executable.rpartition("::")[2]
+    note_worlds(world.state, args.split(), context.lines, context.conditions)
     started = NodeStart(
         package=package,
         type=executable,
@@ -369,8 +372,8 @@ def _as_list(found: Any) -> list[Any]:
     """The items of a list, or of what stands for one."""
     if isinstance(found, dict):
         return list(found.items())
-    if isinstance(found, (set, frozenset)):  # whose order changes from run to run: as it is written
-        return sorted(found, key=lambda one: (one.place.line, one.place.column) if isinstance(one, Written) else (0, 0))
+    if isinstance(found, (set, frozenset)):
+        return in_order(found)
     return list(found) if isinstance(found, (list, tuple)) else [] if found is None or found is NOTHING else [found]
 
 
@@ -420,6 +423,13 @@ def _split(text: str) -> list[str]:
         raise LaunchError("arguments", text, f"`{text}`: {str(error).lower()}") from None
 
 
+def _start_simulator(world: World, words: Sequence[str], made: Made, context: Context) -> None:
+    """Start Gazebo classic, which makes a node when it loads plug-ins for ROS; of a shell a word may be several."""
+    given = ros_arguments(world, [part for word in words[1:] for part in word.split()])
+    args = " ".join(map(shlex.quote, given.plain))
+    _start(world, made, context, ("gazebo_ros", _SIMULATOR[0], "gazebo", ""), given.remaps, given.params, args)
+
+
 @carries_out("ExecuteProcess", "ExecuteLocal")
 def _process(world: World, made: Made, context: Context) -> None:
     """A program; `ros2 run package executable` is a node."""
@@ -431,6 +441,8 @@ def _process(world: World, made: Made, context: Context) -> None:
     if len(words) > 3 and os.path.basename(words[0]) == "ros2" and words[1] == "run":
         node = Made("Node", {"package": words[2], "executable": words[3], "arguments": words[4:]}, made.place)
         start_node(world, node, context)
+    elif words and os.path.basename(words[0]) in _SIMULATOR:
+        _start_simulator(world, words, made, context)
     else:
         world.state.commands.setdefault(world.state.here)
         asked_by_command(world, words, context)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -30,6 +30,11 @@ class Written(tuple[Any, ...]):
     """A tuple that a launch file writes at `place`."""
 
     place: Place
+
+
+def in_order(found: Set[Any]) -> list[Any]:
+    """The items of a set, whose order changes from run to run, as they are written."""
+    return sorted(found, key=lambda one: (one.place.line, one.place.column) if isinstance(one, Written) else (0, 0))
 
 
 @dataclass(frozen=True, eq=False)

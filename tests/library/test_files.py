@@ -41,7 +41,7 @@ def generate_launch_description():
         DeclareLaunchArgument("other", default_value="false", choices=["true", "false"]),
         GroupAction([
             PushRosNamespace("robot"),
-            Node(package="base", executable="drive", name="drive", parameters=[rewritten, {{"list": [1, 2.5]}}], remappings=[("a", "b")]),
+            Node(package="base", executable="drive", name="drive", parameters=[rewritten, {{"list": [1, 2.5]}}], remappings={{("a", "b"), ("c", "d")}}),
         ], condition=UnlessCondition(LaunchConfiguration("other"))),
         IncludeLaunchDescription(PythonLaunchDescriptionSource(elsewhere), condition=IfCondition(LaunchConfiguration("other"))),
         Declared("kind", default_value="none"),
@@ -110,7 +110,7 @@ def test_a_description_starts_what_its_launch_file_starts(library: Path) -> None
         ({"other": "true"}, []),
     ):
         sources, described = composed(sources_path, **arguments), composed(library_path, **arguments)
-        drive = [("/robot/drive", "base", "drive", [("a", "b")])] if late else []
+        drive = [("/robot/drive", "base", "drive", [("a", "b"), ("c", "d")])] if late else []
         assert starts(described) == starts(sources) == drive + [(name, "base", program, []) for name, program in late], arguments
         settings = [(one.name, one.value) for one in described.params]
         assert settings == [(one.name, one.value) for one in sources.params]

@@ -174,6 +174,7 @@ def test_plugins_of_robots(tmp_path: Path) -> None:
     ((plugin, file, place),) = rows["simulated_plugin"]
     assert (file, place) == ("libdrive.so", "here/robot.urdf:3:1")
     assert rows["plugin_element"] == {(plugin, "topic", "cmd")}
+    assert rows["plugin_called"] == {(plugin, "drive")}
 
 
 def test_library_names() -> None:
@@ -249,7 +250,7 @@ def generate_launch_description():
     arm = os.path.join(here, "arm.launch.xml")
     forgotten = Node(package="here", executable="forgotten")
     arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]
-    bridge = Node(package="ros_gz_bridge", executable="parameter_bridge", name="bridge", arguments=["/odom@nav_msgs/msg/Odometry@gz.msgs.Odometry"], parameters=[{"config_file": "/none.yaml"}])
+    bridge = Node(package="ros_gz_bridge", executable="parameter_bridge", name="bridge", arguments=["/odom@nav_msgs/msg/Odometry@gz.msgs.Odometry", "/imu@"], parameters=[{"config_file": "/none.yaml"}])
     manager = Node(package="controller_manager", executable="ros2_control_node", parameters=[{"arm.type": "here/Arm", "joints": ["a", "b"], "robot_description": Command(["xacro ", os.path.join(here, "arm.urdf")])}])
     spawner = Node(package="controller_manager", executable="spawner", arguments=["arm"])
     return LaunchDescription([bridge, manager, spawner, *arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",

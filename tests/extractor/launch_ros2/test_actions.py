@@ -152,6 +152,20 @@ def test_a_file_that_includes_itself(tmp_path: Path) -> None:
     assert [problem.kind for problem in found.problems if problem.kind != "duplicate-node"] == ["cycle"]
 
 
+def test_gazebo_classic_is_a_node_with_a_world(tmp_path: Path) -> None:
+    world = "<sdf><world name='w'><plugin name='states' filename='libgazebo_ros_state.so'/></world></sdf>"
+    options = "-s libgazebo_ros_init.so -slibgazebo_ros_factory.so"
+    start = f"ExecuteProcess(cmd=['gzserver', os.path.dirname(__file__) + '/w.world', '{options}'], shell=True)"
+    folder = tmp_path / "here" / "launch"
+    folder.mkdir(parents=True)
+    (folder / "w.world").write_text(world)
+    found = described(tmp_path, start)
+    (node,) = found.nodes
+    assert (node.package, node.type, node.full_name, node.ros) == ("gazebo_ros", "gzserver", "/gazebo", 2)
+    assert node.args.split()[1:] == ["-s", "libgazebo_ros_init.so", "-slibgazebo_ros_factory.so"]
+    assert [plugin.filename for world in found.worlds for plugin in world.plugins] == ["libgazebo_ros_state.so"]
+
+
 def test_containers(tmp_path: Path) -> None:
     entities = """ComposableNodeContainer(name='box', namespace='b', package='rclcpp_components', executable='component_container',
         composable_node_descriptions=[ComposableNode(package='here', plugin='here::One', name='one', parameters=[{'a': 1}],
