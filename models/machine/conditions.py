@@ -11,6 +11,7 @@ import re
 import struct
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TypeAlias
 
 from rosarch.base.logic import FALSE, TRUE, All, Any, Formula, conjuncts, opposite
@@ -43,6 +44,8 @@ class Comparison(Leaf):
 Condition: TypeAlias = Formula[Leaf]
 """A condition; `and` and `or` are in the order of the source."""
 
+REMEMBERED = 1 << 14
+"""How many texts are read once: those of a component come again with each of its variables and triggers."""
 NULL = "null"
 MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _LONGEST, _DEEPEST = 5000, 50  # tokens, brackets: beyond, a text is taken as a whole
@@ -74,6 +77,7 @@ class _Token:
     closing: int = -1  # the index of the bracket that ends what this one begins
 
 
+@lru_cache(maxsize=REMEMBERED)
 def parse_condition(text: str) -> Condition:
     """Read a condition; what is not understood becomes an `Operand` of its text."""
     tokens = _tokens(text)
@@ -114,6 +118,7 @@ def chosen_sides(condition: Comparison) -> tuple[Condition, Condition] | None:
     return None
 
 
+@lru_cache(maxsize=REMEMBERED)
 def choice(text: str) -> tuple[str, str, str] | None:
     """Of `a ? b : c`, or `b if a else c`, the condition and what is chosen between; nothing when it is no such choice."""
     text = strip(text)
@@ -143,12 +148,14 @@ def spaced(text: str) -> str:
     return " ".join(text.split())
 
 
+@lru_cache(maxsize=REMEMBERED)
 def compact(text: str) -> str:
     """The same for texts that differ in white space, redundant brackets, casts that change no value, or `this->` and `self.` alone."""
     text = re.sub(r"(?<!\w)this\s*->\s*|(?<![\w.>])self\s*\.\s*(?=\w)", "", strip(text))
     return re.sub(r"\s+(?!\w)|(?<!\w)\s+", "", text)
 
 
+@lru_cache(maxsize=REMEMBERED)
 def strip(text: str) -> str:
     """An operand without the brackets and named casts around it."""
     tokens = _tokens(text)
@@ -166,6 +173,7 @@ def strip(text: str) -> str:
     return spaced(text[tokens[start].start : tokens[end - 1].end]) if tokens and start < end else spaced(text)
 
 
+@lru_cache(maxsize=REMEMBERED)
 def constant(text: str) -> str | None:
     """The constant that a text denotes, in one spelling: `true`, `false`, `null`, a number, a quoted text, or an enumerator's last name.
 

@@ -7,9 +7,10 @@ import operator
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import lcm
 
-from rosarch.models.machine.conditions import compact, number, single, strip
+from rosarch.models.machine.conditions import REMEMBERED, compact, number, single, strip
 from rosarch.models.machine.logic import OTHER
 
 MOST_VALUES = 128
@@ -56,6 +57,7 @@ class Arithmetic:
         return int(next(filter(None, match.groups()))) or None if match else None
 
 
+@lru_cache(maxsize=REMEMBERED)
 def arithmetic(text: str) -> Arithmetic | None:
     """The calculation that a text describes, if it is one; it names one variable at most."""
     names: set[str] = set()

@@ -40,10 +40,11 @@ def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Coll
     """
     guards = [_guard(trees.get(step)) for step in steps]
     again = (_asked_again(steps, guards, unsteady) if unsteady else []) + list(_called_again(guards, anew))
+    asking = {text for text in {text for guard in guards for text in guard.texts()} if any(each.search(text) for each in again)}
     found = []
     for number, step in enumerate(steps):
         epochs: dict[tuple[int, str], int] = {}
-        unclear = any(each.search(text) for each in again for text in guards[number].texts())
+        unclear = not asking.isdisjoint(guards[number].texts())
         tests = {(part, subject) for part, conjunct in enumerate(step.guard) for subject in subjects(conjunct) if subject.cell}
         for part, subject in tests:
             before = [
@@ -72,10 +73,15 @@ def _asked_again(steps: Sequence[Step], guards: Sequence[_Guard], names: Collect
     """What conditions at several places ask for, of that which has one of the names in it."""
     asked = {s.text for step in steps for conjunct in step.guard for s in subjects(conjunct) if not s.cell}
     sides = {side for text in asked for side in re.split(r"[<>=!]=?", compact(text))}
+    places: dict[str, set[str]] = {}
+    for guard in guards:
+        for place in guard.at:
+            for text in guard.texts(place):
+                places.setdefault(text, set()).add(place)
     found = []
     for side in sorted(side for side in sides if not set(_WORD.findall(side)).isdisjoint(names)):
         pattern = re.compile(rf"(?<![\w.>]){re.escape(side)}(?!\w)")
-        if len({place for guard in guards for place in guard.at if any(map(pattern.search, guard.texts(place)))}) > 1:
+        if len({place for text, at in places.items() if pattern.search(text) for place in at}) > 1:
             found.append(pattern)
     return found
 

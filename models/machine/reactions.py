@@ -145,17 +145,17 @@ def _done_later(document: Document) -> Mapping[str, frozenset[str]]:
 
 def _in_order(steps: Sequence[Step], later: Mapping[str, frozenset[str]]) -> list[Step]:
     """The steps, which are in the order of their lines, in that in which calls have them."""
-    waiting, found = list(steps), []
+    if not later:
+        return list(steps)
+    places = [frozenset(step.row.at.split()) for step in steps]
+    after = [frozenset(place for before in own for place in later.get(before, ())) for own in places]
+    before = [{other for other in range(len(steps)) if other != one and not own.isdisjoint(after[other])} for one, own in enumerate(places)]
+    waiting, found = dict.fromkeys(range(len(steps))), []
     while waiting:
-        ready = (step for step in waiting if not any(_follows(step, other, later) for other in waiting if other is not step))
-        step = next(ready, waiting[0])
-        waiting.remove(step)
-        found.append(step)
+        one = next((one for one in waiting if before[one].isdisjoint(waiting)), next(iter(waiting)))
+        del waiting[one]
+        found.append(steps[one])
     return found
-
-
-def _follows(step: Step, other: Step, later: Mapping[str, frozenset[str]]) -> bool:
-    return any(place in later.get(before, ()) for before in other.row.at.split() for place in step.row.at.split())
 
 
 def distinguished_loops(document: Document) -> frozenset[str]:
