@@ -76,6 +76,7 @@ class Reactions:
     def __init__(self, document: Document) -> None:
         self.document = runnable_document(document)
         domains = Domains(self.document, counts=True)
+        self.counted = _counted(domains)
         traits = document.get("traits") or {}
         doubtful = {name for trait in ("changed_at_once", "changed_by_several") for name, *_ in traits.get(trait, ())}
         doubtful |= {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
@@ -97,6 +98,11 @@ class Reactions:
         return trigger.partition(" ")[0] != PERIODIC or all(set(row.get("timed_by") or ()) == {self.place(trigger)} for row in rows)
 
 
+def _counted(domains: Domains) -> list[Cell]:
+    """The variables that are counted."""
+    return [cell for cell in domains.cells.values() if cell.counting]
+
+
 def rhythms(reactions: Reactions) -> Iterator[Rhythm]:
     """The rhythms of a component's reactions to messages, and of its loops and timers."""
     document = reactions.document
@@ -105,8 +111,8 @@ def rhythms(reactions: Reactions) -> Iterator[Rhythm]:
     known = {(rhythm.trigger, rhythm.output) for rhythm in fixed}
     for name, parameter in (document.get("traits") or {}).get("keeps_value_of", ()):
         tried = [with_numbers(document, {name: value}) for value in _TRIED]
-        if tried[0] == document:
-            continue  # nothing that is run here asks for it
+        if tried[0] == document or _counted(Domains(tried[0], counts=True)) == reactions.counted:
+            continue  # nothing that is run here asks for it, or nothing is counted by it
         found = [{(r.trigger, r.output): r for r in _fixed(Reactions(each))} for each in tried]
         for key, first in found[0].items():
             same = [rhythms_[key] for rhythms_ in found if key in rhythms_]
