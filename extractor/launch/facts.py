@@ -185,6 +185,10 @@ class _Writer:
         if isinstance(setting.value, list) and all(isinstance(item, str) for item in setting.value):
             for index, item in enumerate(setting.value):
                 self.add("param_item", setting.name, index, item, place)
+        for index, item in enumerate(setting.value) if isinstance(setting.value, list) else ():
+            for key, text in item.items() if isinstance(item, dict) else ():
+                if isinstance(text, str):
+                    self.add("param_entry", setting.name, f"{index}/{key}", text, place)
         for condition in setting.conditions:
             self.add("param_set_if", setting.name, str(condition))
         if setting.source:

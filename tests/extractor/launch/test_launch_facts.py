@@ -130,6 +130,8 @@ def test_parameters_from_files_are_at_the_line_of_their_key(tmp_path: Path) -> N
         ("/n/b/deep", "bool", "true", f"{source}:4:1"),
         ("/c", "list", '[1, "a"]', "4:1"),
     }
+    maps = rows_of(tmp_path, '<rosparam command="load" file="$(dirname)/m.yaml"/>', m_yaml="m:\n- {topic: joy, priority: 1}\n- a\n")
+    assert maps["param_entry"] == {("/m", "0/topic", "joy", "here/m.yaml:1:1")}
     assert rows["param_source"] == {("/n/a", f"{source}:2:1", source), ("/n/b/deep", f"{source}:4:1", source)}
 
 
@@ -250,10 +252,11 @@ def generate_launch_description():
     arm = os.path.join(here, "arm.launch.xml")
     forgotten = Node(package="here", executable="forgotten")
     arms = [IncludeLaunchDescription(arm, launch_arguments=[("rate", "1")]), IncludeLaunchDescription(arm)]
-    bridge = Node(package="ros_gz_bridge", executable="parameter_bridge", name="bridge", arguments=["/odom@nav_msgs/msg/Odometry@gz.msgs.Odometry", "/imu@"], parameters=[{"config_file": "/none.yaml"}])
+    bridge = Node(package="ros_gz_bridge", executable="parameter_bridge", name="bridge", arguments=["/odom@nav_msgs/msg/Odometry@gz.msgs.Odometry"], parameters=[{"config_file": "/none.yaml"}])
+    refusing = Node(package="ros_gz_bridge", executable="parameter_bridge", name="refusing", parameters=[{"config_file": os.path.join(here, "bridge.yaml")}])
     manager = Node(package="controller_manager", executable="ros2_control_node", parameters=[{"arm.type": "here/Arm", "joints": ["a", "b"], "robot_description": Command(["xacro ", os.path.join(here, "arm.urdf")])}])
     spawner = Node(package="controller_manager", executable="spawner", arguments=["arm"])
-    return LaunchDescription([bridge, manager, spawner, *arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
+    return LaunchDescription([bridge, refusing, manager, spawner, *arms, viewer, ExecuteProcess(cmd=["date"]), ComposableNodeContainer(package="rclcpp_components", executable="component_container", name="box",
                                                       composable_node_descriptions=[inner],
                                                       parameters=[os.path.join(here, "box.yaml"), {"map": os.path.join(here, "gone.yaml"), "own": os.path.join(here, "made.yaml")}])])
 
@@ -273,7 +276,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
         tmp_path,
         EVERYTHING,
         part_launch='<launch><arg name="name"/></launch>',
-        p_yaml="a: 1\n",
+        p_yaml="a: 1\nm: [{topic: t}]\n",
         robot_urdf='<robot name="r"><gazebo><plugin name="p" filename="p"><t>u</t></plugin></gazebo></robot>',
         run_py="a",
     )
@@ -291,6 +294,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")
     view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"
     (tmp_path / "here" / "demo.rviz").write_text(view)
+    (tmp_path / "here" / "bridge.yaml").write_text("- {ros_topic_name: /imu}\n")
     in_python = compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path])))
     filled |= launch_rows(in_python.with_controllers(), tmp_path)
     filled |= container_rows([in_python])
