@@ -112,7 +112,10 @@ def controllers(world: World, context: Context) -> Iterator[NodeStart]:
         return
     asked_for = {asked.manager for asked in world.controllers}
     managers = [node for node in map(_by_its_own_name, world.state.nodes) if node.full_name in asked_for]
-    simulated = [one for one in _simulated(world, context) if one.full_name not in {node.full_name for node in managers}]
+    made: dict[str, NodeStart] = {}
+    for one in _simulated(world, context):  # others than the simulator may have the description, too, with arguments of their own
+        made.setdefault(one.full_name, one)
+    simulated = [one for name, one in made.items() if name not in {node.full_name for node in managers}]
     yield from simulated
     found: dict[tuple[str, tuple[Condition, ...]], NodeStart] = {}
     for asked in world.controllers:

@@ -132,6 +132,17 @@ def test_managers_that_simulators_make(tmp_path: Path) -> None:
     assert [remap.target for remap in found.controllers[1].own_remaps] == ["/cmd_vel"]
 
 
+def test_a_description_with_several_arguments_makes_one_manager(tmp_path: Path) -> None:
+    robot = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="file" default="params.yaml"/><link name="base"/>
+      <gazebo><plugin filename="libgz_ros2_control-system.so" name="control"><parameters>PACKAGE/$(arg file)</parameters></plugin></gazebo></robot>"""
+    described = "{{'robot_description': Command(['xacro ', os.path.dirname(__file__) + '/r.urdf{}'])}}"
+    entities = f"""Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{described.format("")}]),
+      Node(package='planning', executable='planner', parameters=[{described.format(" file:=none.yaml")}]),
+      Node(package='controller_manager', executable='spawner', arguments=['wheels'])"""
+    found = _composed(tmp_path, entities, r_urdf=robot)
+    assert [node.full_name for node in found.controllers] == ["/controller_manager", "/wheels"]
+
+
 def test_a_class_that_is_called_otherwise_than_its_package(tmp_path: Path) -> None:
     description = '<library path="l"><class name="special/Grip" type="special::Grip" base_class_type="controller_interface::C"/></library>'
     spawn = "Node(package='controller_manager', executable='spawner', arguments=['grip', '-t', 'special/Grip'])"
