@@ -94,6 +94,10 @@ class Context:
         """All environment variables that are set."""
         return {name: value for name in (*self.outside, *self.environment) if (value := self.variable(name)) is not None}
 
+    def of_commands(self) -> Context:
+        """What a program sees that is no node for launch: no namespace, and no remappings and parameters for all nodes."""
+        return replace(self, namespace="", is_in_namespace=False, remaps=[], params=[])
+
     def add_remap(self, remap: Remap) -> None:
         """Give a remapping to all nodes that follow."""
         self.remaps = _extended(self.remaps, remap)

@@ -438,9 +438,9 @@ def _process(world: World, made: Made, context: Context) -> None:
     given = (*_words_of(world, source.get("cmd"), context), *_words_of(world, source.get("args"), context))
     words = [*map(world.by_names, given)]
     world.hand(words)
-    if len(words) > 3 and os.path.basename(words[0]) == "ros2" and words[1] == "run":
+    if len(words) > 3 and os.path.basename(words[0]) == "ros2" and words[1] == "run" and not words[2].startswith("-"):
         node = Made("Node", {"package": words[2], "executable": words[3], "arguments": words[4:]}, made.place)
-        start_node(world, node, context)
+        start_node(world, node, context.of_commands())
     elif words and os.path.basename(words[0]) in _SIMULATOR:
         _start_simulator(world, words, made, context)
     else:

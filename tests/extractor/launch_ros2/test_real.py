@@ -64,6 +64,13 @@ def test_what_is_pushed_is_put_back(tmp_path: Path) -> None:
     ]
 
 
+def test_a_command_that_runs_a_node_gets_nothing_that_is_for_all_nodes(tmp_path: Path) -> None:
+    entities = """PushROSNamespace('ns'), SetRemap('a', 'b'), SetParameter('p', 1), SetEnvironmentVariable('E', 'x'),
+      ExecuteProcess(cmd=['ros2', 'run', 'here', 'tool', '--ros-args', '-r', '__node:=n']), ExecuteProcess(cmd=['ros2', 'run', '--prefix', 'gdb', 'here', 'tool'])"""
+    (node,) = described(tmp_path, entities).nodes
+    assert (node.full_name, node.remaps, node.own_params, node.environment) == ("/n", (), (), (("E", "x"),))
+
+
 @pytest.mark.parametrize("name", ["LaunchConfigurations", "Environment"])
 def test_nothing_was_pushed(tmp_path: Path, name: str) -> None:
     assert _refused(described(tmp_path, f"Pop{name}()")) == f"Pop{name}: nothing was pushed before"
