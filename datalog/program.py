@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import marshal
 import sys
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import closing
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,7 @@ from rosarch.datalog.language.preprocess import Loading
 from rosarch.datalog.language.types import Types, build_types
 
 if TYPE_CHECKING:
+    from rosarch.datalog.engine.again import Reading
     from rosarch.datalog.language.overrides import Overridden
     from rosarch.datalog.language.sources import Sources
     from rosarch.datalog.language.syntax import Directive, Unit
@@ -116,10 +118,11 @@ class Program:
     on_demand: bool = False  # only the rows of outputs are there
     functors: Functors = field(default_factory=dict)  # user-defined ones, as Python functions
     _functions: dict[str, Any] | None = None
+    _reading: Reading | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         state = {name: getattr(self, name) for name in self.__dataclass_fields__}
-        return {**state, "functors": {}, "_functions": None}
+        return {**state, "functors": {}, "_functions": None, "_reading": None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():
@@ -158,14 +161,30 @@ class Program:
         return Result(rows, self.code.arity)
 
     def evaluate_as(
-        self, kind: type[engine.Evaluation], facts: Mapping[str, Iterable[Row]] | Path, keep: Collection[str] | str | None
+        self, kind: Callable[..., engine.Evaluation], facts: Mapping[str, Iterable[Row]] | Path, keep: Collection[str] | str | None
     ) -> Result:  # fmt: skip
         """Derive everything from the facts by an evaluation that does more than derive."""
         return Result(self._evaluate_embedded(facts, self._kept(keep), kind=kind), self.code.arity)
 
+    @contextmanager
+    def series(self, *, engine: str = "embedded") -> Iterator[Callable[[Mapping[str, Iterable[Row]]], Result]]:
+        """What evaluates the program again and again: what facts that differ from earlier ones do not reach is derived once.
+
+        Rows of facts that are the same objects each time need not be compared.
+        """
+        if engine != "embedded" or self.code.counts or self.code.uses_ordinals:
+            yield partial(self.evaluate, engine=engine)
+            return
+        from rosarch.datalog.engine.again import Reading, Series
+
+        if self._reading is None:
+            self._reading = Reading(self.code)
+        with closing(Series(self._reading)) as series:
+            yield partial(self.evaluate_as, series.evaluation, keep=None)
+
     def _evaluate_embedded(
         self, facts: Mapping[str, Iterable[Row]] | Path, kept: Collection[str], *,
-        limit_rows: int | None = None, time_limit: float | None = None, kind: type[engine.Evaluation] = engine.Evaluation,
+        limit_rows: int | None = None, time_limit: float | None = None, kind: Callable[..., engine.Evaluation] = engine.Evaluation,
     ) -> Mapping[str, Collection[Any]]:  # fmt: skip
         if self._functions is None:
             self._functions = self.load_functions()

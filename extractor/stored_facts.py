@@ -27,6 +27,7 @@ class Facts:
     key: str
     rows: Callable[[], Mapping[str, Iterable[tuple[Any, ...]]]]
     size: int = 0  # unknown before they are read
+    units: tuple[Path, ...] = ()  # not known
 
 
 @dataclass(frozen=True)

@@ -119,6 +119,7 @@ class Compiler:
     ) -> Rule:  # fmt: skip
         counts, ordinals = effects(clause)
         self.code.uses_ordinals |= ordinals
+        self.code.counts |= counts
         expressions = Expressions(self.types, types, self.matchers, interned=True)
         growing = () if delta is None else stratum.names
         emitter = Emitter(self.storage, expressions, ordered=counts or ordinals, delta=delta, growing=growing)
@@ -319,7 +320,7 @@ def assembled(compiler: Compiler, plans: Sequence[Plan]) -> Code:
             last_use.update(dict.fromkeys(_used(rule, code), position))
         last_use.update(dict.fromkeys((code.relation_slot[name] for name in plan.names), position))
     for table in code.tables:  # who asks a table, and when, is not followed
-        for rule in (*table.keyed_rules(), *((*table.whole.base, *table.whole.loop) if table.whole else ())):
+        for rule in table.all_rules():
             last_use.update(dict.fromkeys(_used(rule, code), len(plans)))
     for position, plan in enumerate(plans):
         code.strata.append(compiler.stratum(plan, tuple(slot for slot, last in last_use.items() if last == position)))
@@ -328,5 +329,4 @@ def assembled(compiler: Compiler, plans: Sequence[Plan]) -> Code:
 
 def _used(rule: Rule, code: Code) -> set[int]:
     """The slots that a rule reads, its indexes' relations among them."""
-    indexes = {slot for slot, _ in rule.indexes}
-    return {*rule.required, *rule.relations, *indexes, *(code.indexes[slot - len(code.relation_slot)].relation for slot in indexes)}
+    return code.relations_of(rule).union(slot for slot, _ in rule.indexes)

@@ -19,10 +19,11 @@ from rosarch.datalog.engine.runtime import NAMES, EvaluationError, State, ordere
 from rosarch.datalog.language.errors import DatalogError, Diagnostic, parse_location
 
 if TYPE_CHECKING:
-    from rosarch.datalog.engine.bulk import BulkLoop, Codes
+    from rosarch.datalog.engine.bulk import BulkLoop
     from rosarch.datalog.engine.on_demand import Table
 
 Functions = Mapping[str, Callable[..., None]]
+Facts = Mapping[str, Iterable[tuple[Any, ...]]]
 
 
 PARTIAL_INDEXES = 3  # parts of an index that are made before all of it is
@@ -95,44 +96,57 @@ def _forget(rules: Iterable[Iterable[_Bound]]) -> None:
 class Evaluation:
     """One evaluation of a program: its relations and indexes, each in a slot, and the strata that fill them."""
 
-    def __init__(self, code: Code, functions: Functions, facts: Mapping[str, Iterable[tuple[Any, ...]]], control: Control) -> None:
+    def __init__(self, code: Code, functions: Functions, facts: Facts, control: Control, state: State | None = None) -> None:
         self.code = code
         self.functions = functions
         self.control = control
-        self.state = State()
-        self.codes: Codes | None = None  # of the values of relations that are kept as bitmaps
+        self.state = state or State()
         self.unpacked: set[int] = set()  # slots of relations that no bitmap can hold
         self.growing: Collection[int] = ()  # relations of the stratum that is run in rounds
         self.partial: dict[int, int] = {}  # how often a part of an index was made for one rule
-        self.slots: list[Any] = [set(self._packed(name, code.facts.get(name, ()))) for name in code.relation_slot]
-        self.slots += [None] * len(code.indexes)
-        self.tables = self._new_tables()
         self.whole: set[str] = set()  # relations of tables that have been derived as a whole
-        for name, given in facts.items():
-            rows = self._packed(name, _loaded(name, given, code.arity[name]))
-            if name in code.derived:
-                self.slots[code.relation_slot[name]].update(rows)
-            else:
-                self.slots[code.relation_slot[name]] = rows if isinstance(rows, Set) else _distinct(rows, name in code.probed)
-        if code.uses_ordinals:
+        self.slots: list[Any] = []
+        self.tables: list[Table] = []
+        self.load(facts)
+
+    def load(self, facts: Facts) -> None:
+        """Fill the slots with what the rules begin with."""
+        self.slots = [self.given(name, facts.get(name)) for name in self.code.relation_slot]
+        self.slots += [None] * len(self.code.indexes)
+        self.tables = self._new_tables()
+        if self.code.uses_ordinals:
             self._number_symbols()
+
+    def given(self, name: str, facts: Iterable[tuple[Any, ...]] | None) -> Collection[Any]:
+        """The rows that a relation begins with: those of the program, and `facts`."""
+        own = set(self._packed(name, self.code.facts.get(name, ())))
+        if facts is None:
+            return own
+        rows = self._packed(name, _loaded(name, facts, self.code.arity[name]))
+        if name in self.code.derived:
+            return own.union(rows)
+        return rows if isinstance(rows, Set) else _distinct(rows, name in self.code.probed)
 
     def run(self, keep: Collection[str]) -> dict[str, Collection[Any]]:
         """Run all strata; the rows of the `keep` relations, bare values for unary ones."""
         kept = {self.code.relation_slot[name] for name in keep}
         for stratum in self.code.strata:
-            self._run_stratum(stratum)
+            self.run_stratum(stratum)
             for slot in stratum.drops:
                 if slot not in kept:
                     self.slots[slot] = None
+        return self.rows(keep)
+
+    def rows(self, keep: Collection[str]) -> dict[str, Collection[Any]]:
+        """What was derived of some relations."""
         return {name: self._kept(name) for name in keep}
 
     def close(self) -> None:
         """Let go of all relations: tables and what derives them refer to each other, so that only the collector would find them."""
         for table in self.tables:
             table.close()
-        self.tables = ()
-        self.slots.clear()
+        self.tables = []
+        self.slots = []
 
     def _packed(self, name: str, rows: Collection[Any]) -> Collection[Any]:
         """Rows from outside with their records as those of this evaluation."""
@@ -156,9 +170,9 @@ class Evaluation:
         read += [self.tables[number] for number in rule.tables]
         return partial(self.functions[rule.function], self.state, slots[self.code.relation_slot[rule.target]], *read)
 
-    def _new_tables(self) -> Sequence[Table]:
+    def _new_tables(self) -> list[Table]:
         if not self.code.tables:
-            return ()
+            return []
         from rosarch.datalog.engine.on_demand import make_table
 
         return [make_table(plan, self) for plan in self.code.tables]
@@ -167,7 +181,7 @@ class Evaluation:
         """All rows of a relation that is derived on demand."""
         if plan.whole is not None and plan.relation not in self.whole:
             self.whole.add(plan.relation)
-            self._run_stratum(plan.whole)
+            self.run_stratum(plan.whole)
         rows: Collection[Any] = self.slots[self.code.relation_slot[plan.relation]]
         return rows
 
@@ -234,7 +248,8 @@ class Evaluation:
                 found.update(v for v in (row if isinstance(row, tuple) else (row,)) if isinstance(v, str))
         self.state.ordinals.preload(sorted(found))
 
-    def _run_stratum(self, stratum: Stratum) -> None:
+    def run_stratum(self, stratum: Stratum) -> None:
+        """Run the rules of a stratum until nothing is new."""
         fresh: dict[str, set[Any]] = {m.name: set() for m in stratum.members} if stratum.chooses else {}
         for rule in stratum.base:
             self.call(rule, None, fresh.get(rule.target))
@@ -315,11 +330,11 @@ class Evaluation:
         for member in stratum.members:
             for slot in member.indexes:
                 self.slots[slot] = None
-        if self.codes is None:
-            self.codes = bulk.Codes()
+        if self.state.codes is None:
+            self.state.codes = bulk.Codes()
         functions = load_functions(compile(self.code.bulk_source, "<datalog>", "exec"), bulk.NAMES)
         members = {m.name: m.full for m in stratum.members}
-        loop = bulk.BulkLoop(stratum.bulk, functions, self.slots, members, deltas, self.codes)
+        loop = bulk.BulkLoop(stratum.bulk, functions, self.slots, members, deltas, self.state.codes)
         while True:
             for rule in stratum.bulk:
                 self.call_bulk(rule, loop)

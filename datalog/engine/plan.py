@@ -78,6 +78,10 @@ class Stratum:
     bulk: tuple[BulkRule, ...] = ()  # the loop once more, over bitmaps, where all rules are over pairs
     drops: tuple[int, ...] = ()  # slots of relations and indexes that no later stratum reads
 
+    def rules(self) -> tuple[Rule, ...]:
+        """All rules of the stratum."""
+        return (*self.base, *self.loop, *(rule for member in self.members for rule in member.subsumption))
+
     @property
     def chooses(self) -> bool:
         """Whether base rules write to the new rows instead of the relation."""
@@ -105,6 +109,10 @@ class TablePlan:
         """The rules that find the rows of a key."""
         return (*self.rules, *self.loop)
 
+    def all_rules(self) -> tuple[Rule, ...]:
+        """These, and the rules that find all rows."""
+        return (*self.keyed_rules(), *(self.whole.rules() if self.whole else ()))
+
 
 @dataclass(slots=True)
 class Code:
@@ -122,3 +130,9 @@ class Code:
     derived: frozenset[str] = frozenset()  # relations to which rules and facts of the program add rows
     probed: frozenset[str] = frozenset()  # relations that are asked whether they have a row
     uses_ordinals: bool = False
+    counts: bool = False  # rows depend on how often rules have been evaluated
+
+    def relations_of(self, rule: Rule) -> set[int]:
+        """The slots of the relations that a rule reads, but for those that it asks tables for."""
+        indexes = (self.indexes[slot - len(self.relation_slot)].relation for slot, _ in rule.indexes)
+        return {*rule.required, *rule.relations, *indexes}

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Collection, Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosarch.datalog.engine.records import Records
 from rosarch.datalog.engine.regular import full_match
 from rosarch.datalog.language.domain import EvaluationError, domain
+
+if TYPE_CHECKING:
+    from rosarch.datalog.engine.bulk import Codes
 
 
 def substring(text: str, start: int, length: int) -> str:
@@ -91,15 +94,16 @@ class Ordinals:
 
 
 class State:
-    """What one evaluation carries in addition to rows: counters that functors advance."""
+    """What one evaluation carries in addition to rows: counters that functors advance, records, codes of values in bitmaps."""
 
-    __slots__ = ("counter", "iteration", "ordinals", "records")
+    __slots__ = ("codes", "counter", "iteration", "ordinals", "records")
 
     def __init__(self) -> None:
         self.counter = 0
         self.iteration = 0
         self.ordinals = Ordinals()
         self.records = Records()
+        self.codes: Codes | None = None
 
     def next_counter(self) -> int:
         """The next value of `autoinc()`."""

@@ -26,7 +26,7 @@ def watching(evaluation: Evaluation) -> Iterator[None]:
         return
     rules: dict[str, Rule] = {}
     for stratum in evaluation.code.strata:
-        for rule in (*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)):
+        for rule in stratum.rules():
             rules[rule.function] = rule
 
     def look(_: int, frame: FrameType | None) -> None:

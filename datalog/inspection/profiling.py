@@ -57,7 +57,7 @@ def profile(
     """Evaluate with the embedded engine and measure every rule."""
     found: dict[str, RuleProfile] = {}
     for stratum in (*program.code.strata, *(table.whole for table in program.code.tables if table.whole)):
-        for rule in (*stratum.base, *stratum.loop, *(r for m in stratum.members for r in m.subsumption)):
+        for rule in stratum.rules():
             found.setdefault(_family(rule), RuleProfile(rule.location.rpartition(":")[0], rule.target))
     clock = _Clock()
 

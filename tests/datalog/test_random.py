@@ -184,3 +184,20 @@ def test_on_demand_the_rows_are_the_same(
     (tmp_path / "random.dl").write_text("\n".join([*lines, *map(str, program)]) + "\n")
     result = load_program(tmp_path / "random.dl", on_demand=True).evaluate(facts)
     assert set(result.rows(goal)) == naive(program, facts)[goal]
+
+
+@pytest.mark.slow
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    program=st.lists(rules(), min_size=1, max_size=6), each=st.lists(FACTS, min_size=2, max_size=12),
+    goal=st.sampled_from(sorted(set(ARITY) - set(INPUTS))), on_demand=st.booleans(),
+)  # fmt: skip
+def test_in_a_series_the_rows_are_the_same(
+    tmp_path: Path, program: list[Rule], each: list[dict[str, set[tuple[int, ...]]]], goal: str, on_demand: bool
+) -> None:
+    lines = [f".decl {n}({', '.join(f'c{i}: number' for i in range(a))})" for n, a in ARITY.items()]
+    lines += [*(f".input {name}" for name in INPUTS), f".output {goal}"]
+    (tmp_path / "random.dl").write_text("\n".join([*lines, *map(str, program)]) + "\n")
+    with load_program(tmp_path / "random.dl", on_demand=on_demand).series() as evaluate:
+        for facts in each:
+            assert set(evaluate(facts).rows(goal)) == naive(program, facts)[goal]
