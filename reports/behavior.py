@@ -35,6 +35,11 @@ def tables(document: Document) -> list[Table]:
     return [table for table in found if table.rows]
 
 
+def nothing(document: Document) -> str:
+    """What is said where there is no table."""
+    return "no reactions, no timed loops, no state" + (", as far as was seen" if document.get("open") else "")
+
+
 def heading(document: Document) -> tuple[str, str]:
     """`package/component`, and what the component is."""
     name = document.get("node_name")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from rosarch.reports.behavior import Document, Table, heading, tables
+from rosarch.reports.behavior import Document, Table, heading, nothing, tables
 
 
 def behaviors_text(documents: Iterable[Document]) -> str:
@@ -15,7 +15,7 @@ def behaviors_text(documents: Iterable[Document]) -> str:
 
 def _component(document: Document) -> str:
     name, kind = heading(document)
-    blocks = [_table(table) for table in tables(document)] or ["No reactions, no timed loops, no state.\n"]
+    blocks = [_table(table) for table in tables(document)] or [f"{nothing(document).capitalize()}.\n"]
     return f"## {_escape(name)} ({_escape(kind)})\n\n" + "\n".join(blocks)
 
 

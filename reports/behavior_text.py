@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rosarch.reports.behavior import Document, Table, heading, tables
+from rosarch.reports.behavior import Document, Table, heading, nothing, tables
 
 
 def behaviors_text(documents: Iterable[Document]) -> str:
@@ -14,7 +14,7 @@ def behaviors_text(documents: Iterable[Document]) -> str:
 
 def _component(document: Document) -> str:
     found = tables(document)
-    blocks = [_table(table) for table in found] or ["  no reactions, no timed loops, no state\n"]
+    blocks = [_table(table) for table in found] or [f"  {nothing(document)}\n"]
     return "  ".join(heading(document)) + "\n" + "\n".join(blocks)
 
 

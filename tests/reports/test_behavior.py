@@ -76,6 +76,14 @@ def test_reactions_and_odd_rows() -> None:
     )
 
 
+def test_nothing_is_seen_of_an_open_component() -> None:
+    node = document()
+    node["open"] = [{"what": ["ports"], "reason": "the node is handed to Arm, which was not seen", "at": "n.cpp:1"}]
+    said = "o reactions, no timed loops, no state, as far as was seen"
+    assert behavior_text.behaviors_text([node]).endswith(f"\n  n{said}\n")
+    assert behavior_markdown.behaviors_text([node]).endswith(f"\nN{said}.\n")
+
+
 def test_markdown() -> None:
     node = document(reactive=[("a", "b", "x | y <z> `q`")], ports=["a", "b_c"])
     assert behavior_markdown.behaviors_text([node]) == (
