@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import MISSING, dataclass, fields, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_type_hints
+from typing import TYPE_CHECKING, Any, TypeVar, get_type_hints
 
 from rosarch.base.limits import SOURCE_SECONDS
 from rosarch.cli.check_options import load_configuration
@@ -201,3 +201,26 @@ def _parameters(shape: type[ReadingOptions]) -> Iterator[inspect.Parameter]:
     for field in sorted(fields(shape), key=lambda field: field.name in common):
         default = inspect.Parameter.empty if field.default is MISSING else field.default
         yield inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, annotation=hints[field.name], default=default)
+
+
+Answer = TypeVar("Answer")
+
+
+def answered(launches: Sequence[Launch], answer: Callable[[Launch], Answer]) -> list[tuple[str, Answer]]:
+    """The answer for each system that has what is asked about, with the name of the system.
+
+    Raises:
+        InputError: none has it.
+    """
+    from rosarch.models.system.asking import QuestionError
+
+    found: list[tuple[str, Answer]] = []
+    problems: list[QuestionError] = []
+    for launch in launches:
+        try:
+            found.append((launch.name, answer(launch)))
+        except QuestionError as error:
+            problems.append(error)
+    if problems and not found:
+        raise InputError(str(problems[0])) from None
+    return found

@@ -11,7 +11,7 @@ import typer
 from rosarch.cli.check_options import ConfigFile
 from rosarch.cli.errors import InputError
 from rosarch.cli.options import ModelFormat
-from rosarch.cli.questions import SystemQuestion, asks
+from rosarch.cli.questions import SystemQuestion, answered, asks
 from rosarch.cli.terminal import emit
 
 if TYPE_CHECKING:
@@ -41,12 +41,12 @@ def ask(
 
     try:
         parsed = parse_question(asked)
-        chosen = question.rules()
-        rules = replace(chosen, flows=True) if isinstance(parsed, Causes) else chosen
-        found = question.program_and_facts(rules, config, required=True)
-        emit(_answers(parsed, *found, question.engine.value, json=output_format is ModelFormat.json))
     except QuestionError as error:
         raise InputError(str(error)) from None
+    chosen = question.rules()
+    rules = replace(chosen, flows=True) if isinstance(parsed, Causes) else chosen
+    found = question.program_and_facts(rules, config, required=True)
+    emit(_answers(parsed, *found, question.engine.value, json=output_format is ModelFormat.json))
 
 
 def _answers(asked: Causes | Rate, rules: SystemRules, shared: SharedFacts, launches: Sequence[Launch], engine: str, *, json: bool) -> str:
@@ -56,7 +56,9 @@ def _answers(asked: Causes | Rate, rules: SystemRules, shared: SharedFacts, laun
     from rosarch.reports.answers import chain_json, chain_text, rates_json, rates_text
 
     if isinstance(asked, Rate):
-        rates = [(launch.name, ask_rates(rules, shared.rows(launch), asked, engine)) for launch in launches]
+        rates = answered(launches, lambda launch: ask_rates(rules, shared.rows(launch), asked, engine))
         return rates_json(rates) if json else "\n".join(rates_text(*each) for each in rates)
-    chains = [ask_chain(rules, shared.rows(launch), asked, launch.name, shared.models, engine) for launch in launches]
+    chains = [
+        chain for _, chain in answered(launches, lambda one: ask_chain(rules, shared.rows(one), asked, one.name, shared.models, engine))
+    ]
     return chain_json(chains) if json else "\n".join(map(chain_text, chains))

@@ -120,6 +120,14 @@ def test_rates_are_told(rosarch: Callable, workspace: Path) -> None:
     assert found["rates"] == [{"topic": "/smooth", "low": 4.0, "high": 20.0, "senders": ["/filter"], "reasons": []}]
 
 
+def test_systems_that_lack_what_is_asked_about_are_left_out(rosarch: Callable, workspace: Path, tmp_path: Path) -> None:
+    copy = tmp_path / "copy"
+    shutil.copytree(workspace, copy)
+    (copy / "demo" / "a.launch").write_text('<launch><node pkg="demo" type="motor" name="motor"/></launch>', encoding="utf-8")
+    assert rosarch("ask", str(copy), "rate of raw").out == "rates in demo/demo.launch\n  /raw  4 to 20 Hz\n"
+    assert rosarch("ask", str(copy), "can raw of filter cause current of motor").out == YES
+
+
 @pytest.mark.parametrize(
     ("question", "message"),
     [
