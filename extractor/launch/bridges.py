@@ -97,8 +97,8 @@ def read_files(state: State, nodes: Iterable[NodeStart]) -> tuple[BridgeFile, ..
         except (LaunchError, YamlError):
             continue
         if entries is not None:
-            kept, refused = (tuple(one for one in entries if isinstance(one, kind)) for kind in (Bridged, Refused))
-            found[path] = BridgeFile(path, kept, refused)
+            kept = tuple(one for one in entries if isinstance(one, Bridged))
+            found[path] = BridgeFile(path, kept, tuple(one for one in entries if isinstance(one, Refused)))
     return tuple(found.values())
 
 

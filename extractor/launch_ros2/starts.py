@@ -261,15 +261,15 @@ def _setting(world: World, found: Setting | Unread, context: Context) -> ParamSe
     if isinstance(found, Unread):
         return ParamSetting("", None, lines, context.conditions, found.file)
     conditions = (*context.conditions, *(one for one in found.conditions if one not in context.conditions))
-    robot = _robot(world, found.value) if found.name in _DESCRIPTIONS and isinstance(found.value, str) else None
+    robot = _robot(world, found.value, is_named_so=found.name in _DESCRIPTIONS) if isinstance(found.value, str) else None
     if found.name == "robot_description" and robot is None:
         world.state.hardware_unseen = True
     return ParamSetting(found.name, found.value, lines, conditions, found.source, found.written, robot)
 
 
-def _robot(world: World, text: str) -> Robot | None:
-    """What a robot description says that xacro made, or that is the text of a file."""
-    if text not in world.described and (path := world.state.files.with_text(text)):
+def _robot(world: World, text: str, *, is_named_so: bool) -> Robot | None:
+    """What a robot description says that xacro made, or that is the text of a file and `is_named_so`."""
+    if is_named_so and text not in world.described and (path := world.state.files.with_text(text)):
         world.described[text] = robot_of_file(world.state, path, text)
     return world.described.get(text)
 
