@@ -11,7 +11,7 @@ from rosarch.extractor.launch.evaluation import COMPARE
 from rosarch.extractor.launch.formulas import FALSE, TRUE, Formula, Not, Test, bounded, choice, equals
 from rosarch.extractor.launch.model import Condition, Place
 from rosarch.extractor.launch.unknowns import is_known
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Frame, Installed, Native, PathText, Unknown, installed
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Frame, Installed, Native, PathText, Several, Unknown, installed
 
 MAX_PARTS = 100_000
 """Of a value that is looked at as a whole: what lists share counts each time, as in the text that would be made of it."""
@@ -35,6 +35,8 @@ class Decisions:
     def truth(self, value: Any) -> bool | None:
         """Whether a value counts as true; None when that is not known."""
         if isinstance(value, (Unknown, Either)) or (isinstance(value, str) and not is_known(value)):
+            return None
+        if isinstance(value, (list, tuple)) and value and all(isinstance(item, Several) for item in value):
             return None
         return True if is_object(value) else bool(value)
 
@@ -112,6 +114,15 @@ class Decisions:
     def _subject(self, value: Any) -> Any:
         """What a comparison is about: an unknown as a text."""
         return self.text(value) if isinstance(value, Unknown) else value
+
+
+def holds_several(value: Any) -> bool:
+    """Whether it is not known how many items a list has: each of another that is not known, or one that may not be there."""
+    return isinstance(value, (list, tuple)) and any(isinstance(item, Several) or _may_be_missing(item) for item in value)
+
+
+def _may_be_missing(item: Any) -> bool:
+    return item is NOTHING or (isinstance(item, Either) and (_may_be_missing(item.first) or _may_be_missing(item.second)))
 
 
 def is_certain(value: Any) -> bool:

@@ -14,7 +14,7 @@ from rosarch.extractor.launch.evaluation import BINARY, CONVERSIONS, PYTHON_ERRO
 from rosarch.extractor.launch.formulas import Every, Not, Some
 from rosarch.extractor.launch.model import Condition, Place
 from rosarch.extractor.launch.unknowns import cleaned, is_known
-from rosarch.extractor.launch_ros2.decisions import Decisions, is_certain, is_object, source_of
+from rosarch.extractor.launch_ros2.decisions import Decisions, holds_several, is_certain, is_object, source_of
 from rosarch.extractor.launch_ros2.values import (
     NOTHING,
     Either,
@@ -24,6 +24,7 @@ from rosarch.extractor.launch_ros2.values import (
     Instance,
     Made,
     PathText,
+    Several,
     TextFile,
     Unknown,
     Written,
@@ -181,7 +182,7 @@ class Expressions(Decisions):
         if isinstance(value, TextFile) and value.text is not None and is_known(value.text):
             return value.text.splitlines(keepends=True)
         if isinstance(value, (Unknown, Either, TextFile, Made, Instance, Installed, str)):
-            return [Unknown(f"each of {source_of(node)}", self.place(node, frame))]
+            return [Several(f"each of {source_of(node)}", self.place(node, frame))]
         raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))
 
     def spread(self, value: Any) -> list[Any]:
@@ -297,7 +298,7 @@ class Expressions(Decisions):
         if isinstance(value, (Unknown, Either)) or not isinstance(value, (str, list, tuple, dict, range)):
             return self.item(value, node, frame)
         key = self.value(node.slice, frame)
-        if not is_certain(key) or (isinstance(value, str) and not is_known(value)):
+        if not is_certain(key) or (isinstance(value, str) and not is_known(value)) or holds_several(value):
             return self.unknown(node, frame)
         try:
             found = value[key]

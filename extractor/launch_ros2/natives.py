@@ -13,7 +13,7 @@ from rosarch.extractor.launch.eval_functions import BUILTINS, MATH, METHODS
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch_ros2.conditions import holds
 from rosarch.extractor.launch_ros2.context import Context
-from rosarch.extractor.launch_ros2.decisions import is_certain
+from rosarch.extractor.launch_ros2.decisions import holds_several, is_certain
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHODS, xml_of
 from rosarch.extractor.launch_ros2.parameters import yaml_value
@@ -335,7 +335,7 @@ NATIVES["typing.Text"] = NATIVES["str"]
 @native("len")
 def _len(_run: Calls, value: Any) -> Any:
     known = isinstance(value, (list, tuple, dict, set, range)) or (isinstance(value, str) and is_known(value))
-    return len(value) if known and not (isinstance(value, (list, tuple)) and any(isinstance(item, Either) for item in value)) else NOTHING
+    return len(value) if known and not holds_several(value) else NOTHING
 
 
 def _items_of(name: str) -> _Call:

@@ -47,6 +47,10 @@ class Unknown:
     truth: Formula | None = None
 
 
+class Several(Unknown):
+    """Any number of values of a list that cannot be determined."""
+
+
 MORE = "**"
 """The name of what is passed by keywords that are not known."""
 

@@ -76,6 +76,12 @@ def test_a_list_that_is_one_of_two_is_added_to_another(tmp_path: Path, added: st
     assert remaps == [("a", "b", ["if more"]), ("c", "d", ["if more"]), ("a", "x", ["unless more"])]
 
 
+@pytest.mark.parametrize("asked", ["len([*more, 1])", "[*more, 'a', 'b'][1]", "'a' if [*more] else 'b'"])
+def test_how_many_items_a_list_has_is_not_known(tmp_path: Path, asked: str) -> None:
+    found = described(tmp_path, f"node('n', parameters=[{{'p': {asked}}}])", UNKNOWN)
+    assert "$(" in str(params(found)["/n/p"])
+
+
 def test_remappings_that_are_not_known_are_told(tmp_path: Path) -> None:
     found = described(tmp_path, "node('n', remappings=[*more, ('a', 'b')])", UNKNOWN)
     assert problems(found, tmp_path) == ["launch/main.launch.py:16:12: what this node remaps is not known: $(each of more)"]
