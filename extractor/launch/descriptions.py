@@ -24,10 +24,12 @@ _FOR_XACRO = re.compile(r"<xacro:|\$[({]")
 def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tuple[str | None, Robot | None]:
     """What xacro prints, and says of a robot; None when it rejects the file: its problems become those of the launch file.
 
-    `installed`: packages are looked for where they are installed, as in ROS 2; a file there may come from elsewhere in their sources.
+    `installed`: packages are looked for where they are installed, as in ROS 2; a file there may come from elsewhere in their sources. As
+    only its name says from where, the description is then known in part.
     """
+    named = call.file
     if installed:
-        call = replace(call, file=state.files.located(call.file))
+        call = replace(call, file=state.files.located(named))
     for path in (call.program, call.file):
         if is_known(path) and (path is call.file or "/" in path) and not state.files.is_file(path):
             state.report(LaunchError("command", call.program, f"command `{call.program}` would fail: no such file: {path}"))
@@ -37,7 +39,7 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
     for problem in expansion.problems:
         kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
-    is_whole = expansion.document is not None and not expansion.problems and not expansion.incomplete
+    is_whole = expansion.document is not None and not expansion.problems and not expansion.incomplete and call.file == named
     state.hardware_unseen |= not is_whole
     if expansion.document is None:
         return None, None

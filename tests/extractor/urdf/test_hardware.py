@@ -76,3 +76,14 @@ def test_descriptions_that_are_read_as_texts(tmp_path: Path) -> None:
         ("robot", 0, 1), ("link", 0, 1), ("joint", 0, 1), ("parent", 2, 1)
     ]  # fmt: skip
     assert robot.is_whole and not found.hardware_unseen
+
+
+def test_a_description_that_is_found_by_the_name_of_its_file(tmp_path: Path) -> None:
+    package = tmp_path / "here"
+    (package / "urdf" / "arm").mkdir(parents=True)
+    (package / "package.xml").write_text("<package><name>here</name><export><build_type>ament_cmake</build_type></export></package>")
+    for folder, whole in (("urdf/arm", False), ("urdf", True)):
+        (package / folder / "r.urdf").write_text('<robot name="r"><link name="base"/></robot>')
+        (package / "main.launch.xml").write_text(LAUNCH.replace("$(dirname)/", "$(find-pkg-share here)/urdf/"))
+        found = compose([package / "main.launch.xml"], files=Files(PackagePath([tmp_path]), str(tmp_path)))
+        assert [one.robot.is_whole for one in found.params if one.robot] == [whole]
