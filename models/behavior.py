@@ -319,11 +319,16 @@ def _domain(type_: str, given: Collection[str | None], constants: Collection[str
 def _initial(
     values: list[tuple[int, Place, str]], texts: Mapping[str, str], read: Mapping[str, tuple[str, str]], name: str
 ) -> tuple[str | None, str | None]:
-    """The value that is given last, and the parameter that it is read from; of several parts of a variable none is its value."""
+    """The value that is given last, and the parameter that it is read from; of several parts of a variable none is its value.
+
+    None where another one may be given: under a condition, or by what is done later, too.
+    """
     initial, parameter = None, None
     for order, _place, node in values:
         if order == 5:
             initial, parameter = None, None
+        elif order == 6:
+            initial = initial if parameter or _constructed(texts.get(node, initial), name) == initial else None
         elif node in read:
             parameter = read[node][1]
             initial = _number_text(read[node][0]) if read[node][0] != "?" else initial

@@ -26,6 +26,9 @@ MOST_STEPS = 20_000
 
 _CAST = re.compile(r"\w+_cast<(?P<type>[^<>]*)>\s*\((?P<inner>.*)\)|\((?P<plain>[\w: ]+)\)\s*(?P<bare>.*)", re.DOTALL)
 
+CANCEL = "cancel request"
+"""The condition under which a server runs the function that it hands wishes to end a goal to; what it hands goals to runs else."""
+
 CREATION = "creation "
 """Begins the root of what is made at any time, the start of the program included; a function may follow that is taken as entered."""
 
@@ -126,6 +129,7 @@ class Guards:
         for root, function in relations["activity_enters"]:
             self._entered[root].add(function)
         self._roots = {root for root, kind in relations["activity"] if kind not in ("loop", "main")}
+        self._asked = {root: condition(CANCEL, ends == "true") for root, ends in relations.get("handles_goals", ())}
         self._guards: dict[tuple[str, str], Formula] = {}
         self._cuts = 0
         self._left = MOST_STEPS
@@ -157,7 +161,8 @@ class Guards:
             found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), (), apart)]
         if blocks and not found:
             return []
-        return [way for way in found if way.guard != FALSE] or [Way(TRUE, value)]
+        asked = self._asked.get(root, TRUE)
+        return [replace(way, guard=both(asked, way.guard)) for way in found if way.guard != FALSE] or [Way(asked, value)]
 
     def _ways(self, root: str, block: str, beyond: Way, path: tuple[str, ...], apart: bool) -> list[Way]:
         """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond.

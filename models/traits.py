@@ -116,6 +116,7 @@ TRAITS = {
     "misused": ("place", "text", "text"),
     "timer_waits": ("place", "place", "text", "text"),
     "keeps_value_of": ("text", "text"),
+    "begins_with_value_of": ("variable", "text"),
     "names_number": ("text", "text"),
     "repeated": ("place",),
     "names_message": ("port", "text"),

@@ -12,6 +12,7 @@ from rosarch.behavior.composition.inputs import Inputs
 from rosarch.behavior.composition.model import Command, Model, Queue, Variable
 from rosarch.behavior.composition.reactions import Effect, cases_of, effects
 from rosarch.behavior.composition.system import ENVIRONMENT, End, System, Topic
+from rosarch.models.guards import CANCEL
 from rosarch.models.machine.elapsed import LONG
 from rosarch.models.machine.logic import BOOLEAN, Subject, from_cases
 from rosarch.models.machine.parts import continuation, short
@@ -339,8 +340,9 @@ def _taken_for_granted(
     assumes: list[str] = []
     for subject, values in effect.choices.items():
         text = _condition_text(subject, values)
-        from_outside = topic is not None and not topic.senders and component.is_content(trigger, subject.text)
-        from_outside = from_outside and any(component.is_in_type(trigger, value) for value in values)
+        told = component.is_content(trigger, subject.text) and any(component.is_in_type(trigger, value) for value in values)
+        a_goal = subject.text == CANCEL and BOOLEAN[0] not in values  # anybody may give one; only a goal that is followed can be cancelled
+        from_outside = topic is not None and not topic.senders and (told or a_goal)
         if not (topic and builder.inputs.content(topic.name, subject) is not None):
             (inputs if from_outside and not subject.hidden else assumes).append(text)
     assumes += [f"{component.variables[key].text} is {value} then" for key, value in effect.before.items() if key in component.measured]

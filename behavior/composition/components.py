@@ -259,8 +259,10 @@ def component(document: Document, settings: Settings | None = None) -> Component
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}
     read = {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
+    given = {str(name): (settings or {}).get(str(parameter)) for name, parameter in _beginning(document)}
     for key, cell in domains.cells.items():
-        initial = cell.subject.values if cell.variable in read else cell.initial
+        value = _set(given.get(cell.variable), cell.subject.values)
+        initial = ((value,) if value else cell.subject.values) if cell.variable in read else cell.initial
         variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial)
     steps, waiting = in_turn(steps)
     variables |= {cell.variable: StateVariable(cell.variable, cell.subject.text, cell.subject.values, cell.initial) for cell in waiting}
@@ -316,6 +318,11 @@ def _variables(document: Document) -> list[Mapping[str, str]]:
 def _keeping(document: Document) -> list[tuple[str, str]]:
     """What the source calls the values that parameters give, with the parameters."""
     return [(name, parameter) for name, parameter in (document.get("traits") or {}).get("keeps_value_of", ())]
+
+
+def _beginning(document: Document) -> list[tuple[str, str]]:
+    """The state variables that begin with the value of a parameter, with this."""
+    return [(name, parameter) for name, parameter in (document.get("traits") or {}).get("begins_with_value_of", ())]
 
 
 def _settings(document: Document, tested: Iterable[Subject], known: Settings) -> dict[str, StateVariable]:

@@ -472,6 +472,8 @@ def _values(constants: Iterable[str], is_open: bool) -> tuple[str, ...]:
 
 def _plain_type(row: Mapping[str, Any]) -> str:
     text = str(row.get("type") or "")
+    if text == "object":  # of Python, which says nothing
+        return ""
     atomic = re.fullmatch(r".*\batomic<\s*(.*?)\s*>\s*", text)
     return _QUALIFIERS.sub("", atomic.group(1) if atomic else text).strip()
 

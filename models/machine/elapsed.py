@@ -12,7 +12,7 @@ from dataclasses import replace
 from rosarch.base.logic import TRUE, Not, substituted
 from rosarch.models.machine.cells import Cell, Document
 from rosarch.models.machine.conditions import Comparison, compact, parse_condition
-from rosarch.models.machine.epochs import leaves_of
+from rosarch.models.machine.epochs import Guard, guard_of
 from rosarch.models.machine.logic import Formula, Is, Subject, subjects
 from rosarch.models.machine.meaning import Assignment
 from rosarch.models.machine.steps import Step
@@ -40,17 +40,26 @@ def with_elapsed(document: Document, steps: Mapping[str, Sequence[Step]]) -> tup
 
 
 def _asked_again(steps: Sequence[Step], name: str, cells: Mapping[str, Cell], document: Document) -> bool:
-    """Whether one reaction takes a new moment and asks at several places for the time since then: before it, or after."""
-    if not any(assignment.cell.subject.key in cells for step in steps for assignment in step.assignments):
-        return False
-    places: set[str] = set()
+    """Whether one reaction may take a new moment and then ask for the time since then at another place than before."""
+    taken: list[tuple[Guard, set[str]]] = []
+    asked: set[str] = set()
     for step in steps:
+        guard, places = guard_of(_tree(step, document)), set()
         if any(subject.key in cells for formula in step.guard for subject in subjects(formula)):
-            rows = document.get(step.row.kind) or ()
-            row = rows[step.row.index] if step.row.index < len(rows) else {}
-            leaves = [leaf for kind in ("guard", "when", "conditional") for leaf in leaves_of(row.get(f"{kind}_tree"))]
-            places |= {leaf[0] for leaf in leaves if _last(name) in leaf[1]} or {leaf[0] for leaf in leaves}
-    return len(places) > 1
+            places = {place for place, leaves in guard.at.items() if any(_last(name) in leaf[1] for leaf in leaves)} or set(guard.at)
+            if len(asked | places) > 1 and any(places - before and not other.excludes(guard) for other, before in taken):
+                return True
+        asked |= places
+        if any(assignment.cell.subject.key in cells for assignment in step.assignments):
+            taken.append((guard, places))
+    return False
+
+
+def _tree(step: Step, document: Document) -> object:
+    """The guard that the row of a step has."""
+    rows = document.get(step.row.kind) or ()
+    row = rows[step.row.index] if step.row.index < len(rows) else {}
+    return next((row[kind] for kind in ("guard_tree", "when_tree", "conditional_tree") if row.get(kind)), None)
 
 
 def _last(name: str) -> str:

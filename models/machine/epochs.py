@@ -17,7 +17,7 @@ Leaf = tuple[str, str, bool]
 
 
 @dataclass(frozen=True)
-class _Guard:
+class Guard:
     """The conditions that guard a step, by place; `alone` says that all of them have to be so."""
 
     at: Mapping[str, frozenset[Leaf]]
@@ -27,7 +27,7 @@ class _Guard:
         """The conditions, of all places or one."""
         return (compact(leaf[1]) for at, leaves in self.at.items() if place in (None, at) for leaf in leaves)
 
-    def excludes(self, other: _Guard) -> bool:
+    def excludes(self, other: Guard) -> bool:
         """Whether one and the same test leads to one step or to the other."""
         shared = self.at.keys() & other.at.keys() if self.alone and other.alone else ()
         return any(self.at[place].isdisjoint(other.at[place]) for place in shared)
@@ -38,7 +38,7 @@ def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Coll
 
     What is called by an `unsteady` name need not be the same where it is asked again, what a call `anew` gives not even in one condition.
     """
-    guards = [_guard(trees.get(step)) for step in steps]
+    guards = [guard_of(trees.get(step)) for step in steps]
     again = (_asked_again(steps, guards, unsteady) if unsteady else []) + list(_called_again(guards, anew))
     asking = {text for text in {text for guard in guards for text in guard.texts()} if any(each.search(text) for each in again)}
     found = []
@@ -69,7 +69,7 @@ def _places_of_part(tree: object, part: int, parts: int, text: str) -> set[str]:
     return {place for place, condition, _ in leaves if name.search(condition)}
 
 
-def _asked_again(steps: Sequence[Step], guards: Sequence[_Guard], names: Collection[str]) -> list[re.Pattern[str]]:
+def _asked_again(steps: Sequence[Step], guards: Sequence[Guard], names: Collection[str]) -> list[re.Pattern[str]]:
     """What conditions at several places ask for, of that which has one of the names in it."""
     asked = {s.text for step in steps for conjunct in step.guard for s in subjects(conjunct) if not s.cell}
     sides = {side for text in asked for side in re.split(r"[<>=!]=?", compact(text))}
@@ -86,7 +86,7 @@ def _asked_again(steps: Sequence[Step], guards: Sequence[_Guard], names: Collect
     return found
 
 
-def _called_again(guards: Sequence[_Guard], calls: Collection[str]) -> Iterator[re.Pattern[str]]:
+def _called_again(guards: Sequence[Guard], calls: Collection[str]) -> Iterator[re.Pattern[str]]:
     """Those of the calls that conditions make several times."""
     leaves = {(place, text) for guard in guards for place in guard.at for text in guard.texts(place)}
     for call in sorted(calls):
@@ -95,7 +95,7 @@ def _called_again(guards: Sequence[_Guard], calls: Collection[str]) -> Iterator[
             yield pattern
 
 
-def _places(guard: _Guard, text: str) -> set[str]:
+def _places(guard: Guard, text: str) -> set[str]:
     """Where conditions that name a variable are tested; all places when none of them names it."""
     name = _named(text)
     return {place for place, leaves in guard.at.items() if any(name.search(leaf[1]) for leaf in leaves)} or set(guard.at)
@@ -105,11 +105,12 @@ def _named(text: str) -> re.Pattern[str]:
     return re.compile(rf"(?<!\w){re.escape(re.split(r'::|[.]', text.removesuffix('.size()').removesuffix('.empty()'))[-1])}(?!\w)")
 
 
-def _guard(tree: object) -> _Guard:
+def guard_of(tree: object) -> Guard:
+    """The conditions of the tree of a guard."""
     at: dict[str, frozenset[Leaf]] = {}
     for leaf in leaves_of(tree):
         at[leaf[0]] = at.get(leaf[0], frozenset()) | {leaf}
-    return _Guard(at, not (isinstance(tree, Mapping) and "any" in tree))
+    return Guard(at, not (isinstance(tree, Mapping) and "any" in tree))
 
 
 def leaves_of(tree: object) -> Iterator[Leaf]:

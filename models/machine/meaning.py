@@ -7,10 +7,11 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from rosarch.base.logic import TRUE, All, Any, Not, conjuncts
+from rosarch.base.logic import FALSE, TRUE, All, Any, Not, conjuncts
 from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
+    NULL,
     Comparison,
     Condition,
     Operand,
@@ -35,13 +36,13 @@ from rosarch.models.machine.logic import (
     conjunction,
     negation,
 )
-from rosarch.models.machine.pointers import is_something
+from rosarch.models.machine.pointers import is_field, is_something
 
 _CHARACTER = re.compile(r"'(\\.|[^\\])'")
 _INCREMENT = re.compile(r"(?P<name>.+?)\s*(?P<sign>[-+])\s*(?P<step>\d+)")
 _FILLING = re.compile(r"\.(push|push_back|push_front|emplace|emplace_back|emplace_front|insert|append)\(")
 _OPPOSITE = {"==": "!=", "is": "is not", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
-_COMPARE = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+_COMPARE = {"==": operator.eq, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 Table = tuple[tuple[Formula, str], ...]
 
 
@@ -87,6 +88,9 @@ class Meaning:
         raise TypeError(condition)
 
     def _comparison(self, condition: Comparison, owner: str) -> Formula:
+        size, limit = number(condition.left), number(condition.right)
+        if size is not None and limit is not None and condition.op in _COMPARE:  # of parameters and constants whose values are known
+            return TRUE if _COMPARE[condition.op](size, limit) else FALSE
         if found := self._counted(condition.op, condition.left, condition.right, owner):
             return found
         if choices := chosen_sides(condition):
@@ -254,7 +258,7 @@ class Meaning:
             return self._copied(cell, source.subject)
         if are_ranges(cell.subject.values):
             return self._copied(cell, self._domains.input(value)) if is_path(compact(value)) else self._unknown(cell)
-        if is_something(cell.type, value, messages):
+        if is_something(cell.type, value, messages) or (set(cell.subject.values) == {NULL, OTHER} and is_field(value, messages)):
             return ((TRUE, OTHER),)
         return self._stepped(cell, value, owner) or self._copied(cell, self._domains.input(value))
 

@@ -12,6 +12,8 @@ _POINTER = re.compile(r"\*\s*$|Ptr\b|_ptr\b|::ConstPtr\b")
 _ASKED = re.compile(r"(?:\.|->)(?:has_value|is_initialized|get)\(\)$")
 _EMPTIED = re.compile(r"^\{\}$|(?:\.|->)reset\((?:nullptr|NULL)?\)$")
 _REPLACED = re.compile(r"(?:\.|->)reset\((.+)\)$")
+_MOVED = re.compile(r"(?:std::)?move\((.+)\)$")
+_PART = re.compile(r"(\w+)(?:\.|->)[\w.]+$")
 _OBJECT = re.compile(r"new\b|&|(\w+::)*(make_shared|make_unique|allocate_shared|make_optional)\b")
 
 
@@ -40,11 +42,16 @@ def is_something(type_: str, value: str, messages: Collection[str]) -> bool:
     text = strip(value)
     if match := _REPLACED.search(text):
         text = strip(match[1])
+    if match := _MOVED.match(text):
+        text = strip(match[1])
     if text in messages or _OBJECT.match(text):
         return True
     held = re.search(r"(\w+)>$", type_) if _OPTIONAL.match(type_) else None
-    if held is None:
-        return False
-    part = re.match(r"(\w+)(?:\.|->)[\w.]+$", text)  # a field of a message is no optional
-    made = rf"\*|(\w+::)*{held[1].rstrip('_')}\s*[({{]|.*(\.|->)emplace\("
-    return re.match(made, text) is not None or (part is not None and part[1] in messages)
+    made = held and rf"\*|(\w+::)*{held[1].rstrip('_')}\s*[({{]|.*(\.|->)emplace\("
+    return bool(made and (re.match(made, text) or is_field(text, messages)))
+
+
+def is_field(value: str, messages: Collection[str]) -> bool:
+    """Whether a value is a field of one of the `messages`: such is neither a pointer nor an optional, and never None."""
+    part = _PART.match(strip(value))
+    return part is not None and part[1] in messages

@@ -38,7 +38,7 @@ def system_of(
     ends: dict[tuple[str, str], tuple[list[tuple[str, str]], list[tuple[str, str]]]] = defaultdict(lambda: ([], []))
     for name, document in nodes.items():
         for port in document["ports"]:
-            kind = "service" if "service" in port["kind"] else "topic"
+            kind = next((asked for asked in ("service", "action") if asked in port["kind"]), "topic")
             ends[kind, port["name"]][port["kind"] not in _SOURCES].append((f"/{name}", port["id"]))
     for name, topics in (unknown or {}).items():
         for topic in topics:

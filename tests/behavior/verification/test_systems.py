@@ -9,12 +9,14 @@ import pytest
 from hand_made import load, system_of
 
 from rosarch.base.logic import All
+from rosarch.behavior.composition.components import component
 from rosarch.behavior.composition.inputs import Inputs
 from rosarch.behavior.composition.scenario import read_scenario
 from rosarch.behavior.verification import spin, storm
 from rosarch.behavior.verification.check import HOLDS, POSSIBLE, VIOLATED, model_for, verify
 from rosarch.behavior.verification.explorer import violation
 from rosarch.behavior.verification.properties import read_properties
+from rosarch.models.machine.logic import BOOLEAN
 
 FILES = sorted((Path(__file__).parent / "systems").glob("*.yml"))
 
@@ -110,6 +112,20 @@ FILTER = {
         {"input": "p1", "output": "p4", "when": "--left_ == 0", "must": False, "at": ["filter.cpp:14"]},
     ],
 }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("settings", "first"), [({"~enabled": ("bool", "true")}, ("true",)), ({"~enabled": ("string", "on")}, BOOLEAN), ({}, BOOLEAN)]
+)
+def test_state_begins_with_what_its_parameter_is_set_to(settings: dict[str, tuple[str, str]], first: tuple[str, ...]) -> None:
+    document = {
+        "ports": FILTER["ports"],
+        "traits": {"begins_with_value_of": [["Filter::enabled_", "~enabled"]]},
+        "state_variables": [{"name": "Filter::enabled_", "type": "bool", "initial": "false", "from_param": "~enabled", "at": "filter.h:3"}],
+        "transitions": [{"variable": "Filter::enabled_", "trigger": ["p1"], "value": "false", "at": "filter.cpp:12"}],
+        "reactive": [{"input": "p1", "output": "p2", "when": "enabled_", "must": False, "at": ["filter.cpp:10"]}],
+    }
+    assert sorted(component(document, settings).variables["Filter::enabled_"].initial) == sorted(first)
 
 
 @pytest.mark.slow

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from rosarch.models.machine.cells import Domains
+from rosarch.models.machine.elapsed import with_elapsed
 from rosarch.models.machine.reactions import component_steps, courses
 
 
@@ -62,3 +63,32 @@ def test_what_a_test_sees(transitions: list[dict[str, Any]], sent: dict[str, Any
 def test_a_call_that_gives_another_value_each_time(guard: str, unclear: bool) -> None:
     document = {"reactive": [_sent(11, guard, _leaf(10, guard))], "traits": {"gives_another": [["q.pop()"]]}}
     assert any(step.unclear for step in component_steps(document, Domains(document))["p1"]) is unclear
+
+
+@pytest.mark.parametrize(("second", "clear"), [("state_ == TURN", True), ("msg->again", False)])
+def test_times_that_are_asked_for_in_cases_of_which_one_is_taken(second: str, clear: bool) -> None:
+    """In a switch, each case asks for the time since the last change and may change; else the second asks after the first has changed."""
+
+    def rows(first: str, place: str, limit: str, to: str, at: int) -> list[dict[str, Any]]:
+        leaves = [
+            {"condition": first, "holds": True, "at": place},
+            {"condition": f"now() - since_ > {limit}", "holds": True, "at": f"n.cpp:{at}"},
+        ]
+        guard = {"guard": f"{first} && now() - since_ > {limit}", "guard_tree": {"all": leaves}, "trigger": ["periodic"]}
+        change = {"variable": "N::state_", "value": to, "at": f"n.cpp:{at + 1}"}
+        return [{**change, **guard}, {"variable": "N::since_", "value": "now()", "at": f"n.cpp:{at + 2}", **guard}]
+
+    node = {
+        "state_variables": [
+            {"name": "N::state_", "type": "Mode", "initial": "BACK", "at": "n.cpp:1"},
+            {"name": "N::since_", "type": "Time", "initial": None, "at": "n.cpp:2"},
+        ],
+        "transitions": [
+            *rows("state_ == BACK", "n.cpp:9", "LONG", "TURN", 10),
+            *rows(second, "n.cpp:9" if clear else "n.cpp:19", "SHORT", "BACK", 20),
+        ],
+        "traits": {"keeps_moment": [["N::since_"]]},
+    }
+    steps, cells = with_elapsed(node, component_steps(node, Domains(node)))
+    assert len(cells) == 2
+    assert [step.unclear for step in steps["periodic"]] == [not clear] * 4

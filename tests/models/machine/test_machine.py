@@ -138,10 +138,29 @@ def test_what_a_function_gives_may_be_null() -> None:
     assert {arrow.partition("[")[0] for arrow in arrows(machine)} == {"null asked", "set asked", "set sent null"}
 
 
-def test_a_message_that_is_kept_is_not_null() -> None:
-    rows = [("N::last", "in", None, "msg"), ("N::last", "sent", "last is not None", "None")]
+@pytest.mark.parametrize("given", ["msg", "msg.pose.pose", "std::move(msg)"])
+def test_what_is_kept_of_a_message_is_not_null(given: str) -> None:
+    rows = [("N::last", "in", None, given), ("N::last", "sent", "last is not None", "None")]
     kept = {**document(variables=[("N::last", "", "None")], transitions=rows), "traits": {"names_message": [["in", "msg"]]}}
     assert arrows(build_machine(kept)) == {"null in set", "set sent null"}
+
+
+def test_what_a_message_says_may_count_as_false() -> None:
+    node = document(
+        variables=[("N::on", "object", "false")], transitions=[("N::on", "in", None, "msg.data")], periodic=[(1.0, ["out"], "not self.on")]
+    )
+    node["traits"] = {"names_message": [["in", "msg"]]}
+    assert arrows(build_machine(node)) == {"false in[msg.data] true", "true in[!msg.data] false", "false periodic/out false"}
+
+
+@pytest.mark.parametrize(
+    ("guard", "changes"), [("5 >= 0 && msg.on", {"false in[msg.on] true"}), ("5 < 0 && msg.on", set()), ("3 == 3.0", {"false in true"})]
+)
+def test_two_numbers_are_compared(guard: str, changes: set[str]) -> None:
+    node = document(
+        variables=[("N::on_", "bool", "false")], transitions=[("N::on_", "in", guard, "true")], periodic=[(1.0, ["out"], "on_")]
+    )
+    assert {arrow for arrow in arrows(build_machine(node)) if arrow.startswith("false in")} == changes
 
 
 def test_fields_are_variables_of_their_own() -> None:
