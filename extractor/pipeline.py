@@ -252,7 +252,7 @@ def _message_type(row: MessageClass) -> str:
     return row.owner if row.owner and row.role in ("request", "response") else row.type
 
 
-def _default(text: str | None) -> str:
+def _constant(text: str | None) -> str:
     """The default of a configuration's parameter, Python text, as the value that C++ would have."""
     if text is None:
         return "?"
@@ -264,7 +264,7 @@ class _Defined:
     """The message classes and configurations of the workspace and of common packages, rows about those without others, a hash of all."""
 
     classes: set[tuple[str, str, str]]
-    configs: set[tuple[str, str, str, str]]
+    configs: set[tuple[str, ...]]
     closed: dict[str, set[tuple[str, ...]]]
     fields: Mapping[str, MessageFields]
     middleware: Mapping[str, str]
@@ -277,7 +277,11 @@ def _defined(interfaces: Interfaces, workspace: Workspace) -> _Defined:
         for row in interfaces.classes()
         for name in (row.cxx_class, row.cxx_class.rstrip("_"))  # the struct, and the name that code knows it by
     }
-    configs = {(f"{config.name}Config", p.name, p.type, _default(p.default)) for config in interfaces.configs() for p in config.parameters}
+    configs = {
+        (f"{config.name}Config", p.name, p.type, *map(_constant, (p.default, p.minimum, p.maximum)))
+        for config in interfaces.configs()
+        for p in config.parameters
+    }
     closed = closed_packages(workspace.packages)
     packages = workspace.packages
     fields = {kind: MessageFields.of(store, packages, kind) for kind, store in ((ROS1, interfaces.ros1), (ROS2, interfaces.ros2))}

@@ -17,7 +17,17 @@ from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch.yaml_values import Loader, YamlError
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.registry import native
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Installed, Instance, Made, PathText, TextFile, Unknown, installed
+from rosarch.extractor.launch_ros2.values import (
+    NOTHING,
+    Either,
+    Installed,
+    Instance,
+    Made,
+    PathText,
+    TextFile,
+    Unknown,
+    installed,
+)
 from rosarch.extractor.urdf.command import xacro_call
 
 if TYPE_CHECKING:
@@ -241,8 +251,13 @@ def _load(run: Calls, source: Any, *_more: Any, **_named: Any) -> Any:
     text = source.text if isinstance(source, TextFile) else source
     if not isinstance(text, str) or run.world.state.unknowns.is_open(text):
         return NOTHING
+    files = run.world.state.files
     try:
-        return copy.deepcopy(run.world.state.files.yaml(text, Loader)[0])
+        found, lines = files.yaml(text, Loader)
+        value, path = copy.deepcopy(found), files.with_text(text)
+        if path is not None:
+            run.world.note_read(value, path, lines)
+        return value
     except YamlError as error:
         raise Raised("YAMLError", error.message) from None
 

@@ -138,8 +138,9 @@ def _of_map(world: World, value: Mapping[Any, Any], given: Given, context: Conte
             if isinstance(one, Mapping):
                 yield from _of_map(world, one, case, context, f"{name}.")
             elif one is not NOTHING:
-                value = _arriving(evaluated(world, _taken(world, name, one), context), case)
-                yield Setting(name, value, case.place, case.conditions, nodes=case.node or ALL)
+                arriving = _arriving(evaluated(world, _taken(world, name, one), context), case)
+                at = world.read_at(value, key)
+                yield Setting(name, arriving, case.place, case.conditions, written=at, nodes=case.node or ALL)
 
 
 def _cases(item: Any) -> Iterator[tuple[tuple[Condition, ...], Any]]:

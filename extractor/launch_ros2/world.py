@@ -22,6 +22,7 @@ from rosarch.extractor.launch_ros2.values import Class, Either, Function, PathTe
 from rosarch.extractor.urdf.robots import Robot
 
 if TYPE_CHECKING:
+    from rosarch.extractor.launch.yaml_values import KeyLines
     from rosarch.extractor.launch_ros2.controllers import Asked
     from rosarch.extractor.launch_ros2.params_files import ParamsFile
 
@@ -43,6 +44,7 @@ class World:
         self.agenda = Agenda(self)
         self.written: dict[str, str] = {}
         self.described: dict[str, Robot | None] = {}
+        self.maps_read: dict[int, tuple[dict[Any, Any], dict[Any, tuple[Any, Place]]]] = {}
         self.parameter_texts: dict[tuple[str, bool], ParamsFile] = {}
         self.performed: dict[tuple[int, frozenset[tuple[str, str]]], tuple[Any, str]] = {}
         self.references: list[Reference] = []
@@ -144,6 +146,20 @@ class World:
         if self.is_handed(path):
             return self.content_of(path)
         return self.state.files.read_text(self.located(path))
+
+    def note_read(self, value: Any, path: str, lines: KeyLines, keys: tuple[str, ...] = ()) -> None:
+        """Remember where the keys of maps stand that were read from a file."""
+        if isinstance(value, dict) and id(value) not in self.maps_read:
+            at = {key: lines.get((*keys, str(key))) for key in value}
+            self.maps_read[id(value)] = value, {key: (value[key], Place(path, line)) for key, line in at.items() if line}
+            for key, item in value.items():
+                self.note_read(item, path, lines, (*keys, str(key)))
+
+    def read_at(self, owner: Any, key: Any) -> Place | None:
+        """Where a key of a map stands in the file that it was read from, unless its value was changed meanwhile."""
+        _, places = self.maps_read.get(id(owner), (owner, {}))
+        value, place = places.get(key, (None, None))
+        return place if value is owner[key] else None
 
     def content_of(self, path: str) -> str:
         """What is in a file, when that is not known."""

@@ -373,6 +373,9 @@ with open(os.path.join(get_package_share_directory('gone'), 'r.urdf')) as f:
     text = HEAD + "def generate_launch_description():\n" + "".join(f"    {line}\n" for line in before.splitlines())
     text += "    return LaunchDescription([node('n', parameters=[values, {'robot_description': robot}])])\n"
     found = composed(tmp_path, {"main.launch.py": text, "v.yaml": "/**:\n  ros__parameters: {a: 1, b: {c: x}}\n"})
+    assert {(setting.name, Path(setting.place.path).name, setting.place.line) for setting in found.params} >= {
+        ("/n/a", "v.yaml", 2), ("/n/b.c", "v.yaml", 2)
+    }  # fmt: skip
     assert params(found) == {"/n/a": 1, "/n/b.c": "x", "/n/robot_description": "$(file-content $(find-pkg-share gone)/r.urdf)"}
     assert problems(found, tmp_path) == ["main.launch.py:21:28: package `gone` is not on the package path"]
 

@@ -7,6 +7,8 @@
 // expect: reconfigure_parameter(_, "topic", "string", "/global")
 // expect: reconfigure_parameter(_, "named/topic", "string", "/named")
 // expect: reconfigure_parameter(_, "named/queue", "int", "4")
+// expect: 3 = count : { parameter_clamped(_, _, _, _) }
+// expect: parameter_clamped(_, "named/queue", "1", "10")
 // expect: 5 = count : { name_parameter(_, _, _, _) }
 #include <dynamic_reconfigure/server.h>
 #include <parameters_reconfigured/GlobalConfig.h>

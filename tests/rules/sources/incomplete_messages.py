@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-# Measurements that are sent without a stamp, in rclpy. What sets the header, or may, silences.
+# Messages that are sent without a stamp, a frame or a rotation, in rclpy. What sets them, or may, silences.
 #
-# expect: 1 = count : { sent_unstamped(_, _) }
-# expect: sent_unstamped(_, [_, _, "plain"])
+# expect: 3 = count : { sent_without(_, _, _) }
+# expect: sent_without(_, [_, _, "plain"], "header")
+# expect: sent_without(_, [_, _, "set"], "header.frame_id")
+# expect: sent_without(_, [_, "tf_broadcaster", _], "transform.rotation")
 import rclpy
+from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from sensor_msgs.msg import Range
 from std_msgs.msg import Float64, Header
+from tf2_ros import TransformBroadcaster
 
 
 def stamp(node, message):
@@ -16,6 +20,7 @@ def stamp(node, message):
 class Sensors(Node):
     def __init__(self):
         super().__init__("sensors")
+        self.broadcaster = TransformBroadcaster(self)
         self.plain = self.create_publisher(Range, "plain", 1)
         self.named = self.create_publisher(Range, "named", 1)
         self.set = self.create_publisher(Range, "set", 1)
@@ -35,8 +40,21 @@ class Sensors(Node):
         set_.header.stamp = self.get_clock().now().to_msg()
         self.set.publish(set_)
         given = Range()
+        given.header.frame_id = "front"
         stamp(self, given)
         self.given.publish(given)
+
+        unturned = TransformStamped()
+        unturned.header.frame_id = "base"
+        unturned.transform.translation.x = distance.data
+        self.broadcaster.sendTransform(unturned)
+        turned = TransformStamped()
+        turned.transform.rotation.w = 1.0
+        self.broadcaster.sendTransform(turned)
+        framed = Range()
+        framed.header.stamp = self.get_clock().now().to_msg()
+        framed.header.frame_id = "front"
+        self.set.publish(framed)
 
     def on_range(self, message):
         whole = Range()

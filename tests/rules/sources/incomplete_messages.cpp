@@ -1,10 +1,11 @@
-// Measurements that are sent without a stamp: made, filled and sent in one function. What sets the header, is given the message, copies it from another one or keeps it elsewhere, silences.
+// Messages that are sent without a stamp or a frame: made, filled and sent in one function. What sets the header, is given the message, copies it from another one or keeps it elsewhere, silences.
 //
-// expect: 4 = count : { sent_unstamped(_, _) }
-// expect: sent_unstamped(_, [_, _, "plain"])
-// expect: sent_unstamped(_, [_, _, "shared"])
-// expect: sent_unstamped(_, [_, _, "pointer"])
-// expect: sent_unstamped(_, [_, _, "made"])
+// expect: 5 = count : { sent_without(_, _, _) }
+// expect: sent_without(_, [_, _, "set"], "header.frame_id")
+// expect: sent_without(_, [_, _, "plain"], "header")
+// expect: sent_without(_, [_, _, "shared"], "header")
+// expect: sent_without(_, [_, _, "pointer"], "header")
+// expect: sent_without(_, [_, _, "made"], "header")
 #include <boost/make_shared.hpp>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
