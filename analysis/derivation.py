@@ -134,9 +134,7 @@ class Deriving:
         more = (Unseen("ports", reason, function, Place(*at)) for function, *at in _left_out(component, self.makers))
         return (replace(found[0], left_out=tuple(sorted({*found[0].left_out, *more}))), *found[1:])
 
-    def _configured(
-        self, component: Extracted, configuration: NodeConfiguration, relations: Relations
-    ) -> tuple[ComponentModel, ...]:
+    def _configured(self, component: Extracted, configuration: NodeConfiguration, relations: Relations) -> tuple[ComponentModel, ...]:
         found = self._built(component, "node" if configuration.entry else component.kind, relations)
         # of a program that makes several nodes, the one of this name
         own = next((model for model in found if model.executable and model.node_name == configuration.name), found[0])

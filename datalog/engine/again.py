@@ -75,9 +75,7 @@ def _union(sets: Iterable[Slots]) -> Slots:
 class Again(Evaluation):
     """An evaluation of a series, which takes over rows of the one `before`, if there is one."""
 
-    def __init__(
-        self, series: Series, before: Again | None, code: Code, functions: Functions, facts: Facts, control: Control
-    ) -> None:
+    def __init__(self, series: Series, before: Again | None, code: Code, functions: Functions, facts: Facts, control: Control) -> None:
         self.series = series
         self.reading = series.reading
         self.before = before

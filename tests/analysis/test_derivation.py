@@ -61,7 +61,10 @@ def analysis(root: Path, wanted: Wanted) -> Analysis:
 
 
 def ports(found: Analysis) -> dict[str, list[str]]:
-    return {f"{model.component} {model.configuration}".strip(): sorted(port.name for port in model.ports if not port.implicit) for model in found.models}
+    return {
+        f"{model.component} {model.configuration}".strip(): sorted(port.name for port in model.ports if not port.implicit)
+        for model in found.models
+    }
 
 
 def test_components_of_the_same_sources_are_one_task(workspace: Path) -> None:
