@@ -267,11 +267,14 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
     from rosarch.library import load
 
     diagnostics: list[Diagnostic] = []
+    builds: dict[Path, Built] = {}
     underlay = method.sources.underlay.without(PackagePath([root]).own)
 
     def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool], wanted: Wanted = ALONE) -> Analysis:
         found = analyze(root, packages, method, only=only, wanted=wanted)
         diagnostics.extend(found.diagnostics)
+        # of packages that no launch file names, those whose plug-ins may be loaded
+        builds.update((one.folder, one) for one in found.builds if packages is not None or one.described)
         # of those without sources nothing is known; of a program that makes several nodes there are these
         whole = {(model.package, model.executable) for model in found.models if model.executable and not model.configuration}
         kept = tuple(model for model in found.models if model.sources and (model.package, model.component) not in whole)
@@ -307,9 +310,8 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, of_library))]
     expected = known.packages | underlay.packages.keys()
     shared = _shared(models, interfaces)
-    return Components(
-        root, underlay, models, found.programs, found.builds, expected, names, made, tuple(interfaces), shared, tuple(diagnostics)
-    )
+    told = tuple(builds.values())
+    return Components(root, underlay, models, found.programs, told, expected, names, made, tuple(interfaces), shared, tuple(diagnostics))
 
 
 _Key = str | tuple[str, str]

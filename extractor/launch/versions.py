@@ -97,7 +97,8 @@ def _left_behind(launch_files: Iterable[Path | str]) -> Composition:
         line = 1 + text.count("\n", 0, found.start()) if found else 1
         names = ", ".join(other.name for other in others[:_NAMED]) + (", ..." if others[_NAMED:] else "")
         many = f", like {len(others)} other{'s' if others[1:] else ''} of the package ({names})" if others else ""
-        message = f"written for ROS 1, in a package for ROS 2{many}: `ros2 launch` rejects it"
+        word = f" (`{found[0].strip(' $(<=')}`)" if found else ""
+        message = f"written for ROS 1{word}, in a package for ROS 2{many}: `ros2 launch` rejects it"
         problems.append(Problem("ros1", str(first), message, Place(str(first), line)))
     return Composition((), (), (), (), tuple(dict.fromkeys(problems)), tuple(map(str, paths)), ros=2)
 

@@ -49,6 +49,10 @@ _OTHERS = frozenset({"FindPackageShare", "PathJoinSubstitution", "ThisLaunchFile
 """Further substitutions, which are called by the names of their classes."""
 
 
+_BY_NAME = {"LaunchConfigurationEquals": "never", "LaunchConfigurationNotEquals": "always"}
+"""Conditions on a configuration that they want by its name, and how often they hold for another object (https://github.com/ros2/launch/issues/509)."""
+
+
 class _Names:
     """The variables that stand for a configuration (`text` when for its text), of those that are assigned once, and are no arguments."""
 
@@ -104,6 +108,8 @@ def _of_node(node: ast.AST, names: _Names, path: str) -> Iterator[_Occurrence]:
         case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="path"), attr="join"), args=parts):
             for one in parts:
                 yield from _written(one, names, path, "is no path: TypeError")
+        case ast.Call(func=ast.Name(id=kind) | ast.Attribute(attr=kind), args=[one, *_]) if kind in _BY_NAME:
+            yield from _written(one, names, path, f"is not the name of a configuration: {kind} {_BY_NAME[kind]} holds")
         case ast.Call(func=ast.Name(id=kind) | ast.Attribute(attr=kind), keywords=keywords) if kind in ACTIONS:
             for keyword in keywords:
                 if keyword.arg == "condition":

@@ -72,6 +72,11 @@ rosidl_generate_interfaces(${PROJECT_NAME} "msg/Step.msg"
         ("Step.msg", 3, "std_msgs"),
     ]
     assert one.interfaces_given == {"std_msgs"}
+    catkin = "find_package(catkin REQUIRED)\nadd_message_files(FILES Step.msg)\ngenerate_messages(DEPENDENCIES {})"
+    old = found(tmp_path / "c", catkin.format("std_msgs"), "catkin", **{"msg/Step.msg": step})
+    assert (old.interfaces_given, old.includes, old.asks) == ({"std_msgs"}, (), ())
+    assert [(use.line, use.used) for use in old.interfaces] == [(2, "geometry_msgs"), (3, "std_msgs")]
+    assert found(tmp_path / "d", catkin.format("${PACKAGES}"), "catkin", **{"msg/Step.msg": step}) == Uses()
     listed = cmake.replace('"msg/Step.msg"', "${FILES}")
     assert found(tmp_path / "b", listed, **{"node.cpp": "", "msg/Step.msg": step}).interfaces == ()  # nobody knows what is in it
     assert found(tmp_path / "c", 'set(FILES "msg/Step.msg")\n' + listed, **{"node.cpp": "", "msg/Step.msg": step}).interfaces == tuple(

@@ -46,9 +46,14 @@ class Uses:
 
 @lru_cache(maxsize=256)
 def uses(package: Built) -> Uses:
-    """The uses of a package of ROS 2 whose build files are understood and simple; of any other nothing is known."""
+    """The uses of a package whose build files are understood and simple; of one of ROS 1 those of its interfaces, of any other none."""
+    if package.unsure:
+        return Uses()
+    interfaces, told = _generated(package)
+    if package.build_type == "catkin":
+        return Uses(interfaces=interfaces, interfaces_given=told)
     text = without_comments(package.folder / "CMakeLists.txt")
-    if package.build_type != "ament_cmake" or package.unsure or _OTHER_WAYS.search(text):
+    if package.build_type != "ament_cmake" or _OTHER_WAYS.search(text):
         return Uses()
     targets = {one.name: one for one in package.targets if one.kind in (EXECUTABLE, SHARED, STATIC, MODULE)}
     named = _NAMED.findall(text)
@@ -61,10 +66,14 @@ def uses(package: Built) -> Uses:
         if call.words and call.words[0] in targets and "$" not in name and name not in _SCOPES
     )
     at = tuple((one.name, one.cmake_file, one.given_line) for one in targets.values())
-    generates = package.called("rosidl_generate_interfaces")
-    told = frozenset(word for call in generates for word in call.words[(*call.words, "DEPENDENCIES").index("DEPENDENCIES") + 1 :])
-    interfaces = tuple(_of_interfaces(package)) if generates and all(call.is_known for call in generates) else ()
     return Uses(tuple(includes), frozenset(given), at, asks, package.finds, interfaces, told)
+
+
+def _generated(package: Built) -> tuple[tuple[Use, ...], frozenset[str]]:
+    """What the interfaces of a package use, and what those who generate them are given; nothing is used where that is not known."""
+    calls = package.called("rosidl_generate_interfaces", "generate_messages")
+    told = frozenset(word for call in calls for word in call.words[(*call.words, "DEPENDENCIES").index("DEPENDENCIES") + 1 :])
+    return (tuple(_of_interfaces(package)) if calls and all(call.is_known for call in calls) else ()), told
 
 
 def _given(target: Target, targets: dict[str, Target]) -> Iterator[str]:

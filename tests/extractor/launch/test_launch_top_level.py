@@ -65,7 +65,7 @@ def test_launch_files_of_ros_2_may_be_called_anything(tmp_path: Path) -> None:
     [
         (
             "<buildtool_depend>ament_cmake</buildtool_depend>",
-            ["l.launch:2:1: written for ROS 1, in a package for ROS 2: `ros2 launch` rejects it"],
+            ["l.launch:2:1: written for ROS 1 (`type`), in a package for ROS 2: `ros2 launch` rejects it"],
         ),
         ("<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>catkin</buildtool_depend>", []),
         ("<buildtool_depend>catkin</buildtool_depend>", []),
@@ -103,7 +103,8 @@ def test_launch_files_that_a_package_has_left_are_one_problem(tmp_path: Path) ->
     found = [compose([tmp_path / name], files=files).problems for name in ("a.launch", "b.launch", "deep/c.launch")]
     assert found[0] == found[1] == found[2]
     assert [str(problem).removeprefix(f"{tmp_path}/") for problem in found[0]] == [
-        "a.launch:2:1: written for ROS 1, in a package for ROS 2, like 2 others of the package (b.launch, c.launch): `ros2 launch` rejects it"
+        "a.launch:2:1: written for ROS 1 (`type`), in a package for ROS 2, like 2 others of the package (b.launch, c.launch): "
+        "`ros2 launch` rejects it"
     ]
 
 

@@ -46,6 +46,12 @@ def setup(context, given, twice=None):
         ("x = PathJoinSubstitution([FindPackageShare('light'), 'config'])", ""),
         ("x = Node(condition=mode)", "mode is no condition: IfCondition makes one of it"),
         ("x = Node(condition=IfCondition(mode))", ""),
+        ("x = LaunchConfigurationEquals(mode, 'a')", "mode is not the name of a configuration: LaunchConfigurationEquals never holds"),
+        (
+            "x = Node(condition=conditions.LaunchConfigurationNotEquals(LaunchConfiguration('x'), ''))",
+            "x is not the name of a configuration: LaunchConfigurationNotEquals always holds",
+        ),
+        ("x = LaunchConfigurationEquals('mode', mode)", ""),
         ("x = Node(condition=given)", ""),
         ("x = Check(condition=mode)", ""),
         ("x = f'robot_{text}'", ""),
