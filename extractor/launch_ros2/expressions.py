@@ -145,8 +145,7 @@ class Expressions(Decisions):
     def _items(self, nodes: list[ast.expr], frame: Frame) -> Iterator[Any]:
         for node in nodes:
             if isinstance(node, ast.Starred):
-                value = self.value(node.value, frame)
-                yield from self.spread(value) if isinstance(value, Either) else self.iterated(value, node.value, frame)
+                yield from self.added(self.value(node.value, frame), node.value, frame)
             else:
                 yield self.value(node, frame)
 
@@ -184,6 +183,10 @@ class Expressions(Decisions):
         if isinstance(value, (Unknown, Either, TextFile, Made, Instance, Installed, str)):
             return [Several(f"each of {source_of(node)}", self.place(node, frame))]
         raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))
+
+    def added(self, value: Any, node: ast.expr, frame: Frame) -> list[Any]:
+        """The items that a list gets by `*value` or `+= value`."""
+        return self.spread(value) if isinstance(value, Either) else self.iterated(value, node, frame)
 
     def spread(self, value: Any) -> list[Any]:
         """What a value adds to a list: of one of two lists, each item where it is this list; what is not known, as one."""

@@ -121,7 +121,7 @@ class Interpreter(Calls):
         before = self.value(node.target, frame)
         added = self.value(node.value, frame)
         if isinstance(before, list) and isinstance(node.op, ast.Add):
-            before.extend(self.guarded(item) for item in self.iterated(added, node.value, frame))
+            before.extend(map(self.guarded, self.added(added, node.value, frame)))
         else:
             self.assign(node.target, self.operation(node.op, before, added, node.value, frame), frame)
 
@@ -140,7 +140,10 @@ class Interpreter(Calls):
                 owner.arguments[target.attr.strip("_")] = value
         elif isinstance(target, ast.Subscript):
             owner, key = self.value(target.value, frame), self.value(target.slice, frame)
-            self.set_item(owner, key, value)
+            try:
+                self.set_item(owner, key, value)
+            except TypeError as error:  # a key that cannot be one
+                raise Raised("TypeError", str(error), self.place(target, frame)) from None
 
     def _variables_of(self, name: str, frame: Frame) -> dict[str, Any]:
         here: Frame | None = frame

@@ -68,9 +68,11 @@ def test_a_list_of_parameters_or_remappings_that_is_one_of_two(tmp_path: Path) -
     ]
 
 
-@pytest.mark.parametrize("added", ["[*(two if more else one)]", "[] + (two if more else one)", "(two if more else one) + []", "grown"])
+@pytest.mark.parametrize(
+    "added", ["[*(two if more else one)]", "[] + (two if more else one)", "(two if more else one) + []", "grown", "longer"]
+)
 def test_a_list_that_is_one_of_two_is_added_to_another(tmp_path: Path, added: str) -> None:
-    before = f"{UNKNOWN}one, two = [('a', 'x')], [('a', 'b'), ('c', 'd')]\ngrown = []\ngrown.extend(two if more else one)"
+    before = f"{UNKNOWN}one, two = [('a', 'x')], [('a', 'b'), ('c', 'd')]\ngrown = []\ngrown.extend(two if more else one)\nlonger = []\nlonger += two if more else one"
     (node,) = described(tmp_path, f"node('n', remappings={added})", before).nodes
     remaps = [(one.source, one.target, [str(each) for each in one.conditions]) for one in node.remaps]
     assert remaps == [("a", "b", ["if more"]), ("c", "d", ["if more"]), ("a", "x", ["unless more"])]
@@ -80,6 +82,11 @@ def test_a_list_that_is_one_of_two_is_added_to_another(tmp_path: Path, added: st
 def test_how_many_items_a_list_has_is_not_known(tmp_path: Path, asked: str) -> None:
     found = described(tmp_path, f"node('n', parameters=[{{'p': {asked}}}])", UNKNOWN)
     assert "$(" in str(params(found)["/n/p"])
+
+
+def test_a_list_is_no_key(tmp_path: Path) -> None:
+    found = described(tmp_path, "node('n')", "given = {}\ngiven[[1]] = 2")
+    assert problems(found, tmp_path)[0] == "launch/main.launch.py:20:5: TypeError: unhashable type: 'list'"
 
 
 def test_remappings_that_are_not_known_are_told(tmp_path: Path) -> None:
