@@ -14,7 +14,7 @@ from rosarch.base.logic import TRUE, Not, alternatives
 from rosarch.models.formula import Condition, Formula
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import Comparison, Operand, constant, parse_condition, strip
-from rosarch.models.machine.counting import whole
+from rosarch.models.machine.counting import MOST_VALUES, whole
 from rosarch.models.machine.logic import BOOLEAN
 from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses, is_ambiguous
 from rosarch.models.machine.steps import Step
@@ -75,7 +75,7 @@ class Reactions:
 
     def __init__(self, document: Document) -> None:
         self.document = runnable_document(document)
-        domains = Domains(self.document, counts=True)
+        domains = Domains(self.document, counts=MOST_VALUES, limits=True)
         self.counted = _counted(domains)
         traits = document.get("traits") or {}
         doubtful = {name for trait in ("changed_at_once", "changed_by_several") for name, *_ in traits.get(trait, ())}
@@ -111,7 +111,7 @@ def rhythms(reactions: Reactions) -> Iterator[Rhythm]:
     known = {(rhythm.trigger, rhythm.output) for rhythm in fixed}
     for name, parameter in (document.get("traits") or {}).get("keeps_value_of", ()):
         tried = [with_numbers(document, {name: value}) for value in _TRIED]
-        if tried[0] == document or _counted(Domains(tried[0], counts=True)) == reactions.counted:
+        if tried[0] == document or _counted(Domains(tried[0], counts=MOST_VALUES, limits=True)) == reactions.counted:
             continue  # nothing that is run here asks for it, or nothing is counted by it
         found = [{(r.trigger, r.output): r for r in _fixed(Reactions(each))} for each in tried]
         for key, first in found[0].items():

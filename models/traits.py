@@ -42,6 +42,7 @@ TRAITS = {
     "round_of_each": ("place",),
     "sent_untimed": ("port",),
     "sent_otherwise": ("port",),
+    "sent_by_itself": ("port",),
     "sends_nothing": ("port",),
     "given_away": ("port",),
     "unsteady": ("place", "text"),

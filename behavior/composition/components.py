@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from rosarch.models.machine.cells import Document, Domains, value_in
-from rosarch.models.machine.counting import whole
+from rosarch.models.machine.counting import MOST_VALUES, whole
 from rosarch.models.machine.elapsed import with_elapsed
 from rosarch.models.machine.limits import NO_NUMBER, is_beyond
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
@@ -206,6 +206,11 @@ class Component:
         return frozenset(str(port["id"]) for port in self.document.get("ports") or () if port.get("latched"))
 
     @cached_property
+    def sending(self) -> frozenset[str]:
+        """The ports that something sends through of which the document has no row."""
+        return frozenset(port for (port,) in self._traits("sent_by_itself"))
+
+    @cached_property
     def silent(self) -> frozenset[str]:
         """The ports that nothing is ever sent through."""
         return frozenset(port for (port,) in self._traits("sends_nothing"))
@@ -255,7 +260,7 @@ def component(document: Document, settings: Settings | None = None) -> Component
     known = {name: settings[parameter] for name, parameter in _keeping(document) if parameter in (settings or {})} if settings else {}
     numbers = {name: number for name, (_, text) in known.items() if (number := whole(text)) is not None}
     document = runnable_document(document, numbers)
-    domains = Domains(document, counts=True)
+    domains = Domains(document, counts=MOST_VALUES, limits=True)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}
     read = {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}

@@ -123,6 +123,7 @@ def _topic(name: str, connector: Connector, nodes: Mapping[str, Component]) -> T
         end = (node, port.split(":")[0])
         if node in nodes and end[1] in nodes[node].outlets:
             senders.append(end)
+            outside += [node] if end[1] in nodes[node].sending else []
         elif node in nodes and end[1] in nodes[node].silent:
             silent = True
         else:

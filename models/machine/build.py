@@ -113,7 +113,7 @@ def build_machine(document: Document, *, max_states: int = MAX_STATES, joint: bo
     reached: then a region of each, with conditions on the others, says the same in less. `joint` asks for one region even so.
     """
     view = _View(max_states, joint)
-    domains = Domains(document)
+    domains = Domains(document, counts=MAX_STATES)
     steps = component_steps(document, domains)
     homes = _homes(steps)
     messages = _loops_message(document, steps)

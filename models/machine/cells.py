@@ -179,12 +179,12 @@ def _letters(text: str) -> str:
 class Domains:
     """The cells of a component, and the values of its inputs that conditions distinguish.
 
-    When it `counts`, variables that count have each number as a value, as far as conditions distinguish them, and other numbers lie in
-    ranges between the limits that conditions compare them with.
+    Variables that count have each number as a value, as far as conditions distinguish them and these are no more than `counts`. Where there
+    are `limits`, other numbers lie in ranges between those that conditions compare them with.
     """
 
-    def __init__(self, document: Document, *, counts: bool = False) -> None:
-        self._counts = counts
+    def __init__(self, document: Document, *, counts: int = 0, limits: bool = False) -> None:
+        self._counts, self._limited = counts, limits
         begins = (document.get("traits") or {}).get("field_begins", ())
         self._fields = {(str(name), str(path)): str(value) for name, path, value in begins}
         repeated = (document.get("traits") or {}).get("repeated", ()) if counts else ()
@@ -256,7 +256,7 @@ class Domains:
         elif asked.op in ("==", "is"):
             self._read_equality(asked.left, asked.right, owner)
         else:
-            if self._counts and (limit := number(asked.right)) is not None and is_path(compact(asked.left)):
+            if self._limited and (limit := number(asked.right)) is not None and is_path(compact(asked.left)):
                 self._draft(asked.left, owner).limits.add(limit)
             for side in (asked.left, asked.right):
                 place = self.locator.locate(side, owner)
@@ -370,7 +370,7 @@ class Domains:
         rank = {name: number for number, name in enumerate(self._order)}
         for place in sorted(self._drafts, key=lambda place: (rank[place[0]], place[1])):
             draft = self._drafts[place]
-            if self._counts and (found := self._counting(place, draft)) is not None:
+            if (found := self._counting(place, draft)) and len(found.names) <= self._counts:
                 yield self._counted(place, found)
                 continue
             limits = self._limits(draft) if draft.open else set()

@@ -324,9 +324,8 @@ class Meaning:
             if current in numbers:
                 reached = constant(repr(numbers[current] + step)) or OTHER
                 rows.append((here, cell.nearest(reached) or current))
-            elif current == OTHER:  # counting on from there passes the outermost number at most
-                beyond = sorted(numbers, key=lambda v: numbers[v] * step)[1:]
-                rows += self._choice(cell, here, [*beyond, current])
+            elif current == OTHER:  # which may be on either side of each number
+                rows += self._choice(cell, here, [*numbers, current])
             else:  # which number a name stands for is not known
                 rows += self._choice(cell, here, list(cell.subject.values))
         return tuple(rows)

@@ -20,6 +20,7 @@ COUNTS = (
     "round_of_each",
     "sent_untimed",
     "sent_otherwise",
+    "sent_by_itself",
     "synchronised",
     "answers_surely",
     "in_callback",
