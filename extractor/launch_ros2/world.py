@@ -156,7 +156,7 @@ class World:
                 self.note_read(item, path, lines, (*keys, str(key)))
 
     def read_at(self, owner: Any, key: Any) -> Place | None:
-        """Where a key of a map stands in the file that it was read from, unless its value was changed meanwhile."""
+        """Where a key of a map is in the file that it was read from, unless its value was changed meanwhile."""
         _, places = self.maps_read.get(id(owner), (owner, {}))
         value, place = places.get(key, (None, None))
         return place if value is owner[key] else None
