@@ -119,8 +119,9 @@ class Files:
         return self._texts[path]
 
     def with_text(self, text: str) -> str | None:
-        """The file, of those that were read as texts, that has a text."""
-        return next((path for path, read in self._texts.items() if read == text), None)
+        """The file that has a text, if one alone has it of those that were read as texts."""
+        found = [path for path, read in self._texts.items() if read == text]
+        return found[0] if len(found) == 1 else None
 
     def parsed(self, path: str, parse: Callable[[bytes, str], _Parsed]) -> _Parsed:
         """What `parse` makes of the content of a file and its path, made once. It must not be changed.

@@ -254,7 +254,8 @@ def _load(run: Calls, source: Any, *_more: Any, **_named: Any) -> Any:
     files = run.world.state.files
     try:
         found, lines = files.yaml(text, Loader)
-        value, path = copy.deepcopy(found), files.with_text(text)
+        value = copy.deepcopy(found)
+        path = source.name if isinstance(source, TextFile) and not source.written else files.with_text(text)
         if path is not None:
             run.world.note_read(value, path, lines)
         return value

@@ -394,10 +394,10 @@ class Evaluator:
             cmake_loops.call_procedure(self, procedure, self.expand_all(command.arguments))
             return
         handler = COMMANDS.get(command.name, COMMANDS[UNKNOWN_COMMAND])
-        words = self.expand_all(command.arguments)
-        if command.name in _KEPT:
-            self._keep(command, words, is_known=not self.has_unset(command))
         try:
+            words = self.expand_all(command.arguments)
+            if command.name in _KEPT:
+                self._keep(command, words, is_known=not self.has_unset(command))
             handler(self, Call(command, words, self.file))
         except (IndexError, ValueError, ArithmeticError, OSError) as error:
             self.complain(command, "cmake-arguments", f"{command.written}: {error}")

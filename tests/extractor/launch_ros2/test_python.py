@@ -380,6 +380,20 @@ with open(os.path.join(get_package_share_directory('gone'), 'r.urdf')) as f:
     assert problems(found, tmp_path) == ["main.launch.py:21:28: package `gone` is not on the package path"]
 
 
+def test_files_with_the_same_text(tmp_path: Path) -> None:
+    load = """    with open(os.path.join(get_package_share_directory('here'), '{}.yaml')) as f:
+        {} = yaml.safe_load({})['/**']['ros__parameters']
+"""
+    text = HEAD + "def generate_launch_description():\n" + load.format("a", "a", "f") + load.format("b", "b", "f")
+    text += load.format("a", "c", "f.read()")  # of which of the two files, the text does not say
+    text += "    return LaunchDescription([node(name, parameters=[one]) for name, one in (('a', a), ('b', b), ('c', c))])\n"
+    values = "/**:\n  ros__parameters: {x: 1}\n"
+    found = composed(tmp_path, {"main.launch.py": text, "a.yaml": values, "b.yaml": values})
+    assert {(setting.name, Path(setting.place.path).name) for setting in found.params} == {
+        ("/a/x", "a.yaml"), ("/b/x", "b.yaml"), ("/c/x", "main.launch.py")
+    }  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("text", "nodes", "said"),
     [
