@@ -253,7 +253,7 @@ def _message_type(row: MessageClass) -> str:
 
 
 def _constant(text: str | None) -> str:
-    """The default of a configuration's parameter, Python text, as the value that C++ would have."""
+    """What a configuration says of a parameter, a constant in Python, as the value that C++ would have."""
     if text is None:
         return "?"
     return {"True": "true", "False": "false"}.get(text, text[1:-1] if text[:1] in "'\"" else text)

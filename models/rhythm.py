@@ -75,7 +75,7 @@ class Reactions:
 
     def __init__(self, document: Document) -> None:
         self.document = runnable_document(document)
-        domains = Domains(self.document, counts=MOST_VALUES, limits=True)
+        domains = runnable_domains(self.document)
         self.counted = _counted(domains)
         traits = document.get("traits") or {}
         doubtful = {name for trait in ("changed_at_once", "changed_by_several") for name, *_ in traits.get(trait, ())}
@@ -111,7 +111,7 @@ def rhythms(reactions: Reactions) -> Iterator[Rhythm]:
     known = {(rhythm.trigger, rhythm.output) for rhythm in fixed}
     for name, parameter in (document.get("traits") or {}).get("keeps_value_of", ()):
         tried = [with_numbers(document, {name: value}) for value in _TRIED]
-        if tried[0] == document or _counted(Domains(tried[0], counts=MOST_VALUES, limits=True)) == reactions.counted:
+        if tried[0] == document or _counted(runnable_domains(tried[0])) == reactions.counted:
             continue  # nothing that is run here asks for it, or nothing is counted by it
         found = [{(r.trigger, r.output): r for r in _fixed(Reactions(each))} for each in tried]
         for key, first in found[0].items():
@@ -128,6 +128,11 @@ def runnable_document(document: Document, numbers: Mapping[str, int] | None = No
     """The document as reactions are run by it: with the numbers that constants and these names are, and the loops whose place is known."""
     document = with_numbers(with_constants(document), numbers or {})
     return {**document, "periodic": [row for row in document.get("periodic") or () if row.get("at")]}
+
+
+def runnable_domains(document: Document) -> Domains:
+    """The cells of a document that reactions are run by: they count as far as is of use; limits part the other numbers into ranges."""
+    return Domains(document, counts=MOST_VALUES, limits=True)
 
 
 def with_constants(document: Document) -> Document:

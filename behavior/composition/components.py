@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from rosarch.models.machine.cells import Document, Domains, value_in
-from rosarch.models.machine.counting import MOST_VALUES, whole
+from rosarch.models.machine.cells import Cell, Document, value_in
+from rosarch.models.machine.counting import whole
 from rosarch.models.machine.elapsed import with_elapsed
 from rosarch.models.machine.limits import NO_NUMBER, is_beyond
 from rosarch.models.machine.logic import BOOLEAN, OTHER, Is, Subject
@@ -17,7 +17,7 @@ from rosarch.models.machine.parts import in_turn
 from rosarch.models.machine.reactions import PERIODIC, component_steps, loop_trigger, names_of_messages
 from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import START, gated, gates, starting
-from rosarch.models.rhythm import runnable_document
+from rosarch.models.rhythm import runnable_document, runnable_domains
 
 _INTEGER = re.compile(r"std_msgs/(?:(?P<signed>Int)|UInt|Byte|Bool|Char)(?P<bits>8|16|32|64|)")
 _FIELD = re.compile(r"\(?\*?(?P<message>\w+)\)?(?:->|\.)(?P<path>[\w.>\[\]-]+)")
@@ -257,20 +257,21 @@ Settings = Mapping[str, tuple[str, str]]
 
 def component(document: Document, settings: Settings | None = None) -> Component:
     """The component that a document in the format of `rosarch analyze -o` describes, as it is with these settings."""
-    known = {name: settings[parameter] for name, parameter in _keeping(document) if parameter in (settings or {})} if settings else {}
+    told = settings or {}
+    known = {name: told[parameter] for name, parameter in _by_parameters(document, "keeps_value_of") if parameter in told}
     numbers = {name: number for name, (_, text) in known.items() if (number := whole(text)) is not None}
     document = runnable_document(document, numbers)
-    domains = Domains(document, counts=MOST_VALUES, limits=True)
+    domains = runnable_domains(document)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}
     read = {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
-    given = {str(name): (settings or {}).get(str(parameter)) for name, parameter in _beginning(document)}
+    given = {name: told.get(parameter) for name, parameter in _by_parameters(document, "begins_with_value_of")}
     for key, cell in domains.cells.items():
         value = _set(given.get(cell.variable), cell.subject.values)
         initial = ((value,) if value else cell.subject.values) if cell.variable in read else cell.initial
         variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial)
     steps, waiting = in_turn(steps)
-    variables |= {cell.variable: StateVariable(cell.variable, cell.subject.text, cell.subject.values, cell.initial) for cell in waiting}
+    variables |= {cell.variable: _variable(cell) for cell in waiting}
     variables |= {
         gate.cell.subject.key: StateVariable(gate.cell.subject.key, gate.text, gate.cell.subject.values, gate.cell.initial)
         for gate in gates(document)
@@ -278,7 +279,7 @@ def component(document: Document, settings: Settings | None = None) -> Component
     steps = _lived(document, steps)
     if begun := starting(document):
         cell, own = begun
-        variables[cell.variable] = StateVariable(cell.variable, cell.subject.text, cell.subject.values, cell.initial)
+        variables[cell.variable] = _variable(cell)
         steps[START] = tuple(part for step in own for part in gated([step], START, gates(document), document))
     variables |= _settings(document, (subject for own in steps.values() for step in own for subject in step.tested()), known)
     return Component(
@@ -290,6 +291,11 @@ def component(document: Document, settings: Settings | None = None) -> Component
         {str(port["id"]): port.get("queue") for port in document.get("ports") or ()},
         tuple(domains.left_out()),
     )
+
+
+def _variable(cell: Cell) -> StateVariable:
+    """A variable that is no variable of the source."""
+    return StateVariable(cell.variable, cell.subject.text, cell.subject.values, cell.initial)
 
 
 def _lived(document: Document, steps: Mapping[str, tuple[Step, ...]]) -> dict[str, tuple[Step, ...]]:
@@ -320,19 +326,14 @@ def _variables(document: Document) -> list[Mapping[str, str]]:
     return [*(document.get("state_variables") or ()), *(document.get("configuration") or ())]
 
 
-def _keeping(document: Document) -> list[tuple[str, str]]:
-    """What the source calls the values that parameters give, with the parameters."""
-    return [(name, parameter) for name, parameter in (document.get("traits") or {}).get("keeps_value_of", ())]
-
-
-def _beginning(document: Document) -> list[tuple[str, str]]:
-    """The state variables that begin with the value of a parameter, with this."""
-    return [(name, parameter) for name, parameter in (document.get("traits") or {}).get("begins_with_value_of", ())]
+def _by_parameters(document: Document, trait: str) -> list[tuple[str, str]]:
+    """What has the value of a parameter, as a trait says, with the parameter."""
+    return [(str(name), str(parameter)) for name, parameter in (document.get("traits") or {}).get(trait, ())]
 
 
 def _settings(document: Document, tested: Iterable[Subject], known: Settings) -> dict[str, StateVariable]:
     """What conditions test of the configuration: a value that never changes, which the source or the parameter of the node gives."""
-    rows: dict[str, Mapping[str, Any]] = {name: {"from_param": parameter} for name, parameter in _keeping(document)}
+    rows: dict[str, Mapping[str, Any]] = {name: {"from_param": parameter} for name, parameter in _by_parameters(document, "keeps_value_of")}
     rows |= {row["name"].rsplit("::", 1)[-1]: row for row in document.get("configuration") or ()}
     found = {}
     for subject in tested:

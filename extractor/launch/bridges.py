@@ -17,7 +17,7 @@ from rosarch.extractor.launch.arguments import node_arguments
 from rosarch.extractor.launch.model import LaunchError, NodeStart, Place
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import is_known
-from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened, place_of
 
 _WORD = re.compile(r"(?P<topic>[^@\[\]\s]+)@(?P<type>\w+(/\w+)?/\w+)(?P<way>[@\[\]])\w[\w.:]*")
 _FILE = "config_file"
@@ -115,20 +115,16 @@ def _entry(item: yaml.MappingNode, path: str) -> Iterator[Bridged | Refused]:
     name = next((texts[key] for key in _TOPICS if key in texts), None)
     way = _WAYS.get(texts["direction"].value if "direction" in texts else "BIDIRECTIONAL")
     if name is not None and way is not None and "ros_type_name" in texts:
-        place = Place(path, name.start_mark.line + 1, name.start_mark.column + 1)
-        yield Bridged(name.value.strip(), texts["ros_type_name"].value.strip(), way, place)
+        yield Bridged(name.value.strip(), texts["ros_type_name"].value.strip(), way, place_of(name, path))
 
 
 def _refused(item: yaml.MappingNode, path: str) -> Iterator[Refused]:
-    keys = {key.value: Place(path, key.start_mark.line + 1, key.start_mark.column + 1) for key, _ in item.value}
-    others = [key for key in keys if key not in _KEYS]
+    keys = {key.value: place_of(key, path) for key, _ in item.value}
+    meant = {written: only_candidate(written, _KEYS) or "" for written in keys if written not in _KEYS}
     for needed in (one for one in _NEEDED if keys.keys().isdisjoint(one)):
         message = f"the entry has no {needed[0]}"
-        written = next((key for key in others if only_candidate(key, _KEYS) in needed), None)
-        if written:
-            yield Refused(message, keys[written], written, only_candidate(written, _KEYS) or "")
-        else:
-            yield Refused(message, Place(path, item.start_mark.line + 1, item.start_mark.column + 1))
+        found = ((keys[written], written, key) for written, key in meant.items() if key in needed)
+        yield Refused(message, *next(found, (place_of(item, path),)))
     for key, value in item.value:
         if key.value == "direction" and isinstance(value, yaml.ScalarNode) and value.value not in _WAYS:
             yield Refused(f"there is no direction {value.value}", keys["direction"])

@@ -14,7 +14,7 @@ from rosarch.extractor.launch.arguments import node_arguments
 from rosarch.extractor.launch.model import LaunchError, NodeStart, Place
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import is_known
-from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened, place_of
 
 _ENDING = ".rviz"
 _POLICIES = {"Durability Policy": "durability", "Reliability Policy": "reliability"}
@@ -76,7 +76,7 @@ def _listed(role: str, items: yaml.Node | None, path: str) -> Iterator[ViewPart]
             continue
         class_name = entries.get("Class")
         if class_name is not None:
-            yield ViewPart(role, _text(class_name), tuple(_topics(item, path)), _place(class_name, path))
+            yield ViewPart(role, _text(class_name), tuple(_topics(item, path)), place_of(class_name, path))
         yield from _listed(role, entries.get("Displays"), path)  # those of a group
 
 
@@ -87,7 +87,7 @@ def _topics(item: yaml.Node, path: str) -> Iterator[ViewTopic]:
             named = inner.get("Value", value)
             if name := _text(named):
                 qualities = [(policy, _text(inner[key]).lower().replace(" ", "_")) for key, policy in _POLICIES.items() if key in inner]
-                yield ViewTopic(property_, name, tuple(qualities), _place(named, path))
+                yield ViewTopic(property_, name, tuple(qualities), place_of(named, path))
 
 
 def _entries(node: yaml.Node | None) -> dict[str, yaml.Node]:
@@ -97,7 +97,3 @@ def _entries(node: yaml.Node | None) -> dict[str, yaml.Node]:
 
 def _text(node: yaml.Node | None) -> str:
     return str(node.value).strip() if isinstance(node, yaml.ScalarNode) else ""
-
-
-def _place(node: yaml.Node, path: str) -> Place:
-    return Place(path, node.start_mark.line + 1, node.start_mark.column + 1)

@@ -16,6 +16,7 @@ import yaml
 
 from rosarch.base.yaml_loader import BoundedLoader
 from rosarch.extractor.launch.evaluation import EvalFailed, Unsupported, radians
+from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.values import Binary
 
 MAX_VALUES = 1_000_000  # scalars, lists and maps of one document after aliases are unfolded
@@ -120,6 +121,11 @@ def constructed(loader: Loader, node: yaml.Node | None) -> Any:
     value = None if node is None else loader.construct_document(node)
     _check_size(value)
     return value
+
+
+def place_of(node: yaml.Node, path: str) -> Place:
+    """Where a node of a YAML file begins."""
+    return Place(path, node.start_mark.line + 1, node.start_mark.column + 1)
 
 
 def _key_lines(document: yaml.Node | None) -> dict[tuple[str, ...], int]:

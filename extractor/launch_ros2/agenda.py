@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.extractor.launch.model import Condition
 from rosarch.extractor.launch_ros2.context import Context, Moment
-from rosarch.extractor.launch_ros2.values import Bound, Either, Function, Instance, Made, Unknown, is_derived
+from rosarch.extractor.launch_ros2.values import Bound, Function, Instance, Made, Unknown, cases, is_derived
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -86,17 +86,14 @@ class Agenda:
 
     def _matches(self, target: Any, action: Made) -> Iterator[tuple[Condition, ...]]:
         """The conditions under which an action is the one that a handler waits for."""
-        if isinstance(target, Either):
-            for condition, one in target.alternatives():
-                yield from ((condition, *rest) for rest in self._matches(one, action))
-            return
-        if isinstance(target, (Function, Bound)):
-            run = self.world.interpreter
-            matching = run.truth(run.apply(target, [action], {})) is not False
-        else:
-            matching = target is None or (target.made if isinstance(target, Instance) else target) is action
-        if matching:
-            yield ()
+        for conditions, one in cases(target):
+            if isinstance(one, (Function, Bound)):
+                run = self.world.interpreter
+                matching = run.truth(run.apply(one, [action], {})) is not False
+            else:
+                matching = one is None or (one.made if isinstance(one, Instance) else one) is action
+            if matching:
+                yield conditions
 
     @staticmethod
     def _resumed(context: Context, moment: Moment, handle: Callable[[], None], *, anew: bool = False) -> None:

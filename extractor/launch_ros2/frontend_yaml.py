@@ -8,7 +8,7 @@ import yaml
 
 from rosarch.extractor.launch.model import Place
 from rosarch.extractor.launch.unknowns import cleaned
-from rosarch.extractor.launch.yaml_values import Loader, YamlError, constructed, opened
+from rosarch.extractor.launch.yaml_values import Loader, YamlError, constructed, opened, place_of
 from rosarch.extractor.launch_ros2.frontend import Entity
 
 MAX_DEPTH = 60
@@ -60,7 +60,7 @@ class _Elements:
                 entity.children.extend(self.named(key.value, value, depth))
             else:
                 entity.attributes[key.value] = constructed(self.loader, value)
-                entity.at[key.value] = Place(self.path, key.start_mark.line + 1, key.start_mark.column + 1)
+                entity.at[key.value] = place_of(key, self.path)
         return entity
 
     def named(self, name: str, node: yaml.SequenceNode, depth: int) -> Iterator[Entity]:

@@ -17,17 +17,7 @@ from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch.yaml_values import Loader, YamlError
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.registry import native
-from rosarch.extractor.launch_ros2.values import (
-    NOTHING,
-    Either,
-    Installed,
-    Instance,
-    Made,
-    PathText,
-    TextFile,
-    Unknown,
-    installed,
-)
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Installed, Instance, Made, PathText, TextFile, Unknown, installed
 from rosarch.extractor.urdf.command import xacro_call
 
 if TYPE_CHECKING:

@@ -32,7 +32,7 @@ from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_o
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written, in_order
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written, cases, in_order
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -344,12 +344,9 @@ def _given(made: Made) -> list[Given]:
 def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
     """The remappings of an action, each where it is written: of a list that several actions get, that is one place."""
     remaps: list[Remap] = []
-    stack = [*reversed([*_parts(made.get("remappings"))])]
-    while stack:
-        item, conditions = stack.pop()
-        if isinstance(item, Either):
-            stack += [(one, (*conditions, condition)) for condition, one in reversed(item.alternatives())]
-        elif isinstance(item, Unknown):
+    parts = ((item, (*conditions, *more)) for part, conditions in _parts(made.get("remappings")) for more, item in cases(part))
+    for item, conditions in parts:
+        if isinstance(item, Unknown):
             world.interpreter.misunderstood(made.place, f"what this node remaps is not known: {world.as_text(item)}")
         elif isinstance(item, (list, tuple)) and len(item) in (2, 3) and not isinstance(item[0], tuple):
             place = item[2] if len(item) == 3 else item.place if isinstance(item, Written) else made.place
@@ -361,11 +358,7 @@ def _remaps(world: World, made: Made, context: Context) -> list[Remap]:
 
 def _parts(found: Any) -> Iterator[tuple[Any, tuple[Condition, ...]]]:
     """What is in a list, each with the conditions under which it is this list and no other."""
-    if isinstance(found, Either):
-        for condition, one in found.alternatives():
-            yield from ((item, (condition, *more)) for item, more in _parts(one))
-    else:
-        yield from ((item, ()) for item in _as_list(found))
+    return ((item, conditions) for conditions, one in cases(found) for item in _as_list(one))
 
 
 def _as_list(found: Any) -> list[Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Set
+from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -73,6 +73,15 @@ class Either:
     def alternatives(self) -> tuple[tuple[Condition, Any], tuple[Condition, Any]]:
         """Both values, each with the condition that it is there under."""
         return (self.condition, self.first), (self.condition.contrary(), self.second)
+
+
+def cases(value: Any) -> Iterator[tuple[tuple[Condition, ...], Any]]:
+    """The values that a value may be, each with the conditions under which it is that one."""
+    if isinstance(value, Either):
+        for condition, one in value.alternatives():
+            yield from (((condition, *more), case) for more, case in cases(one))
+    else:
+        yield (), value
 
 
 @dataclass(eq=False)

@@ -16,7 +16,7 @@ from rosarch.extractor.workspace.commands_targets import add_target, find_target
 from rosarch.extractor.workspace.commands_values import parse_keywords
 from rosarch.extractor.workspace.evaluator import Evaluator, command
 from rosarch.extractor.workspace.installs import copied, installing
-from rosarch.extractor.workspace.model import EXECUTABLE, INTERFACE, TEST
+from rosarch.extractor.workspace.model import EXECUTABLE, INTERFACE, SCOPES, TEST
 
 
 @command("catkin_package")
@@ -126,7 +126,7 @@ def _ament_target_dependencies(run: Evaluator, call: Call) -> None:
     target = find_target(run, call)
     if target is None:
         return
-    names = [word for word in call.args[1:] if word not in ("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM")]
+    names = [word for word in call.args[1:] if word not in SCOPES]
     use_packages(run, call, names)
     target.uses_packages.extend(names)
     target.given_line = call.command.line

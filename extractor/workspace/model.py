@@ -111,6 +111,10 @@ class EntryPoint:
         return self.group in ("console_scripts", "gui_scripts")
 
 
+SCOPES = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
+"""Words among the packages that a target is given."""
+
+
 @dataclass(frozen=True)
 class BuildCall:
     """A command that CMake runs at a line of a file, with its words.

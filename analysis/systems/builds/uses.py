@@ -12,10 +12,9 @@ from pathlib import Path
 from rosarch.analysis.systems.builds.sources import included_in, without_comments
 from rosarch.base.files import text_or_nothing
 from rosarch.extractor.workspace.built import Built
-from rosarch.extractor.workspace.model import EXECUTABLE, MODULE, SHARED, STATIC, Target
+from rosarch.extractor.workspace.model import EXECUTABLE, MODULE, SCOPES, SHARED, STATIC, Target
 
 _INTERFACES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
-_SCOPES = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 _TYPE = re.compile(r"[ \t]*([A-Za-z]\w*)/[A-Z]\w*(?:\[[^\]]*\])?[ \t]+\w")
 _NAMED = re.compile(r"\$\{(\w+)_(?:INCLUDE(?:_DIR)?S|TARGETS|LIBRARIES)\}")
 _OTHER_WAYS = re.compile(r"ament_auto|AMENT_|CPM|FetchContent|include_directories\s*\(\s*(?:SYSTEM\s+)?/")
@@ -47,14 +46,12 @@ class Uses:
 @lru_cache(maxsize=256)
 def uses(package: Built) -> Uses:
     """The uses of a package whose build files are understood and simple; of one of ROS 1 those of its interfaces, of any other none."""
-    if package.unsure:
+    text = without_comments(package.folder / "CMakeLists.txt") if package.build_type == "ament_cmake" else ""
+    if package.build_type not in ("ament_cmake", "catkin") or package.unsure or _OTHER_WAYS.search(text):
         return Uses()
     interfaces, told = _generated(package)
     if package.build_type == "catkin":
         return Uses(interfaces=interfaces, interfaces_given=told)
-    text = without_comments(package.folder / "CMakeLists.txt")
-    if package.build_type != "ament_cmake" or _OTHER_WAYS.search(text):
-        return Uses()
     targets = {one.name: one for one in package.targets if one.kind in (EXECUTABLE, SHARED, STATIC, MODULE)}
     named = _NAMED.findall(text)
     includes = [use for one in targets.values() for use in _included(package, one)]
@@ -63,7 +60,7 @@ def uses(package: Built) -> Uses:
         Use(call.path, call.line, "", name)
         for call in package.called("ament_target_dependencies")
         for name in call.words[1:]
-        if call.words and call.words[0] in targets and "$" not in name and name not in _SCOPES
+        if call.words[0] in targets and "$" not in name and name not in SCOPES
     )
     at = tuple((one.name, one.cmake_file, one.given_line) for one in targets.values())
     return Uses(tuple(includes), frozenset(given), at, asks, package.finds, interfaces, told)
