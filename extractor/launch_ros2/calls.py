@@ -254,6 +254,8 @@ class Calls(Expressions):
 
     def call(self, function: Any, arguments: list[Any], named: dict[str, Any], node: ast.expr, frame: Frame) -> Any:
         """The value of a call."""
+        if not frame.module.is_helper:
+            self.asked_at = self.place(node, frame)
         if isinstance(function, (Function, Bound)):
             return self.apply(function, arguments, named)
         if isinstance(function, Constructor):

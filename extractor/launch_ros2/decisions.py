@@ -20,8 +20,13 @@ MAX_PARTS = 100_000
 class Decisions:
     """Truth, comparisons and conditions of values that may be unknown. A map with an unknown key may have any other, too."""
 
+    asked_at: Place | None = None
+    """Where a launch file calls the helper that is interpreted."""
+
     def place(self, node: ast.AST, frame: Frame) -> Place:
-        """Where a piece of source is."""
+        """Where a piece of source is; of a helper's, where the launch file calls that: nobody has the source that rosarch has of it."""
+        if frame.module.is_helper and self.asked_at is not None:
+            return self.asked_at
         return Place(frame.module.file, getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1)
 
     def unknown(self, node: ast.expr, frame: Frame, reason: str = "") -> Unknown:

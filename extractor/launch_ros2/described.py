@@ -132,10 +132,10 @@ class _Writer:
                 given = {name: self.document(one) for name, one in value.arguments.items() if one is not None and name not in _PROSE}
                 rest = {"rest": [self.document(one) for one in value.rest]} if value.rest else {}
                 return {"is": value.kind, "line": value.place.line, **({"with": given} if given else {}), **rest}
-            case Instance() if (known := known_class(value.of)) is not None:
-                return {"new": value.of.name, "of": known, "with": {name: self.document(one) for name, one in value.attributes.items()}}
             case Instance() if value.made is not None and not _does_more(value.of):
                 return self.document(value.made)
+            case Instance() if (known := known_class(value.of)) is not None:
+                return {"new": value.of.name, "of": known, "with": {name: self.document(one) for name, one in value.attributes.items()}}
             case Either():
                 return self._either(value)
             case PathText():

@@ -29,6 +29,7 @@ from rosarch.extractor.launch_ros2.values import (
     Unknown,
     Written,
 )
+from rosarch.extractor.urdf.document import Element
 
 MAX_STEPS = 5_000_000
 _SIZE_COST = 64
@@ -180,6 +181,8 @@ class Expressions(Decisions):
             return list(value)
         if isinstance(value, TextFile) and value.text is not None and is_known(value.text):
             return value.text.splitlines(keepends=True)
+        if isinstance(value, Element):
+            return list(value.elements())
         if isinstance(value, (Unknown, Either, TextFile, Made, Instance, Installed, str)):
             return [Several(f"each of {source_of(node)}", self.place(node, frame))]
         raise Raised("TypeError", f"'{type(value).__name__}' object is not iterable", self.place(node, frame))

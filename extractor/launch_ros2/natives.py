@@ -16,6 +16,7 @@ from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.decisions import holds_several, is_certain
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHODS, xml_of
+from rosarch.extractor.launch_ros2.natives_xml import ELEMENT_METHODS, of_element
 from rosarch.extractor.launch_ros2.parameters import yaml_value
 from rosarch.extractor.launch_ros2.registry import NATIVES, native
 from rosarch.extractor.launch_ros2.substitutions import perform
@@ -36,6 +37,7 @@ from rosarch.extractor.launch_ros2.values import (
     Unknown,
     is_derived,
 )
+from rosarch.extractor.urdf.document import Element
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.calls import Calls
@@ -56,6 +58,8 @@ def attribute(run: Calls, owner: Any, name: str) -> Any:
         return Native(name, lambda run, *arguments, **named: method(run, owner, *arguments, **named))
     if isinstance(owner, PathText):
         return _of_path(owner, name)
+    if isinstance(owner, Element):
+        return of_element(owner, name)
     if isinstance(owner, Made):
         return _of_made(owner, name)
     if isinstance(owner, Context):
@@ -429,6 +433,7 @@ _METHODS: tuple[tuple[Any, dict[str, _Call]], ...] = (
     (set, _SET),
     (PathText, PATH_METHODS),
     (TextFile, FILE_METHODS),
+    (Element, ELEMENT_METHODS),
     (Made, _MADE),
     (Context, _CONTEXT),
 )

@@ -118,15 +118,16 @@ PATH_METHODS: dict[str, _Call] = {
     "as_posix": lambda _run, owner: owner.text,
     "with_suffix": lambda _run, owner, suffix: PathText(os.path.splitext(owner.text)[0] + suffix),
     "with_name": lambda _run, owner, name: PathText(os.path.join(os.path.dirname(owner.text), name)),
-    "read_text": lambda run, owner, *_more, **_named: _read_text(run, owner.text),
+    "read_text": lambda run, owner, *_more, **_named: text_at(run, owner),
     "write_text": lambda run, owner, text, *_more, **_named: _write_text(run, owner, text),
     "open": lambda run, owner, *more, **named: _open(run, owner, *more, **named),
     **dict.fromkeys(("exists", "is_file", "is_dir"), _there),
 }
 
 
-def _read_text(run: Calls, path: str) -> Any:
-    world = run.world
+def text_at(run: Calls, path: Any) -> Any:
+    """The text of a file, or what stands for it where it is not known."""
+    world, path = run.world, _path(path)
     if path not in world.written and (world.state.unknowns.is_open(path) or world.is_handed(path)):
         return world.content_of(path)
     try:
@@ -145,7 +146,7 @@ def _open(run: Calls, path: Any, mode: Any = "r", *_more: Any, **_named: Any) ->
     if isinstance(mode, str) and ("w" in mode or "x" in mode):
         run.world.written[text] = ""
         return TextFile(text, "", written=True)
-    found = _read_text(run, text)
+    found = text_at(run, text)
     return TextFile(text, found, written=not isinstance(mode, str) or "a" in mode or "+" in mode)
 
 

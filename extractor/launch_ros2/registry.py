@@ -10,7 +10,7 @@ from rosarch.extractor.launch_ros2.values import Native
 _MODULES = """
 __future__ abc ament_index_python ament_index_python.packages ament_index_python.resources collections collections.abc copy dataclasses enum
 functools glob itertools json logging math os os.path pathlib platform random re shutil string subprocess sys tempfile textwrap time typing
-typing_extensions unittest uuid warnings xacro yaml
+typing_extensions unittest uuid warnings xacro xml xml.etree xml.etree.ElementTree yaml
 """
 KNOWN_MODULES = frozenset(_MODULES.split())
 NATIVES: dict[str, Native] = {}

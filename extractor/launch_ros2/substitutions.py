@@ -66,6 +66,7 @@ def _by_method(world: World, value: Instance, context: Context) -> str:
     """What a substitution of the workspace comes to; asked again with the same configurations, it is taken to say the same."""
     key = id(value), frozenset(context.configurations.items())
     if key not in world.performed:
+        world.interpreter.asked_at = value.made.place if value.made is not None else world.state.here
         found = world.interpreter.apply(world.interpreter.member_of(value, "perform"), [context], {})
         world.performed[key] = value, world.as_text(found)
     return world.performed[key][1]

@@ -106,6 +106,11 @@ class ModuleFrame:
     variables: dict[str, Any] = field(default_factory=dict)
     described: list[Made] = field(default_factory=list)
 
+    @property
+    def is_helper(self) -> bool:
+        """Whether its source is one that rosarch has, which is called like the module."""
+        return self.file == self.name and "/" not in self.file
+
 
 @dataclass(frozen=True, eq=False)
 class Function:
