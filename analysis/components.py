@@ -20,6 +20,7 @@ from rosarch.rule_programs.sets import is_loaded_soon, model_program, rules_dige
 
 if TYPE_CHECKING:
     from rosarch.extractor.pipeline import ComponentFacts
+    from rosarch.extractor.survey import Survey
     from rosarch.extractor.workspace import Component, Diagnostic
     from rosarch.extractor.workspace.built import Built
 
@@ -56,8 +57,9 @@ def analyze(
     *,
     only: Callable[[Component], bool] | None = None,
     wanted: Wanted = ALONE,
+    surveyed: Survey | None = None,
 ) -> Analysis:
-    """Analyse the components of `packages` (all by default) below `root`. See `extract` for `only`."""
+    """Analyse the components of `packages` (all by default) below `root`. See `extract` for `only` and `surveyed`."""
     rules, cache = method.rules, method.sources.cache
     with meanwhile(partial(model_program, rules)) if not is_loaded_soon(rules) else nullcontext(lambda: None) as rules_compiled:
         from rosarch.extractor.pipeline import extract  # takes a while itself, in which the rules are compiled
@@ -74,7 +76,7 @@ def analyze(
             models = kept()
             return models is not None and _all_cached(models, component, wanted)
 
-        with extract(root, packages, method.sources, only=only, is_cached=is_cached) as extraction:
+        with extract(root, packages, method.sources, only=only, is_cached=is_cached, surveyed=surveyed) as extraction:
             models, failures = _evaluate(system, extraction.components, root, method, kept(), wanted)
             return Analysis(models, (*extraction.diagnostics, *failures), extraction.programs, extraction.builds)
 

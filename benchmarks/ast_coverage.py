@@ -25,7 +25,7 @@ from rosarch.extractor.cxx import libclang
 from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, build_prelude, parsed_unit
 from rosarch.extractor.messages import Interfaces
-from rosarch.extractor.pipeline import compile_units
+from rosarch.extractor.survey import compile_units
 from rosarch.extractor.workspace import components, discover
 from rosarch.extractor.workspace.compile_commands import read_compile_commands
 

@@ -24,7 +24,7 @@ from rosarch.extractor.cxx.includes import HeaderFinder
 from rosarch.extractor.cxx.translation_unit import CompileUnit, arguments_of
 from rosarch.extractor.cxx.units import UnitReader
 from rosarch.extractor.messages import Interfaces
-from rosarch.extractor.pipeline import compile_units
+from rosarch.extractor.survey import compile_units
 from rosarch.extractor.workspace import Workspace, components, discover
 from rosarch.extractor.workspace.compile_commands import read_compile_commands
 

@@ -115,9 +115,10 @@ def load_shared_facts(inputs: SystemInputs, configuration: Configuration | None 
 
     with progress() as report:
         where = _environment(inputs, configuration)
-        launches = _launches(inputs, configuration, where)
+        memo = _memo(inputs, where)
         with _confined(inputs, where):
-            return shared_facts(inputs.folder, launches, _method(inputs, configuration, report), _memo(inputs, where)), launches
+            launches = _launches(inputs, configuration, where, memo)
+            return shared_facts(inputs.folder, launches, _method(inputs, configuration, report), memo), launches
 
 
 def load_systems_in_detail(
@@ -172,7 +173,7 @@ def _analyze(
     from rosarch.analysis.systems.launches import by_themselves, has_launch_files
 
     with progress() as report:
-        launches = _launches(inputs, configuration, where)
+        launches = _launches(inputs, configuration, where, memo)
         if required and not launches and not has_launch_files(inputs.folder):
             launches = by_themselves(where, inputs.method.sources.defines) if alone else []
             if not launches:
@@ -197,13 +198,20 @@ def _memo(inputs: SystemInputs, where: LaunchEnvironment) -> Memo | None:
     return Memo(cache, where.variables()) if cache and inputs.method.engine == Engine.embedded.value else None
 
 
-def _launches(inputs: SystemInputs, configuration: Configuration | None, where: LaunchEnvironment) -> list[Launch]:
+def _launches(inputs: SystemInputs, configuration: Configuration | None, where: LaunchEnvironment, memo: Memo | None) -> list[Launch]:
+    """What is started together; as it was before when nothing that launch files read has changed since."""
     from rosarch.analysis.systems.launches import given, unincluded
     from rosarch.analysis.systems.requests import LaunchWordError
 
     requests = _requests(inputs, configuration)
-    try:
+
+    def compose() -> list[Launch]:
         return given(requests, where) if requests else unincluded(where, inputs.method.sources.jobs)
+
+    folders = [os.path.abspath(folder) for folder in where.package_path]
+    key = ["launches", os.path.abspath(inputs.folder), os.getcwd(), repr(requests), repr(folders), *where.underlay.key()]
+    try:
+        return memo.recall(key, folders, compose) if memo else compose()
     except LaunchWordError as error:
         raise InputError(str(error)) from None
 

@@ -8,16 +8,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from contextlib import AbstractContextManager, ExitStack, nullcontext
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
 from rosarch.base import tracing
 from rosarch.base.boundary import confined, ros_package_path
-from rosarch.base.cache import Cache, hash_of
+from rosarch.base.cache import hash_of
 from rosarch.base.files import path_text, shown_path
-from rosarch.base.memo import Memo
 from rosarch.base.pool import Failure
 from rosarch.base.scratch import scratch_folder
 from rosarch.base.whole import write_whole
@@ -34,25 +33,14 @@ from rosarch.extractor.messages.message_fields import MessageFields
 from rosarch.extractor.python.units import PythonReader
 from rosarch.extractor.settings import DEFAULT, Settings
 from rosarch.extractor.sources import Sources, diagnostics
+from rosarch.extractor.survey import Survey, survey
 from rosarch.extractor.underlay import Underlay
 from rosarch.extractor.unit_index import UnitIndex
 from rosarch.extractor.unit_store import Makers, read_left_out, read_rows
 from rosarch.extractor.units import Outcome, UnitFile
-from rosarch.extractor.workspace import (
-    Component,
-    Diagnostic,
-    Workspace,
-    components,
-    discover,
-    include_path,
-    programs,
-    registered,
-    without_library,
-)
-from rosarch.extractor.workspace.built import Built, builds
-from rosarch.extractor.workspace.compile_commands import CompileCommands, read_compile_commands
+from rosarch.extractor.workspace import Component, Diagnostic, Workspace
+from rosarch.extractor.workspace.built import Built
 from rosarch.extractor.workspace.graph import is_brought
-from rosarch.extractor.workspace.loose import is_ros2
 from rosarch.extractor.workspace.model import ROS1, ROS2, UNUSED
 
 
@@ -145,47 +133,37 @@ def extract(
     *,
     only: Callable[[Component], bool] | None = None,
     is_cached: Callable[[ComponentFacts], bool] | None = None,
-    workspace: Workspace | None = None,
+    surveyed: Survey | None = None,
 ) -> Extraction:
     """Extract the facts of the components of `packages` (all by default) below `root`, or of those for which `only` holds.
 
-    A `workspace` takes the place of what is discovered there. With a cache, components for which `is_cached` holds, by their key, may have
+    What was `surveyed` takes the place of what is found there. With a cache, components for which `is_cached` holds, by their key, may have
     no rows. Sources that fail and whatever else was not understood is in `diagnostics`; nothing raises for bad input below `root`.
     """
     cache, underlay = settings.cache, settings.underlay
     with ExitStack() as confinement, ExitStack() as unfinished:
         confinement.enter_context(confined([root, *ros_package_path(), *underlay.folders]))
-        asked = [repr(packages and sorted(packages)), *settings.key()]
-        with _recorded(root) if cache and is_cached and not workspace else nullcontext() as rests_on:
-            workspace = workspace or _discovered(root, partial(_discover, root, packages, settings), asked, cache)
-            interfaces = Interfaces.of(workspace.packages, workspace.root)
-        index = UnitIndex.load(cache, asked, rests_on) if cache and rests_on and not rests_on.uncertain else None
-        told = (*workspace.diagnostics, *interfaces.diagnostics)
-        noticed = [one for one in told if not workspace.underlay.is_of_library(str(one.path))]
-        built = programs(workspace)
-        extraction = Extraction(workspace.root, diagnostics=noticed, programs=built | registered(workspace), builds=builds(workspace))
+        there = surveyed or survey(root, packages, settings)
+        workspace, seen = there.workspace, there.rests_on
+        index = UnitIndex.load(cache, there.asked, seen) if cache and is_cached and seen and not seen.uncertain else None
+        extraction = Extraction(workspace.root, diagnostics=list(there.diagnostics), programs=there.programs, builds=there.builds)
         unfinished.push(extraction)  # its temporary files go also when this ends early
         scratch = extraction._stack.enter_context(scratch_folder())
         tracing.ignore(scratch)
-        found = [
-            component
-            for component in components(workspace, extraction.diagnostics, unused=settings.whole)
-            if only is None or only(component)
-        ]
-        commands = read_compile_commands(workspace.root)
-        extraction.diagnostics += (*commands.diagnostics, *without_library(workspace))
-        units_of = {one: [one.python] if one.python else compile_units(workspace, one, commands) for one in found}
+        found = [component for component in there.components if only is None or only(component)]
+        units_of = {one: there.units(one) for one in found}
         units = sorted({unit for own in units_of.values() for unit in own}, key=repr)
         compiled = [unit for unit in units if isinstance(unit, CompileUnit)]
-        extraction.built = sum(commands.find(unit.source, "") is not None for unit in compiled)
+        extraction.built = sum(there.commands.find(unit.source, "") is not None for unit in compiled)
         own = [package for package in workspace.packages if not package.installed]
         extraction.folders = tuple(package.path for package in own if package.name in workspace.selected)
         extraction.installed = tuple(sorted(package.name for package in own if is_brought(package)))
         confinement.enter_context(confined([scratch, *{folder for unit in compiled for folder in unit.installed}]))
-        finder = HeaderFinder(workspace.root, scratch, interfaces.header_text, workspace.underlay, searched=workspace.searched)
+        finder = HeaderFinder(workspace.root, scratch, there.interfaces.header_text, workspace.underlay, searched=workspace.searched)
         readers = UnitReader(workspace.root, finder, scratch, cache), PythonReader(workspace.root, scratch, cache)
         sources = Sources(*readers, settings)
-        make = partial(_component_facts, workspace.root, workspace.underlay, sources.paths, _defined(interfaces, workspace), built)
+        defined = _defined(there.interfaces, workspace)
+        make = partial(_component_facts, workspace.root, workspace.underlay, sources.paths, defined, there.built)
         outcomes = index.read(units, sources.read) if index else sources.read(units)
         made = {one: make(one, outcomes.of(units_of[one])) for one in found}
         if is_cached and index:
@@ -199,50 +177,6 @@ def extract(
     extraction.seconds = outcomes.seconds
     extraction.components = tuple(made[one] for one in sorted(found, key=lambda each: (each.package, each.name)))
     return extraction
-
-
-def _discover(root: Path, packages: Collection[str] | None, settings: Settings) -> Workspace:
-    return discover(root, packages, defines=settings.defines, timeout=settings.timeout, underlay=settings.underlay)
-
-
-def _recorded(root: Path) -> AbstractContextManager[tracing.Recording]:
-    """Record what is seen of the workspace."""
-    return tracing.recording(tracing.Present({}).trees([os.path.abspath(root)]))
-
-
-def _discovered(root: Path, find: Callable[[], Workspace], asked: Iterable[str], cache: Cache | None) -> Workspace:
-    """The workspace; as it was when nothing that its CMake files and manifests look at has changed since."""
-    if cache is None:
-        return find()
-    top = os.path.abspath(root)
-    return Memo(cache).recall(["workspace", top, *asked], (top,), find)
-
-
-def compile_units(workspace: Workspace, component: Component, commands: CompileCommands) -> list[CompileUnit]:
-    """The sources of a component, those of a library as the library's own target compiles them."""
-    target = component.target.name if component.target else component.name
-    middleware = {package.name: package.middleware for package in workspace.packages}
-    used = middleware.get(component.package) or (ROS2 if any(map(is_ros2, component.sources)) else ROS1)  # one of no package
-    own = [_unit(source, target, component.include_dirs, component.definitions, commands, used) for source in component.sources]
-    wanted = set(component.library_sources)
-    linked = [
-        _unit(source, library.name, include_path(workspace, library), library.definitions, commands, middleware.get(library.package, ROS1))
-        for library in component.libraries
-        for source in library.sources
-        if source in wanted
-    ]
-    return list(dict.fromkeys([*own, *linked]))
-
-
-def _unit(
-    source: Path, target: str, include_dirs: tuple[Path, ...], definitions: tuple[str, ...], commands: CompileCommands, middleware: str
-) -> CompileUnit:
-    """How a target compiles a source: as a build did it when there was one, else as its CMake files say."""
-    command = commands.find(source, target)
-    if command is None:
-        return CompileUnit(source, include_dirs, definitions, middleware=middleware)
-    folders = tuple(dict.fromkeys((*command.include_dirs, *include_dirs)))
-    return CompileUnit(source, folders, command.definitions, command.installed, middleware)
 
 
 def _message_type(row: MessageClass) -> str:

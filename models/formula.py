@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import TypeAlias
 
 from rosarch.base import logic
@@ -166,6 +167,7 @@ _WORDS = {"or": "||", "and": "&&", "not": "op", "in": "op", "is": "op", "if": "?
 _WORD = re.compile(r"[^\W\d]\w*")
 
 
+@lru_cache(maxsize=4096)
 def loosest(source: str) -> str:
     """The operator outside of all brackets that binds least: `,`, `=`, `?`, `||`, `&&`, `op` for any other, or none."""
     depth, found, index = 0, set(), 0

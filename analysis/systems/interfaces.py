@@ -106,7 +106,7 @@ def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
             for parameter, value, holds in needs:
                 writer.add("interface_way_needs", way, parameter, value, "yes" if holds else "no")
     places = {str(loop.at): loop.at for loop in model.behavior.periodic}
-    if managed:
+    if managed or not model.behavior.state_variables:
         return
     reactions = Reactions({**to_json(model), "traits": traits_json(model)})
     for rhythm in rhythms(reactions):

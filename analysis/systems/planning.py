@@ -47,6 +47,8 @@ class Planner:
         self.compositions = compositions
         self.index = ModelIndex(trees)
         self.generic: dict[str, ComponentModel] = {}
+        self._started: dict[tuple[str, ...], tuple[Sequence[ComponentModel], list[Composition]]] = {}
+        self._programs = [{(node.package, node.type) for node in composition.nodes} for composition in compositions]
 
     def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
         """With which configurations the component is needed that `models` are of, as far as these say: whether there are models or not."""
@@ -55,17 +57,25 @@ class Planner:
         components = {(model.package, model.component) for model in models}
         own = [model for model in self.generic.values() if (model.package, model.component) in components]
         types = {(model.package, type_) for model in own for type_ in ((model.component,) if model.executable else model.types)}
-        wanted = self.wants(made_by(own), types, ModelIndex.of(self.index.trees, [*own, *models])).components
-        return [each for one in components for each in sorted(wanted.get(one, ()), key=lambda found: found.key)]
+        index, wants = ModelIndex.of(self.index.trees, [*own, *models]), Wants()
+        for composition in self._starting(own, types):
+            configure(composition, index, wants, types)
+        return [each for one in components for each in sorted(wants.components.get(one, ()), key=lambda found: found.key)]
 
-    def wants(
-        self,
-        made: Mapping[tuple[str, str], list[ComponentModel]],
-        only: set[tuple[str, str]] | None = None,
-        index: ModelIndex | None = None,
-    ) -> Wants:
+    def _starting(self, own: Sequence[ComponentModel], types: set[tuple[str, str]]) -> list[Composition]:
+        """The launches that start one of these, with the nodes that it makes: the same for all configurations of a component."""
+        titles = tuple(model.title for model in own)
+        known, started = self._started.get(titles, ([], []))
+        if len(known) != len(own) or any(model is not other for model, other in zip(own, known, strict=True)):
+            made = made_by(own)
+            there = zip(self.compositions, self._programs, strict=True)
+            started = [with_nodes(composition, made) for composition, programs in there if not programs.isdisjoint(made.keys() | types)]
+            self._started[titles] = (own, started)
+        return started
+
+    def wants(self, made: Mapping[tuple[str, str], list[ComponentModel]]) -> Wants:
         """What the launches want beside the models in the index."""
         wants = Wants()
         for composition in self.compositions:
-            configure(with_nodes(composition, made), index or self.index, wants, only)
+            configure(with_nodes(composition, made), self.index, wants)
         return wants

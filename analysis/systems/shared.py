@@ -6,7 +6,7 @@ import os
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,6 +45,7 @@ from rosarch.models.system.rows import Rows, merged
 if TYPE_CHECKING:
     from rosarch.analysis.components import Analysis
     from rosarch.extractor.stored_facts import Facts
+    from rosarch.extractor.survey import Survey
     from rosarch.extractor.workspace import Component, Diagnostic
     from rosarch.extractor.workspace.built import Built
     from rosarch.library import Library, LibraryComponent
@@ -264,14 +265,19 @@ _ROUNDS = 6
 def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method: Method) -> Components:
     from rosarch.analysis.components import ALONE, Wanted, analyze
     from rosarch.analysis.systems.interfaces import library_rows, model_rows
+    from rosarch.extractor.survey import survey
     from rosarch.library import load
 
     diagnostics: list[Diagnostic] = []
     builds: dict[Path, Built] = {}
     underlay = method.sources.underlay.without(PackagePath([root]).own)
 
-    def analyzed(packages: Collection[str] | None, only: Callable[[Component], bool], wanted: Wanted = ALONE) -> Analysis:
-        found = analyze(root, packages, method, only=only, wanted=wanted)
+    @cache
+    def surveyed(packages: tuple[str, ...] | None) -> Survey:
+        return survey(root, packages, method.sources)
+
+    def analyzed(packages: tuple[str, ...] | None, only: Callable[[Component], bool], wanted: Wanted = ALONE) -> Analysis:
+        found = analyze(root, packages, method, only=only, wanted=wanted, surveyed=surveyed(packages))
         diagnostics.extend(found.diagnostics)
         # of packages that no launch file names, those whose plug-ins may be loaded
         builds.update((one.folder, one) for one in found.builds if packages is not None or one.described)
@@ -281,7 +287,8 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         return replace(found, models=kept)
 
     planner = Planner([launch.composition for launch in launches], Trees(root, underlay))
-    found = analyzed(sorted(needed.packages & (underlay.hidden | underlay.packages.keys())), needed.is_needed, Wanted(after=planner.after))
+    packages = tuple(sorted(needed.packages & (underlay.hidden | underlay.packages.keys())))
+    found = analyzed(packages, needed.is_needed, Wanted(after=planner.after))
     models = found.models
     tried: dict[_Key, set[NodeConfiguration]] = defaultdict(set)
     for _ in range(_ROUNDS):
@@ -295,7 +302,8 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         more = _more(wanted, analyzed)
         models += more
         planner.index.add(more)
-    alone = [model for model in models if not model.configuration and model.title in planner.wants(made_by(models)).alone]
+    by_themselves = planner.wants(made_by(models)).alone
+    alone = [model for model in models if not model.configuration and model.title in by_themselves]
     if needed.plugins or any(model.loads or model.loads_any for model in alone):
 
         def is_plugin(component: Component) -> bool:

@@ -18,6 +18,7 @@ from rosarch.evaluation.expectations.elements import FINDING
 from rosarch.evaluation.expectations.grammar import Expectation, ExpectationError
 from rosarch.evaluation.expectations.judgement import Unmet, unmet
 from rosarch.extractor.pipeline import extract
+from rosarch.extractor.survey import Survey
 from rosarch.extractor.workspace import Diagnostic, loose_workspace
 from rosarch.rule_programs.sets import RuleSet, component_program, system_rules
 
@@ -90,9 +91,12 @@ def _unknown_check(expectation: Expectation, checks: Sequence[str]) -> str:
 def observed(case: Case, program: Program, how: Running) -> Iterator[ActualWorkspace]:
     """What is found in the sources of a case."""
     loose = case.sources is not None
-    workspace = loose_workspace(case.root.absolute(), [source.absolute() for source in case.sources or ()]) if loose else None
+    surveyed = None
+    if loose:
+        sources = [source.absolute() for source in case.sources or ()]
+        surveyed = Survey.of(loose_workspace(case.root.absolute(), sources), unused=how.method.sources.whole)
     systems = Alone(case.root, how.method.rules, how.method.engine) if loose else how.systems(case.root)
-    with extract(case.root, settings=how.method.sources, workspace=workspace) as extraction:
+    with extract(case.root, settings=how.method.sources, surveyed=surveyed) as extraction:
         yield ActualWorkspace(case.root, extraction, program, how.method.engine, systems)
 
 

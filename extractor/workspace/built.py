@@ -10,6 +10,7 @@ from typing import Protocol, TypeVar
 from rosarch.extractor.workspace.entry_points import Lack, lacks
 from rosarch.extractor.workspace.installs import Install, Obstacle, Unsure
 from rosarch.extractor.workspace.model import BuildCall, EntryPoint, Target, Workspace
+from rosarch.extractor.workspace.plugins import Scans
 from rosarch.extractor.workspace.registering import Described, Promised, described, exports_more, promised
 
 INSTALLED_FIRST = frozenset({"ament_cmake", "ament_python"})
@@ -68,8 +69,9 @@ class Built:
         return frozenset(install.path.rpartition("/")[2] for install in self.installs if install.path.startswith(f"lib/{self.name}/"))
 
 
-def builds(workspace: Workspace) -> tuple[Built, ...]:
+def builds(workspace: Workspace, scans: Scans | None = None) -> tuple[Built, ...]:
     """The builds of all packages, of those that say what they install."""
+    scans = scans or Scans()
     return tuple(
         Built(
             package.name,
@@ -79,7 +81,7 @@ def builds(workspace: Workspace) -> tuple[Built, ...]:
             package.unsure,
             package.entry_points,
             tuple(lacks(package)),
-            tuple(promised(workspace, package)),
+            tuple(promised(workspace, package, scans)),
             tuple(described(package)),
             exports_more(package),
             package.obstacles,

@@ -13,7 +13,7 @@ from rosarch.base.files import file_name
 from rosarch.extractor.workspace.graph import closure, definitions, find_library, include_path
 from rosarch.extractor.workspace.libraries import library_modules, library_targets
 from rosarch.extractor.workspace.model import EXECUTABLE, LIBRARY, LIBRARY_KINDS, TEST, Component, Package, PluginClass, Target, Workspace
-from rosarch.extractor.workspace.plugins import Registration, own_headers, registrations
+from rosarch.extractor.workspace.plugins import Registration, Scans
 from rosarch.extractor.workspace.python_modules import Modules
 from rosarch.extractor.workspace.python_nodes import component_of, python_nodes
 from rosarch.extractor.workspace.unused import unused_components
@@ -23,7 +23,7 @@ COMPONENT_BASE = "rclcpp_components"
 SIMULATOR_PLUGIN = "gazebo_plugin"
 
 
-def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
+def without_library(workspace: Workspace, scans: Scans | None = None) -> tuple[Diagnostic, ...]:
     """Plug-in descriptions of the selected packages whose library no target builds: such components have no sources."""
     return tuple(
         Diagnostic(
@@ -31,8 +31,9 @@ def without_library(workspace: Workspace) -> tuple[Diagnostic, ...]:
         )
         for package in workspace.packages
         if package.name in workspace.selected and not package.installed
+        for registered in [_registrations(package, scans or Scans())]
         for plugin in package.plugins
-        if not plugin.in_python and plugin.cxx_class not in _registrations(package) and _library(workspace, plugin, package) is None
+        if not plugin.in_python and plugin.cxx_class not in registered and _library(workspace, plugin, package) is None
     )
 
 
@@ -55,7 +56,9 @@ def registered(workspace: Workspace) -> frozenset[tuple[str, str]]:
     return frozenset((package.name, plugin.name) for package, plugin in found if plugin.base == COMPONENT_BASE)
 
 
-def components(workspace: Workspace, problems: list[Diagnostic] | None = None, *, unused: bool = False) -> tuple[Component, ...]:
+def components(
+    workspace: Workspace, problems: list[Diagnostic] | None = None, *, unused: bool = False, scans: Scans | None = None
+) -> tuple[Component, ...]:
     """The components of the selected packages, by package, kind and name; of installed ones those in Python. Tests are none.
 
     With `unused`, sources that belong to none of them are components, too.
@@ -63,14 +66,15 @@ def components(workspace: Workspace, problems: list[Diagnostic] | None = None, *
     No two components of a package have one name: of equal ones, all but the first get a number. `problems` lists these.
     """
     result: list[Component] = []
+    scans = scans or Scans()
     for package in workspace.packages:
         if package.name in workspace.selected and not package.installed:
             result.extend(_nodes(workspace, package))
-            result.extend(_plugins(workspace, package))
+            result.extend(_plugins(workspace, package, scans))
     problems = [] if problems is None else problems
     result.extend(python_nodes(workspace, problems))
     if workspace.is_whole:  # else something else may run them
-        result.extend(_libraries(workspace, result))
+        result.extend(_libraries(workspace, result, scans))
     if unused:
         result.extend(unused_components(workspace, result))
     result.sort(key=lambda c: (c.package, c.kind, c.name, c.plugin_name or ""))
@@ -103,13 +107,13 @@ def _nodes(workspace: Workspace, package: Package) -> Iterable[Component]:
             yield _component(workspace, package, target.output_name, "node", target)
 
 
-def _libraries(workspace: Workspace, found: Iterable[Component]) -> list[Component]:
+def _libraries(workspace: Workspace, found: Iterable[Component], scans: Scans) -> list[Component]:
     """The libraries that are in none of the components that were `found`."""
     used = {source for component in found for source in (*component.sources, *component.library_sources)}
     modules = Modules()
     made: list[Component] = []
     for package in workspace.packages:
-        targets = library_targets(package, used)
+        targets = library_targets(package, used, scans)
         made.extend(_component(workspace, package, target.output_name, LIBRARY, target) for target in targets)
         entries = library_modules(package, used, modules)
         made.extend(replace(component_of(package, entry.module, (), entry, modules), kind=LIBRARY) for entry in entries)
@@ -137,9 +141,9 @@ def _sources(libraries: Iterable[Target], own: set[Path]) -> tuple[Path, ...]:
     return tuple(source for source in found if source not in own)
 
 
-def _plugins(workspace: Workspace, package: Package) -> Iterable[Component]:
+def _plugins(workspace: Workspace, package: Package, scans: Scans) -> Iterable[Component]:
     """Classes of the description files, completed by the registration macros; then registered classes no file describes."""
-    registered = _registrations(package)
+    registered = _registrations(package, scans)
     described: set[str] = set()
     for plugin in package.plugins:
         if plugin.in_python or plugin.cxx_class in described:
@@ -167,15 +171,15 @@ def _plugin(
     return replace(component, entry_class=cxx, base_class=plain_base or None, plugin_name=name)
 
 
-def _registrations(package: Package) -> dict[str, tuple[Target, Registration]]:
+def _registrations(package: Package, scans: Scans) -> dict[str, tuple[Target, Registration]]:
     """Registered class to the library that registers it."""
     result: dict[str, tuple[Target, Registration]] = {}
     for target in package.targets:
         if target.kind in LIBRARY_KINDS:
             for source in target.sources:
-                for file in (source, *own_headers(source, (*target.include_dirs, package.path / "include"), package.path)):
-                    for found in registrations(file):
-                        result.setdefault(found.cxx_class, (target, found))
+                headers = scans.own_headers(source, (*target.include_dirs, package.path / "include"), package.path)
+                for found in (found for file in (source, *headers) for found in scans.of(file).registrations):
+                    result.setdefault(found.cxx_class, (target, found))
     return result
 
 

@@ -7,19 +7,19 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from rosarch.extractor.workspace.model import LIBRARY_KINDS, Package, PythonEntry, Target
-from rosarch.extractor.workspace.plugins import own_headers
+from rosarch.extractor.workspace.plugins import Scans
 from rosarch.extractor.workspace.python_modules import Modules
 from rosarch.extractor.workspace.unused import uses_ros
 
 _NO_MODULES = frozenset({"test", "tests", "launch", "__pycache__"})
 
 
-def library_targets(package: Package, used: Collection[Path]) -> Iterator[Target]:
+def library_targets(package: Package, used: Collection[Path], scans: Scans) -> Iterator[Target]:
     """The libraries of a package that use ROS, of whose sources none is `used`."""
     for target in package.targets:
         if target.kind in LIBRARY_KINDS and target.sources and not any(source in used for source in target.sources):
             folders = (*target.include_dirs, package.path / "include")
-            files = (file for source in target.sources for file in (source, *own_headers(source, folders, package.path)))
+            files = (file for source in target.sources for file in (source, *scans.own_headers(source, folders, package.path)))
             if any(map(uses_ros, files)):
                 yield target
 

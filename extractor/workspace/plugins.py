@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosarch.base.diagnostics import Diagnostic, unreadable
-from rosarch.base.files import LARGEST_PARSED, read_file
+from rosarch.base.files import LARGEST_PARSED, read_file, text_or_nothing
 from rosarch.base.xml_reader import XmlError, read_tree
 from rosarch.extractor.workspace.manifests import Manifest
 from rosarch.extractor.workspace.model import PluginClass
@@ -101,10 +101,10 @@ _TREE_NODE = re.compile(r"\bregister(?:NodeType|Builder)\s*<\s*([\w:]+)\s*>\s*\(
 
 def registrations(path: Path) -> list[Registration]:
     """The plug-in classes a source file registers, comments ignored."""
-    try:
-        text = read_file(path).decode(errors="replace")
-    except OSError:
-        return []  # reported where it is parsed
+    return _registrations(text_or_nothing(path), path)  # one that cannot be read is reported where it is parsed
+
+
+def _registrations(text: str, path: Path) -> list[Registration]:
     of_tree = any(word in text for word in ("BT_REGISTER_NODES", REGISTERS_TREE_NODES))
     if not of_tree and not any(word in text for word in ("_CLASS", "RCLCPP_COMPONENTS", "_PLUGIN")):
         return []
@@ -117,28 +117,55 @@ def registrations(path: Path) -> list[Registration]:
 
 
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[\"<]([^\">\n]+)[\">]", re.MULTILINE)
+_OTHER_MACRO = re.compile(
+    r"\b(?!PLUGINLIB_|CLASS_LOADER_REGISTER_CLASS\b|RCLCPP_COMPONENTS_REGISTER_NODE\b|NODELET_|GZ_|IGNITION_)\w*(?:REGISTER|EXPORT_CLASS)\w*\s*\("
+)
+_MADE_OTHERWISE = re.compile(r"NodeFactory|class_loader::|#\s*include\s*[<\"][^>\"]+\.(?:c|cc|cpp|cxx|inc|def)[>\"]")
 
 
 def included_names(source: Path) -> list[str]:
     """The names of the headers that a source file includes, without their folders."""
-    try:
-        text = read_file(source).decode(errors="replace")
-    except OSError:
-        return []
-    return [name.rpartition("/")[2] for name in _INCLUDE.findall(text)]
+    return [name.rpartition("/")[2] for name in _INCLUDE.findall(text_or_nothing(source))]
 
 
-def own_headers(source: Path, folders: Iterable[Path], package: Path) -> Iterator[Path]:
-    """The headers of the `package` that a source file includes itself, from its own folder or `folders`: they may register its classes."""
+@dataclass(frozen=True)
+class Scan:
+    """What a source file registers and includes, and whether it may register something in another way."""
+
+    registrations: tuple[Registration, ...] = ()
+    includes: tuple[str, ...] = ()
+    may_be_more: bool = True
+
+
+class Scans:
+    """What the sources of packages register, each read once."""
+
+    def __init__(self) -> None:
+        self._of_files: dict[Path, Scan] = {}
+        self._headers: dict[tuple[Path, tuple[Path, ...]], tuple[Path, ...]] = {}
+
+    def of(self, path: Path) -> Scan:
+        """What is in a file."""
+        if path not in self._of_files:
+            self._of_files[path] = _scan(path)
+        return self._of_files[path]
+
+    def own_headers(self, source: Path, folders: Iterable[Path], package: Path) -> tuple[Path, ...]:
+        """The headers of the `package` that a source includes itself, from its own folder or `folders`: they may register its classes."""
+        places = tuple(place for place in dict.fromkeys((source.parent, *folders)) if place.is_relative_to(package))
+        if (source, places) not in self._headers:
+            found = (next((path for place in places if os.path.isfile(path := place / name)), None) for name in self.of(source).includes)
+            self._headers[source, places] = tuple(path for path in found if path is not None)
+        return self._headers[source, places]
+
+
+def _scan(path: Path) -> Scan:
     try:
-        text = read_file(source).decode(errors="replace")
+        text = read_file(path).decode(errors="replace")
     except OSError:
-        return
-    places = [place for place in dict.fromkeys((source.parent, *folders)) if place.is_relative_to(package)]
-    for name in _INCLUDE.findall(text):
-        found = next((path for place in places if os.path.isfile(path := place / name)), None)
-        if found is not None:
-            yield found
+        return Scan()
+    may_be_more = _OTHER_MACRO.search(text) is not None or _MADE_OTHERWISE.search(text) is not None
+    return Scan(tuple(_registrations(text, path)), tuple(_INCLUDE.findall(text)), may_be_more)
 
 
 def _blank(match: re.Match[str]) -> str:

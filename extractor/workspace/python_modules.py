@@ -47,9 +47,19 @@ class Modules:
         self._installed: dict[str, Path | None] = {}
         self._outlines: dict[Path, Outline] = {}
         self._files: dict[tuple[str, Path], Path | None] = {}
+        self._found: dict[tuple[Path, ...], dict[str, Path | None]] = {}
 
     def find(self, name: str, roots: Sequence[Path]) -> Path | None:
         """The file of a module; what is no name of one leads nowhere."""
+        return self._find(name, roots, self._found.setdefault(tuple(roots), {}))
+
+    def _find(self, name: str, roots: Sequence[Path], known: dict[str, Path | None]) -> Path | None:
+        """The same, where `known` is what was found below these roots before: there are many, and each is asked for by many imports."""
+        if name not in known:
+            known[name] = self._look_for(name, roots)
+        return known[name]
+
+    def _look_for(self, name: str, roots: Sequence[Path]) -> Path | None:
         if "/" in name or not all(name.split(".")):
             return None
         own = self._own(name, roots)
@@ -63,10 +73,11 @@ class Modules:
         found: dict[str, Path] = {module: file}
         elsewhere: set[str] = set()
         waiting = [(module, file)]
+        known = self._found.setdefault(tuple(roots), {})
         while waiting and len(found) < MAX_MODULES:
             here, path = waiting.pop(0)
             for name in self._named(here, path):
-                target = self.find(name, roots)
+                target = self._find(name, roots, known)
                 if target is None:
                     elsewhere.add(name.partition(".")[0])
                 elif name not in found:

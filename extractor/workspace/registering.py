@@ -17,13 +17,9 @@ from rosarch.base.files import LARGEST_PARSED, read_file
 from rosarch.extractor.workspace.graph import closure
 from rosarch.extractor.workspace.installs import library_path, line_with
 from rosarch.extractor.workspace.model import LIBRARY_KINDS, Package, PluginClass, Target, Workspace
-from rosarch.extractor.workspace.plugins import Registration, own_headers, parse_plugins, registrations
+from rosarch.extractor.workspace.plugins import Registration, Scans, parse_plugins
 
 COMPONENT_BASE = "rclcpp_components"
-_OTHER_MACRO = re.compile(
-    r"\b(?!PLUGINLIB_|CLASS_LOADER_REGISTER_CLASS\b|RCLCPP_COMPONENTS_REGISTER_NODE\b|NODELET_|GZ_|IGNITION_)\w*(?:REGISTER|EXPORT_CLASS)\w*\s*\("
-)
-_MADE_OTHERWISE = re.compile(r"NodeFactory|class_loader::|#\s*include\s*[<\"][^>\"]+\.(?:c|cc|cpp|cxx|inc|def)[>\"]")
 
 
 @dataclass(frozen=True)
@@ -47,9 +43,9 @@ class Promised:
     installed: bool = True
 
 
-def promised(workspace: Workspace, package: Package) -> Iterator[Promised]:
+def promised(workspace: Workspace, package: Package, scans: Scans) -> Iterator[Promised]:
     """The classes that CMake and exported descriptions name for libraries of the package whose sources are known."""
-    registered = cache(partial(_registered, workspace, package))
+    registered = cache(partial(_registered, workspace, package, scans))
     exported = {path for _, path in package.plugin_exports}
     for plugin in package.plugins:
         name, target, written = plugin.name, None, ""
@@ -105,28 +101,20 @@ def _file_name(path: str) -> str:
     return re.sub(r"\.so$", "", path.rpartition("/")[2])
 
 
-def _registered(workspace: Workspace, package: Package, target: Target) -> tuple[frozenset[Registration], bool]:
+def _registered(workspace: Workspace, package: Package, scans: Scans, target: Target) -> tuple[frozenset[Registration], bool]:
     """What a library registers, and whether it may be more."""
     targets = (target, *closure(workspace, target))
     sources = [source for one in targets for source in one.sources]
-    files = dict.fromkeys(sources)
-    for source in sources:
-        files.update(dict.fromkeys(own_headers(source, (*target.include_dirs, package.path / "include"), package.path)))
-    names = frozenset(found for file in files for found in registrations(file))
-    return names, not target.sources or any(map(_may_register, files)) or any(_is_unknown(workspace, one) for one in targets)
+    folders = (*target.include_dirs, package.path / "include")
+    files = dict.fromkeys((*sources, *(file for source in sources for file in scans.own_headers(source, folders, package.path))))
+    found = [scans.of(file) for file in files]
+    names = frozenset(one for scan in found for one in scan.registrations)
+    return names, not target.sources or any(scan.may_be_more for scan in found) or any(_is_unknown(workspace, one) for one in targets)
 
 
 def _is_unknown(workspace: Workspace, target: Target) -> bool:
     """Whether a target has sources that are not there."""
     return any(d.kind == "missing-source" and d.message.startswith(f"source of {target.name} ") for d in workspace.diagnostics)
-
-
-def _may_register(file: Path) -> bool:
-    try:
-        text = read_file(file).decode(errors="replace")
-    except OSError:
-        return True
-    return _OTHER_MACRO.search(text) is not None or _MADE_OTHERWISE.search(text) is not None
 
 
 @dataclass(frozen=True)
