@@ -37,6 +37,7 @@ from rosarch.extractor.launch.facts import launch_rows, library_name, started, s
 from rosarch.extractor.launch.model import Composition, FileMeant
 from rosarch.extractor.launch.packages import PackagePath
 from rosarch.extractor.launch.scripts import script_rows
+from rosarch.extractor.launch_ros2.registry import HELPER_PACKAGES
 from rosarch.extractor.underlay import Underlay
 from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import NodeConfiguration
@@ -316,7 +317,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
     names = {(one.package, one.component): one.node_name for one in of_library if one.node_name and 1 not in one.ros}
     made = {(one.package, one.component): one.makes for one in of_library if one.makes}
     interfaces = [Interface.of(rows) for rows in (*map(model_rows, models), *map(library_rows, of_library))]
-    expected = known.packages | underlay.packages.keys()
+    expected = known.packages | underlay.packages.keys() | HELPER_PACKAGES
     shared = _shared(models, interfaces)
     told = tuple(builds.values())
     return Components(root, underlay, models, found.programs, told, expected, names, made, tuple(interfaces), shared, tuple(diagnostics))

@@ -86,7 +86,7 @@ def param(state: State, element: Element, scope: Scope, *, private: bool = False
     if private or name.startswith("~"):
         scope.add_private(setting)
     else:
-        state.set_param(replace(setting, name=ns_join(scope.namespace, name)))
+        state.set_param(replace(setting, name=canonical(ns_join(scope.namespace, name))))
 
 
 _Value: TypeAlias = tuple[Any, Robot | None]  # with what a robot description says
@@ -226,7 +226,7 @@ def _load(state: State, element: Element, text: str, name: str, setting: ParamSe
         else:
             line = lines.get(keys)
             written = setting.written if line is None else replace(first, line=first.line + line - 1, column=1)
-            state.set_param(replace(setting, name=name, value=value, written=written))
+            state.set_param(replace(setting, name=canonical(name), value=value, written=written))
 
     unfold(setting.name, data, ())
 

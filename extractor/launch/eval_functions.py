@@ -131,7 +131,7 @@ METHODS: dict[type, dict[str, Function]] = {
         "join": lambda text, items: text.join(_joinable(text, items)),
         "replace": lambda text, old, new, *count: _replace(text, old, new, *count),
     },
-    list: {name: getattr(list, name) for name in ("count", "index")},
+    list: {name: getattr(list, name) for name in ("append", "clear", "copy", "count", "index", "insert", "pop", "remove", "reverse")},
     tuple: {name: getattr(tuple, name) for name in ("count", "index")},
     dict: {
         "get": dict.get,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from rosarch.extractor.launch import elements
 from rosarch.extractor.launch.descriptions import note_worlds
 from rosarch.extractor.launch.model import Condition, LaunchError, NodeStart
-from rosarch.extractor.launch.names import global_namespace, is_legal, ns_join
+from rosarch.extractor.launch.names import canonical, global_namespace, is_legal, ns_join
 from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import State
 from rosarch.extractor.launch.unknowns import with_unknowns_as
@@ -112,7 +112,7 @@ def _start(state: State, element: Element, scope: Scope, name: str, conditions: 
     _children(state, element, scope, inner, below)
     state.at(element, scope, conditions)
     for setting in (*scope.private, *inner.private):
-        key = inner.namespace + setting.name.removeprefix("~")
+        key = canonical(inner.namespace + setting.name.removeprefix("~"))
         state.set_param(replace(setting, name=key, conditions=_joined(inner.conditions, setting.conditions)))
     namespace = "/" + "/".join([*filter(None, outer.namespace.split("/")), ""]) if outer.namespace.strip("/") else "/"
     started = NodeStart(

@@ -24,6 +24,7 @@ from rosarch.extractor.underlay import NOTHING_INSTALLED, Underlay
 _METAPACKAGE = re.compile(r"<metapackage\s*/?>")
 _COLCON_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE")
 _WORD = re.compile(r"[\w.+-]+")
+_DEPENDENCY = re.compile(r"depend[^<>]*>\s*([^<\s]+)\s*<")
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _LINE_COMMENT = re.compile(r"#.*")
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
@@ -121,11 +122,15 @@ class PackagePath:
         """The folder of the package that a file is in, the innermost."""
         return max((folder for folder in self.packages.values() if path.startswith(folder + os.sep)), key=len, default=None)
 
-    def depends(self, path: str, name: str) -> bool:
-        """Whether the manifest of the package that a file is in names another package."""
-        folder = self.of_file(path)
-        text = None if folder is None else quick_text(f"{folder}/package.xml")
-        return text is not None and re.search(rf"depend[^<>]*>\s*{re.escape(name)}\s*<", text) is not None
+    def is_named(self, name: str) -> bool:
+        """Whether the manifest of a package of the folders names another package as one that it needs."""
+        return name in self._needed
+
+    @cached_property
+    def _needed(self) -> frozenset[str]:
+        """The packages that the manifests of the folders name."""
+        texts = (quick_text(f"{folder}/package.xml") or "" for folder in self.own.values())
+        return frozenset(name for text in texts for name in _DEPENDENCY.findall(text))
 
     def names_in(self, folder: str) -> frozenset[str]:
         """The names of the files below a package's folder, and all words of its build files: what its programs may be called.

@@ -25,7 +25,7 @@ from rosarch.extractor.launch.model import (
     exclusive,
     together,
 )
-from rosarch.extractor.launch.names import canonical, parents
+from rosarch.extractor.launch.names import parents
 from rosarch.extractor.launch.scope import Scope, settle
 from rosarch.extractor.launch.substitution import Resolver
 from rosarch.extractor.launch.unknowns import Unknowns
@@ -218,7 +218,6 @@ class State:
         self.settings += 1
         if self.settings > MAX_PARAMS:
             raise Exhausted(f"more than {MAX_PARAMS} parameters, the rest is left out")
-        setting = replace(setting, name=canonical(setting.name))
         for parent in parents(setting.name):
             if parent in self.params and parent != setting.name:
                 self.warn("param-conflict", setting.name, f"parameter `{setting.name}` lies below parameter `{parent}`, which has a value")

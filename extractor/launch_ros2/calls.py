@@ -74,6 +74,17 @@ class Calls(Expressions):
         self.unset = False
         """Whether a variable of the environment was asked for that is not set here, where nobody launches the file."""
 
+        self.of_unset: set[str] = set()
+        """Parts of texts that are what such variables may have."""
+
+    def text_of_none(self, node: ast.expr, frame: Frame) -> str:
+        """`None` as a part of a text; where such a variable is asked for it may be what that has."""
+        if not self.unset:
+            return "None"
+        mark = self.text(self.unknown(node, frame))
+        self.of_unset.add(mark)
+        return mark
+
     def text(self, value: Any) -> str:
         return self.world.as_text(value)
 

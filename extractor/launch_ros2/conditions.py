@@ -9,10 +9,12 @@ from rosarch.extractor.launch.model import Condition, LaunchError
 from rosarch.extractor.launch.values import boolean
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import Either, Instance, Made
+from rosarch.extractor.launch_ros2.values import Either, Instance, Made, Unknown
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
+
+_CONDITIONS = frozenset({"Condition", "IfCondition", "UnlessCondition", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals"})
 
 
 def holds(world: World, condition: Any, context: Context) -> bool | Condition:
@@ -20,8 +22,7 @@ def holds(world: World, condition: Any, context: Context) -> bool | Condition:
     if condition is None:
         return True
     if isinstance(condition, Instance):
-        found = world.interpreter.apply(world.interpreter.member_of(condition, "evaluate"), [context], {})
-        return found if isinstance(found, bool) else _open(world, world.as_text(found), True)
+        return _asked(world, world.interpreter.member_of(condition, "evaluate"), context)
     if isinstance(condition, Either):
         first, second = (holds(world, one, context) for one in (condition.first, condition.second))
         if first == second:
@@ -29,9 +30,14 @@ def holds(world: World, condition: Any, context: Context) -> bool | Condition:
         if first is True and second is False:
             return condition.condition
         return _open(world, world.as_text(condition), True)
-    if not isinstance(condition, Made):
+    if isinstance(condition, Unknown) or (isinstance(condition, str) and world.state.unknowns.is_open(condition)):
         return _open(world, world.as_text(condition), True)
+    if not isinstance(condition, Made) or condition.kind not in _CONDITIONS:
+        shown = condition.kind if isinstance(condition, Made) else type(condition).__name__.lower()
+        raise LaunchError("python", "AttributeError", f"AttributeError: {shown} is no condition: it has no `evaluate`")
     world.here(condition.place)
+    if condition.kind == "Condition":
+        return _asked(world, condition.get("predicate"), context)
     if condition.kind.startswith("LaunchConfiguration"):
         return _compared(world, condition, context)
     wanted = condition.kind != "UnlessCondition"
@@ -42,6 +48,12 @@ def holds(world: World, condition: Any, context: Context) -> bool | Condition:
         return boolean(text) is wanted
     except ValueError:
         raise LaunchError("condition", text, f"{'if' if wanted else 'unless'}: `{text}` is not true or false") from None
+
+
+def _asked(world: World, function: Any, context: Context) -> bool | Condition:
+    """What a function of the launch file says about a condition; one without a function does not hold."""
+    found = False if function is None else world.interpreter.apply(function, [context], {})
+    return found if isinstance(found, bool) else _open(world, world.as_text(found), True)
 
 
 def _compared(world: World, condition: Made, context: Context) -> bool | Condition:

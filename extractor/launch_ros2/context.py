@@ -9,6 +9,8 @@ from typing import Any
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place, Remap, exclusive
 
+_ALWAYS_SET = frozenset({"AMENT_PREFIX_PATH", "HOME", "HOSTNAME", "LANG", "PATH", "PWD", "PYTHONPATH", "ROS_DISTRO", "SHELL", "USER"})
+
 
 @dataclass(frozen=True)
 class Given:
@@ -85,6 +87,10 @@ class Context:
     def variable(self, name: str) -> str | None:
         """The value of an environment variable."""
         return self.environment[name] if name in self.environment else self.outside.get(name)
+
+    def lacks(self, name: str) -> bool:
+        """Whether an environment variable is not set; some are wherever launch runs, with a value that may not be known."""
+        return self.variable(name) is None and (name in self.environment or name not in _ALWAYS_SET)
 
     def allows(self, condition: Condition) -> bool:
         """Whether something under this condition, too, may be there."""

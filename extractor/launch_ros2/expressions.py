@@ -127,7 +127,9 @@ class Expressions(Decisions):
         value = value.text if isinstance(value, PathText) else value
         if node.conversion == -1 and node.format_spec is None and isinstance(value, str):
             return value
-        if value is None or not is_certain(value):  # one of the environment that is not set here
+        if value is None:
+            return self.text_of_none(node.value, frame)
+        if not is_certain(value):
             return self.text(value) if isinstance(value, (Unknown, Either)) else self.text(self.unknown(node.value, frame))
         spec = "" if node.format_spec is None else self.value(node.format_spec, frame)
         return METHODS[str]["format"]("{:" + spec + "}", CONVERSIONS[node.conversion](value)) if isinstance(spec, str) else spec
@@ -361,6 +363,10 @@ class Expressions(Decisions):
                 for condition in unsure:
                     found = either(condition, found, NOTHING)
                 yield found
+
+    def text_of_none(self, node: ast.expr, frame: Frame) -> str:
+        """`None` as a part of a text."""
+        raise NotImplementedError
 
     def assign(self, target: ast.expr, value: Any, frame: Frame) -> None:
         """Bind names, items or attributes to a value."""

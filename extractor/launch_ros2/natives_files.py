@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 _Call = Callable[..., Any]
 _DUMPER = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
-_ALWAYS_SET = frozenset({"AMENT_PREFIX_PATH", "HOME", "HOSTNAME", "LANG", "PATH", "PWD", "PYTHONPATH", "ROS_DISTRO", "SHELL", "USER"})
 
 
 # -- files and paths ----------------------------------------------------------------------------------------------------------
@@ -305,14 +304,14 @@ def environment_item(run: Calls, name: Any) -> Any:
     value = world.context.variable(name)
     if value is not None:
         return value
-    if name not in _ALWAYS_SET:
+    if world.context.lacks(name):
         world.state.report(LaunchError("env", name, f"environment variable `{name}` is not set"))
     return world.state.unknowns.mark(f"$(env {name})")
 
 
 def environment_has(run: Calls, name: str) -> bool:
     """`name in os.environ`."""
-    return run.world.context.variable(name) is not None or name in _ALWAYS_SET
+    return not run.world.context.lacks(name)
 
 
 @native("os.environ.copy")
@@ -357,7 +356,9 @@ def _environment(run: Calls, name: Any, default: Any = None) -> Any:
     if value is not None:
         return value
     run.unset = run.unset or default is None
-    return run.world.state.unknowns.mark(f"$(env {name})") if name in _ALWAYS_SET and default is None else default
+    if default is not None or run.world.context.lacks(name):
+        return default
+    return run.world.state.unknowns.mark(f"$(env {name})")
 
 
 native("os.environ")(lambda _run: NOTHING)

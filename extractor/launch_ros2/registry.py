@@ -13,6 +13,9 @@ functools glob itertools json logging math os os.path pathlib platform random re
 typing_extensions unittest uuid warnings xacro xml xml.etree xml.etree.ElementTree yaml
 """
 KNOWN_MODULES = frozenset(_MODULES.split())
+_HELPERS = "clearpath_config controller_manager launch_pal launch_param_builder moveit_configs_utils nav2_common webots_ros2_driver"
+HELPER_PACKAGES = frozenset(_HELPERS.split())
+"""Packages of distributions whose modules many launch files import."""
 NATIVES: dict[str, Native] = {}
 _Call = Callable[..., Any]
 

@@ -113,7 +113,7 @@ def _environment(world: World, made: Made, context: Context) -> str:
         return value
     if made.arguments.get("default_value") is not None:
         return perform(world, made.arguments["default_value"], context)
-    if not _is_open(world, name):
+    if context.lacks(name) and not _is_open(world, name):
         world.state.report(LaunchError("env", name, f"environment variable `{name}` is not set"))
     return _mark(world, f"$(env {_rendered(world, name)})")
 

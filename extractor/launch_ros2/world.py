@@ -18,6 +18,7 @@ from rosarch.extractor.launch.unknowns import cleaned, is_known, may_be
 from rosarch.extractor.launch_ros2.agenda import Agenda
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.interpreter import Interpreter
+from rosarch.extractor.launch_ros2.registry import HELPER_PACKAGES
 from rosarch.extractor.launch_ros2.values import Class, Either, Function, PathText, Unknown, installed
 from rosarch.extractor.urdf.robots import Robot
 
@@ -95,6 +96,9 @@ class World:
         """The folder of a package, where its `share` is from; a mark when it is not on the package path."""
         state = self.state
         if state.unknowns.is_open(package):
+            if any(mark in package for mark in self.interpreter.of_unset):
+                shown = state.unknowns.render(package)
+                state.report(LaunchError("env", shown, f"the package `{shown}` is named by an environment variable that is not set"))
             return state.unknowns.mark(f"$(find-pkg-share {state.unknowns.render(package)})", package)
         folder = state.files.packages.find(package)
         needed = not self.is_guarded(package) and not self.interpreter.optional(_NO_PACKAGE, installed(package))
@@ -109,9 +113,14 @@ class World:
         return state.unknowns.mark(f"$(find-pkg-share {package})")
 
     def import_from(self, package: str, place: Place) -> None:
-        """Note that a module is of a package that is not on the package path: one that the manifest of the importing package names."""
+        """Note that a module is of a package that is not on the package path: one that a manifest names, or one of a distribution.
+
+        Any other may be a module of Python that is not of ROS.
+        """
         packages = self.state.files.packages
-        if package in _WITH_LAUNCH or packages.find(package) is not None or not packages.depends(place.path, package):
+        if package in _WITH_LAUNCH or packages.find(package) is not None:
+            return
+        if package not in HELPER_PACKAGES and not packages.is_named(package):
             return
         self.here(place)
         if not self.interpreter.optional(_NO_MODULE, installed(package)):

