@@ -281,7 +281,7 @@ def _is_of(plugin: ComponentModel, base: str) -> bool:
 
 def _renamed(node: NodeStart, name: str, namespace: str) -> NodeStart:
     """The start of a node that another one makes."""
-    return replace(node, name=name, called=name, namespace=namespace, container=None, first=())
+    return replace(node, name=name, called=name, namespace=namespace, container=None, first=(), inside=node.namespace)
 
 
 def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting]], is_open: bool) -> NodeConfiguration:

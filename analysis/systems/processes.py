@@ -57,7 +57,8 @@ def with_inner(composition: Composition, made: Mapping[tuple[str, str], Mapping[
     for start in composition.nodes:
         for path, component in made.get((start.package, start.type), {}).items():
             space, _, name = f"{start.namespace}{path}".rpartition("/")
-            node = replace(start, name=name, called=name, namespace=f"{space}/", container=None, first=(), given=(), own_params=())
+            node = replace(start, name=name, called=name, namespace=f"{space}/", inside=start.namespace)
+            node = replace(node, container=None, first=(), given=(), own_params=())
             components[len(nodes)] = component
             nodes.append(node)
             given = process_settings(composition, start, node.full_name)

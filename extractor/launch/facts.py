@@ -154,6 +154,8 @@ class _Writer:
         self.add("started_version", start, node.ros)
         if node.name is None:
             self.add("started_unnamed", start)
+        if node.inside is not None:
+            self.add("started_inside", start, node.inside)
         if _DOMAIN in dict(node.environment):
             self.add("started_domain", start, dict(node.environment)[_DOMAIN])
         if node.container is not None:

@@ -89,7 +89,8 @@ class NodeStart:
     a class that is loaded there. `params_files` are the files of parameters that it is given, `own_params` is what it is given itself,
     `process` what is set for all nodes of its process. Where its arguments decide what its program calls it, it `calls_itself` so. The
     container of a controller is its manager, a node like others. `conditions` are those that cannot be known, `held` those that are known
-    to hold. `first` are the lines of the first node of this name, when this is another one.
+    to hold. `first` are the lines of the first node of this name, when this is another one. A node that another one makes is `inside` of
+    the namespace of that, whose process it is in.
     """
 
     package: str
@@ -120,6 +121,7 @@ class NodeStart:
     own_params: tuple[ParamSetting, ...] = ()
     is_controller: bool = False
     calls_itself: str | None = None
+    inside: str | None = None
 
     @property
     def full_name(self) -> str:

@@ -101,7 +101,7 @@ def test_a_namespace_of_the_code_counts_where_no_launch_file_gives_one(tmp_path:
 def test_a_node_that_a_program_of_the_library_makes_has_what_is_set_last(tmp_path: Path) -> None:
     found = nodes_of(tmp_path, "name='host', namespace='arm', parameters=[{'common': 0}, FILE]", "host")
     whole, components = with_inner(found, {("here", "run"): {"left": "elsewhere/part"}})
-    assert [node.full_name for node in whole.nodes] == ["/arm/host", "/arm/left"]
+    assert [(node.full_name, node.inside) for node in whole.nodes] == [("/arm/host", None), ("/arm/left", "/arm/")]
     assert components == {1: "elsewhere/part"}
     own = [(setting.name, setting.value) for setting in whole.params if setting.name.startswith("/arm/left/")]
     assert own == [("/arm/left/common", 1), ("/arm/left/side", "far")]

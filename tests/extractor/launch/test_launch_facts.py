@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -296,7 +297,8 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     (tmp_path / "here" / "demo.rviz").write_text(view)
     (tmp_path / "here" / "bridge.yaml").write_text("- {ros_topic_name: /imu}\n")
     in_python = compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path])))
-    filled |= launch_rows(in_python.with_controllers(), tmp_path)
+    whole = in_python.with_controllers()
+    filled |= launch_rows(replace(whole, nodes=(*whole.nodes, replace(whole.nodes[0], inside="/"))), tmp_path)
     filled |= container_rows([in_python])
     filled |= first_rows([composition], tmp_path)
     needed = dependencies(manifests.declared(tmp_path))

@@ -1,0 +1,52 @@
+"""What the shipped library says of nodes, as launch files start them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.extractor.workspace_builder import write
+from tests.library.test_files import MANIFEST
+
+CLIENTS = ("list_controllers", "load_controller", "configure_controller", "switch_controller", "unload_controller")
+
+
+@pytest.fixture
+def ports(tmp_path: Path, rosarch: Callable, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], dict[str, set[tuple[str, str]]]]:
+    """The topics, services and actions of each node that a launch file in XML starts, with `in` or `out`."""
+    monkeypatch.chdir(tmp_path)
+
+    def found(content: str, **files: str) -> dict[str, set[tuple[str, str]]]:
+        launch = {"launch/main.launch.xml": f"<launch>{content}</launch>\n", **{name.replace("__", "/"): text for name, text in files.items()}}
+        write(Path("ws"), {"package.xml": MANIFEST.format("robot"), "CMakeLists.txt": "project(robot)\n", **launch})
+        [system] = json.loads(rosarch("show", "graph", "ws", "--implicit", "--format", "json").out)
+        names = {each["id"]: each["names"] for each in system["connectors"]}
+        nodes = {node["id"]: node["name"] for node in system["nodes"]}
+        seen: dict[str, set[tuple[str, str]]] = {name: set() for name in nodes.values()}
+        for edge in system["edges"]:
+            ends = edge["source"], edge["target"]
+            way, node, connector = ("in", *reversed(ends)) if ends[0] in names else ("out", *ends)
+            seen[nodes[node]] |= {(way, name) for name in names[connector]}
+        return seen
+
+    return found
+
+
+def test_a_spawner_asks_the_manager_that_it_is_given(ports: Callable) -> None:
+    spawner = '<node pkg="controller_manager" exec="spawner" name="{}" args="{}"/>'
+    arguments = {"a": "arm -c /boss", "b": "arm --controller-manager=boss -n left", "c": "arm"}
+    found = ports("".join(spawner.format(name, words) for name, words in arguments.items()))
+    managers = {"/a": "/boss", "/b": "/left/boss", "/c": "/controller_manager"}
+    for name, manager in managers.items():
+        clients = {topic for way, topic in found[name] if way == "out" and "controller" in topic}
+        assert clients == {f"{manager}/{service}" for service in CLIENTS}
+
+
+def test_transforms_that_a_costmap_hears_are_in_the_namespace_of_its_server(ports: Callable) -> None:
+    server = '<node pkg="nav2_planner" exec="planner_server" namespace="robot"><remap from="/tf_static" to="tf_static"/></node>'
+    found = ports(server)["/robot/global_costmap/global_costmap"]
+    assert ("in", "/robot/tf_static") in found
+    assert not any("global_costmap/tf" in name for _, name in found)
