@@ -64,7 +64,8 @@ class _Scan:
             at += 2 if text[at] == "\\" else 1
         if inner and "\\" in text[start.end() : at]:  # older parsers take no backslash here: the text is an unknown one
             lines = text.count("\n", start.end(), at)
-            self.edits.append((start.start(2), at + len(quote), "(" + "\n" * lines + "'?')" if lines else "'?'"))
+            unknown = f"{quote[0]}?{quote[0]}"
+            self.edits.append((start.start(2), at + len(quote), "(" + "\n" * lines + f"{unknown})" if lines else unknown))
         return at + len(quote)
 
     def formatted(self, start: re.Match[str], inner: int) -> int:

@@ -234,7 +234,7 @@ def _only(rows: Iterable[Row]) -> dict[Any, Any]:
 
 
 def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) -> tuple[tuple[Port, ...], dict[Row, str]]:
-    """The ports, and the ids of those that are not implicit by their record."""
+    """The ports, and the ids of those by their record that are not implicit or that something is known to react to."""
     types, parameters = _only(relations["port_type"]), _first(relations["port_parameter"])
     queues, unknown, via = _first(relations["port_queue"]), _first(relations["port_unknown"]), _first(relations["port_via"])
     latched = {port for (port,) in relations["port_latched"]}
@@ -273,10 +273,12 @@ def _ports(relations: Relations, places: Mapping[str, Place], guards: Guards) ->
                 ),
             )
         )
+    heard = {port for port, _ in relations["port_callback"]}
     for port, type_ in relations["implicit_port"]:
         site, kind, name = port
         if site in places:
-            found.append((None, Port("", kind, name, None, type_, None, False, inner.get(port), "plain", places[site], True)))
+            record = port if port in heard else None
+            found.append((record, Port("", kind, name, None, type_, None, False, inner.get(port), "plain", places[site], True)))
     found.sort(key=lambda item: (item[1].implicit, item[1].at, item[1].kind, item[1].name, item[1].type or ""))
     ports = tuple(replace(port, id=f"p{number}") for number, (_, port) in enumerate(found, 1))
     return ports, {record: port.id for (record, _), port in zip(found, ports, strict=True) if record is not None}

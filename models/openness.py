@@ -12,6 +12,7 @@ _REASONS = {
     "given": "the node is given as {} to something that was not seen",
     "undefined": "the node is handed to {}, whose body is not among the sources",
     "base": "the base class {} was not seen",
+    "makes": "{}, which was not seen, makes ports of its own",
     "call": "the call of {} was not understood",
     "import": "{} imports a module whose name is not known",
     "member": "a method of {} is called whose name is not known",

@@ -43,6 +43,7 @@ _HEAD_MACRO = re.compile(rb"\b(?:class|struct)\s+([A-Z][A-Z0-9_]{2,})\s+$")
 _CLASS_BODY = re.compile(rb"\w+\s*(?:final\s*)?[:{]")
 _DECLARATION = re.compile(rb"\s+[A-Za-z_]\w*(?:\s*[*&]+\s*|\s+|\s*<[^;{}]*>\s*|\s*::\s*)[A-Za-z_]")
 _CLASH = re.compile(r"redefinition of '(\w+)'|reference to '(\w+)' is ambiguous|conflicting types for '(\w+)'")
+_AMBIGUOUS = re.compile(r"reference to '(\w+)' is ambiguous")
 _END_EXPECTED = (
     "expected ';' at end of declaration list",
     "expected ';' after top level declarator",
@@ -152,7 +153,8 @@ def healed(
             except (libclang.ParseError, OSError):
                 break
             found = _errors(unit)
-            clashes = wanted.ban(_clashes(found, scratch))
+            settled = wanted.settle({match.group(1) for error in found if (match := _AMBIGUOUS.match(error.message))})
+            clashes = wanted.ban(_clashes(found, scratch) - settled) or bool(settled)
             if not clashes or _trouble(found) < fewest:
                 errors = found  # else most follow from what is now banned
             if _trouble(found) < fewest:

@@ -112,7 +112,7 @@ class Wanted:
     `messages` holds, by header and struct, the members of messages of which only the name is known, each with its kind (`type` for one of
     a field's type); `interfaces` the headers of those that the source does not include, where `interfaces_by_scope` says that such names
     are those of interfaces; `bases` the absent base classes of a class of the workspace; `read` the files whose members are wanted;
-    `defined` are macros that are never wanted: they are there.
+    `defined` are macros that are never wanted: they are there; `homes` the namespaces that names belong to which are written without them.
     """
 
     scratch: Path
@@ -125,6 +125,7 @@ class Wanted:
     messages: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
     bases: dict[str, set[str]] = field(default_factory=dict)
     banned: set[str] = field(default_factory=set)
+    homes: dict[str, tuple[str, ...]] = field(default_factory=dict)
     read: set[str] = field(default_factory=set)
     changed: bool = False
 
@@ -132,6 +133,7 @@ class Wanted:
         """Want the qualified name `path`; what encloses it is a namespace, or a class by its capital letter."""
         if path[-1] in self.banned or any(part in _KEYWORDS or not _NAME.fullmatch(part) for part in path) or self._interface(path):
             return
+        path = [*self.homes.get(path[0], ()), *path]
         scope, inside = self.top, False
         for part in path[:-1]:
             inside = inside or (part[:1].isupper() and (part not in scope or scope[part].kind != "namespace"))
@@ -256,6 +258,33 @@ class Wanted:
     def _message(self, header: str) -> Path:
         """Where the stand-in of a message is of which only the name is known (see `HeaderFinder`)."""
         return self.scratch / "absent" / str(header.count("/")) / header
+
+    def settle(self, names: Collection[str]) -> set[str]:
+        """Want names of two that are ambiguous only in the namespace that `using namespace` brings in; return those that this settles."""
+        settled = set()
+        for name in sorted(names):
+            homes = [path for path, scope in self._namespaces(()) if path and name in scope]
+            outer = self.top.get(name)
+            if outer is not None and len(homes) == 1:
+                del self.top[name]
+                self.homes[name] = homes[0]
+                self._want_again((name,), outer)
+                settled.add(name)
+        return settled
+
+    def _want_again(self, path: tuple[str, ...], node: Node) -> None:
+        self.name(path, node.kind, node.parameters)
+        for name, inner in node.inner.items():
+            self._want_again((*path, name), inner)
+
+    def _namespaces(self, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], dict[str, Node]]]:
+        """The wanted namespaces and what is in them."""
+        node = self.find(path)
+        scope = node.inner if node else self.top
+        yield path, scope
+        for name, inner in scope.items():
+            if inner.kind == "namespace":
+                yield from self._namespaces((*path, name))
 
     def ban(self, names: Collection[str]) -> bool:
         """Leave out names that the workspace declares itself; the outermost of that name is in its way. Return whether any is new."""

@@ -51,6 +51,7 @@ _KEPT = frozenset(
 )
 """The commands by which a build makes and registers something: claims about that rest on them."""
 _REFERENCE = re.compile(r"\$\{([\w.+-]+)\}")
+_ENVIRONMENT = re.compile(r"\$ENV\{(\w+)\}|DEFINED ENV\{(\w+)\}")
 
 
 class World(Protocol):
@@ -309,23 +310,29 @@ class Evaluator:
     def run_if(self, statement: If) -> None:
         """The first branch whose condition holds. A test-only branch makes its targets tests.
 
-        A branch that leaves a `CMakeLists.txt` before it makes any target does so because of what this machine lacks: the rest counts.
+        Where none holds, that counts for which the user sets an environment variable. A branch that leaves a `CMakeLists.txt` before it
+        makes any target does so because of what this machine lacks: the rest counts.
         """
-        for branch in statement.branches:
-            if branch.condition is not None and not self.holds(branch.condition):
-                continue
-            testing = branch.condition is not None and _asks_for_tests(branch.condition)
-            self._leave_out(other for other in statement.branches if other is not branch)
-            self.testing += testing
-            try:
-                self.run(branch.body)
-            except StopFile:
-                if not self._leaves_nothing():
-                    raise
-            finally:
-                self.testing -= testing
+        branches = statement.branches
+        chosen = next((one for one in branches if one.condition is None or self.holds(one.condition)), None)
+        chosen = chosen or next((one for one in branches if one.condition is not None and self._is_unset(one.condition)), None)
+        self._leave_out(other for other in branches if other is not chosen)
+        if chosen is None:
             return
-        self._leave_out(statement.branches)
+        testing = chosen.condition is not None and _asks_for_tests(chosen.condition)
+        self.testing += testing
+        try:
+            self.run(chosen.body)
+        except StopFile:
+            if not self._leaves_nothing():
+                raise
+        finally:
+            self.testing -= testing
+
+    def _is_unset(self, condition: Command) -> bool:
+        """Whether a condition asks only for an environment variable, of which nothing is known."""
+        found = _ENVIRONMENT.fullmatch(" ".join(argument.text for argument in condition.arguments))
+        return found is not None and (found.group(1) or found.group(2)) not in self.environment
 
     def _leave_out(self, branches: Iterable[Branch]) -> None:
         """Note what branches that do not count here may install elsewhere."""
@@ -353,6 +360,8 @@ class Evaluator:
     def holds(self, command: Command) -> bool:
         """Evaluate the condition of `if`, `elseif`, `while`. What cannot be understood is false."""
         self.current = self.file, command
+        if self._is_unset(command):
+            return False
         words: list[Word] = []
         for argument in command.arguments:
             if argument.quoted:

@@ -320,3 +320,8 @@ def test_modules_of_the_package(tmp_path: Path) -> None:
     assert kinds_of(package, "lamp.py") == [(2, "hides its package", "lamp.py")]
     set_up = built(tmp_path, "lamp", "catkin", **{**files, "CMakeLists.txt": cmake + "catkin_python_setup()\n"})
     assert kinds_of(set_up, "on.py") == []
+    made = "#!/usr/bin/env python3\nfrom lamp.cfg import LampConfig\nfrom lamp.srv import *\n"  # what the build generates is on the path
+    package = built(tmp_path, "lamp", "catkin", **{**files, "scripts/on.py": made})
+    assert kinds_of(package, "on.py") == []
+    package = built(tmp_path, "lamp", "catkin", **{**files, "scripts/on.py": f"{made}import lamp.light\n"})
+    assert kinds_of(package, "on.py") == [(4, "modules not set up", "lamp")]

@@ -228,6 +228,16 @@ def test_a_manifest_for_both_versions_is_for_that_of_its_build_file(tmp_path: Pa
     assert [(found.build_type, found.depends) for found in discover(tmp_path).packages] == [of, of]
 
 
+def test_what_an_environment_variable_brings_is_built(tmp_path: Path) -> None:
+    arm = "if( $ENV{HAS_ARM} )\n  add_executable(arm arm.cpp)\nendif()\nif(DEFINED ENV{HAS_EYE})\n  add_executable(eye eye.cpp)\nendif()\n"
+    other = "if($ENV{REAL})\n  add_executable(real real.cpp)\nelse()\n  add_executable(mock mock.cpp)\nendif()\n"
+    known = 'set(ENV{OFF} 0)\nif($ENV{OFF})\n  add_executable(never never.cpp)\nendif()\nif("$ENV{KIND}" STREQUAL "b")\n  add_executable(b b.cpp)\nendif()'
+    package(tmp_path, "one", arm + other + known, {f"{name}.cpp": "" for name in ("arm", "eye", "real", "mock", "never", "b")})
+    workspace = discover(tmp_path)
+    assert [found.name for found in workspace.packages[0].targets] == ["arm", "eye", "mock"]
+    assert messages(workspace, tmp_path) == []
+
+
 def test_order_does_not_depend_on_the_file_system(tmp_path: Path) -> None:
     for name in ("c", "a", "b"):
         package(tmp_path, name, "add_executable(z x.cpp)\nadd_executable(y x.cpp)", {"x.cpp": ""})

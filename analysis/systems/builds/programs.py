@@ -53,21 +53,26 @@ def of_setup(package: Built, program: str) -> Iterator[Defect]:
 
 
 def _of_imports(package: Built, path: Path, text: str) -> Iterator[Defect]:
-    """Modules of its own package that a script imports in vain: it has the name itself, or the build does not set them up."""
-    found = re.search(rf"^(?:from|import)[ \t]+{re.escape(package.name)}\b", text, re.MULTILINE)
+    """Modules of its own package that a script imports in vain: it has the name itself, or the build does not set them up.
+
+    What the build generates itself, such as `from package.msg import ...`, is put on the path all the same.
+    """
+    own = rf"^(?:from|import)[ \t]+{re.escape(package.name)}\b"
+    found = re.search(own, text, re.MULTILINE)
     if found is None or path.parent.name == package.name:
         return
-    line = 1 + text.count("\n", 0, found.start())
+    written = re.search(rf"{own}(?!\.(?:msg|srv|action|cfg)\b)", text, re.MULTILINE)
     modules = package.folder / "src" / package.name
     if path.stem == package.name:
-        yield Defect(path, line, "hides its package", path.name)
+        yield Defect(path, 1 + text.count("\n", 0, found.start()), "hides its package", path.name)
     elif (
-        package.build_type == "catkin"
+        written is not None
+        and package.build_type == "catkin"
         and not package.unsure
         and os.path.isfile(modules / "__init__.py")
         and not package.called("catkin_python_setup")
     ):
-        yield Defect(path, line, "modules not set up", package.name)
+        yield Defect(path, 1 + text.count("\n", 0, written.start()), "modules not set up", package.name)
 
 
 def _python2(data: bytes) -> Iterator[int]:

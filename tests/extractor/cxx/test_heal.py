@@ -47,6 +47,10 @@ def bound(facts) -> list[str]:
         ("unknown variable", "void f(Out out) { out.send(limit); }"),
         ("unknown constant in a condition", "void f(Out out, int x) { if (x == LIMIT) { out.send(1); } }"),
         ("unknown type after using namespace", "using namespace far; void f(Out out, far::A a) { Thing t; out.send(t.size()); }"),
+        (
+            "unknown namespace in one that using namespace brings",
+            "using namespace far; struct N : public wide::Base { wide::Thing thing_; Out out; void go() { far::wide::open(); out.send(thing_.size()); } };",
+        ),
         ("unknown type by using", "using far::Thing; void f(Out out) { Thing t; out.send(t.size()); }"),
         (
             "global name like that of the namespace around",

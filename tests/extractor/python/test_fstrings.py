@@ -38,6 +38,8 @@ def test_newer_fstrings_mean_what_they_say(newer: str, older: str) -> None:
 def test_a_text_with_a_backslash_within_braces_is_an_unknown_one() -> None:
     rewritten = with_older_fstrings("f\"{'\\n'.join(lines)}\"")
     assert rewritten == "f\"{'?'.join(lines)}\""
+    other = "f'{\"\\n\".join(lines)}'"  # keeps the quotes that it has: they are not those around
+    assert with_older_fstrings(other) == "f'{\"?\".join(lines)}'"
 
 
 @pytest.mark.parametrize(
