@@ -95,10 +95,11 @@ class Deriving:
         """The models of each component of a task, with its configurations. What they have in common is derived once."""
         found: list[list[Made]] = []
         rows: Rows = {}
+        read = _reader(task)
         with self._evaluations(task) as evaluate:
             for component, configurations in task.parts:
                 # nothing of an unused source runs: there is nothing to derive
-                rows = _sharing(component.rows(), rows) if component.kind != UNUSED else {}
+                rows = _sharing(read(component), rows) if component.kind != UNUSED else {}
                 found.append(list(self._of_component(component, configurations, rows, evaluate, follows=task.follows)))
         return found
 
@@ -142,6 +143,15 @@ class Deriving:
 
     def _built(self, component: Extracted, kind: str, relations: Relations) -> tuple[ComponentModel, ...]:
         return build_models(self.system, component.name, component.package, kind, component.sources, relations)
+
+
+def _reader(task: Task) -> Callable[[Extracted], Rows]:
+    """What reads the facts of the components of a task: the files that they all consist of once."""
+    from rosarch.extractor.pipeline import ComponentFacts
+    from rosarch.extractor.unit_store import UnitRows
+
+    files = UnitRows(task.parts[0][0].units) if len(task.parts) > 1 else None
+    return lambda component: component.rows(files) if isinstance(component, ComponentFacts) else component.rows()
 
 
 def _sharing(rows: Rows, before: Rows) -> Rows:

@@ -107,4 +107,11 @@ def _joined(kind: type[All[Atom]] | type[Any[Atom]], parts: tuple[Formula[Atom],
 
 def alternatives(formula: Formula[Atom]) -> tuple[tuple[Atom, ...], ...]:
     """The conjunctions of atoms, of a formula that is a disjunction of these."""
-    return tuple(tuple(atoms(part)) for part in (formula.parts if isinstance(formula, Any) else (formula,)))
+    return tuple(map(_conjunction, formula.parts if isinstance(formula, Any) else (formula,)))
+
+
+def _conjunction(formula: Formula[Atom]) -> tuple[Atom, ...]:
+    """The atoms of a conjunction."""
+    if isinstance(formula, All) and not any(isinstance(part, All | Any | Not) for part in formula.parts):
+        return formula.parts  # so it is nearly always
+    return tuple(atoms(formula))

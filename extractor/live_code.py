@@ -24,6 +24,13 @@ _ABOUT = {"return_value": 1, "field_initializer": 2}
 """The column of the expression that a row is about, where it is not the first."""
 
 
+DECLARED = (
+    "function_name", "function_defined", "function_overrides", "function_class", "class_base", "class_base_instance", "variable_type",
+    "field_class", "type_class", "type_inner", "type_argument", "type_alias", "program_entry", "class", "location",
+)  # fmt: skip
+"""What `Declarations` asks for."""
+
+
 class Mentions(NamedTuple):
     """What a piece of code mentions: `names` are those of functions that are called or used without being known."""
 
@@ -68,39 +75,13 @@ def mentions_of(code: Rows) -> Mentions:
     )
 
 
-def live_functions(declared: Rows, mentions: Mapping[str, Iterable[Mentions]]) -> set[str]:
-    """The functions whose code may run, by the declarations of all sources and what each function mentions; "" is code outside of them."""
-    program = _Program(declared)
-    program.enter()
-    for mentioned in mentions.get("", ()):
-        program.mention(mentioned)
-    while program.waiting:
-        function = program.waiting.pop()
-        program.stand_in(function)
-        for mentioned in mentions.get(function, ()):
-            program.mention(mentioned)
-    return program.live
-
-
-def entry_classes(declared: Rows) -> list[Row]:
-    """The classes that the component starts with. One that its registration names without a namespace is looked for in all of them."""
-    known = {*_column(declared, "class"), *_column(declared, "type_alias")}
-    own = known.intersection(_column(declared, "location"))
-    found: list[Row] = []
-    for name in _column(declared, "component_class"):
-        inside = [] if name in known else sorted(other for other in own if other.endswith(f"::{name}"))
-        found += [(each,) for each in inside or [name]]
-    return found
-
-
-class _Program:
-    """The declarations by what is asked for, and the functions found so far."""
+class Declarations:
+    """The declarations of all sources, by what is asked for to find live code."""
 
     def __init__(self, declared: Rows) -> None:
-        self.declared = declared
         self.names = _multimap(_pairs(declared, "function_name"))
         self.named = _multimap((_last(name), function) for function, names in self.names.items() for name in names)
-        self.defined = {row[0] for row in declared.get("function_defined", ())}
+        self.defined = set(_column(declared, "function_defined"))
         self.overriding = _multimap((overridden, function) for function, overridden in _pairs(declared, "function_overrides"))
         self.methods = _multimap((owner, function) for function, owner in _pairs(declared, "function_class"))
         self.bases = _multimap(_pairs(declared, "class_base"))
@@ -109,23 +90,54 @@ class _Program:
         self.field_types = _multimap((owner, kind) for field, owner in _pairs(declared, "field_class") for kind in kinds.get(field, ()))
         self.classes_of = _multimap(_pairs(declared, "type_class"))
         self.inner = _multimap([*_pairs(declared, "type_inner", 2), *_pairs(declared, "type_argument", 2)])
+        self.aliased = _multimap(_pairs(declared, "type_alias"))
+        self.entries = tuple(_column(declared, "program_entry"))
+        self.classes = {*_column(declared, "class"), *self.aliased}
+        self.placed = self.classes.intersection(_column(declared, "location"))
+
+    def entry_classes(self, own: Rows) -> list[Row]:
+        """The classes that a component starts with. One that its registration names without a namespace is looked for in all of them."""
+        found: list[Row] = []
+        for name in _column(own, "component_class"):
+            inside = [] if name in self.classes else sorted(other for other in self.placed if other.endswith(f"::{name}"))
+            found += [(each,) for each in inside or [name]]
+        return found
+
+    def live_functions(self, own: Rows, mentions: Mapping[str, Iterable[Mentions]]) -> set[str]:
+        """The functions whose code may run in a component with its `own` rows, by what each mentions; "" is code outside of them."""
+        program = _Program(self)
+        program.enter(own)
+        for mentioned in mentions.get("", ()):
+            program.mention(mentioned)
+        while program.waiting:
+            function = program.waiting.pop()
+            program.stand_in(function)
+            for mentioned in mentions.get(function, ()):
+                program.mention(mentioned)
+        return program.live
+
+
+class _Program:
+    """The functions found so far."""
+
+    def __init__(self, declared: Declarations) -> None:
+        self.declared = declared
         self.live: set[str] = set()
         self.waiting: list[str] = []
         self.seen_names: set[str] = set()
         self.seen_classes: set[str] = set()
         self.seen_types: set[str] = set()
 
-    def enter(self) -> None:
+    def enter(self, own: Rows) -> None:
         """Where the component starts; objects of its class are made by a library, and whatever a library has may be called."""
-        self.reach([str(row[0]) for row in self.declared.get("program_entry", ())])
+        self.reach(self.declared.entries)
         self.mention_name("main")
-        if any(row[2] == LIBRARY for row in self.declared.get("component", ())):
-            self.reach(map(str, self.defined))
-        aliased = _multimap(_pairs(self.declared, "type_alias"))
-        for name in _column(self.declared, "component_class"):
+        if any(row[2] == LIBRARY for row in own.get("component", ())):
+            self.reach(self.declared.defined)
+        for (name,) in self.declared.entry_classes(own):
             self.mention_name(REGISTERS_TREE_NODES)
-            self.mention_classes([name])
-            self.mention_types(aliased.get(name, ()))
+            self.mention_classes([str(name)])
+            self.mention_types(self.declared.aliased.get(str(name), ()))
 
     def mention(self, mentioned: Mentions) -> None:
         self.reach(mentioned.functions)
@@ -142,9 +154,9 @@ class _Program:
 
     def stand_in(self, function: str) -> None:
         """What may run in the place of a function: what overrides it, and where only its declaration is known all of its name."""
-        self.reach(self.overriding.get(function, ()))
-        if function not in self.defined:
-            for name in self.names.get(function, ()):
+        self.reach(self.declared.overriding.get(function, ()))
+        if function not in self.declared.defined:
+            for name in self.declared.names.get(function, ()):
                 self.mention_name(name)
 
     def mention_name(self, name: str) -> None:
@@ -152,7 +164,7 @@ class _Program:
         name = _last(name)
         if name not in self.seen_names:
             self.seen_names.add(name)
-            self.reach(self.named.get(name, ()))
+            self.reach(self.declared.named.get(name, ()))
 
     def mention_classes(self, classes: Iterable[str]) -> None:
         """Classes with what they consist of."""
@@ -162,9 +174,9 @@ class _Program:
             if found in self.seen_classes:
                 continue
             self.seen_classes.add(found)
-            self.reach(self.methods.get(found, ()))
-            waiting += self.bases.get(found, ())
-            for kind in (*self.base_types.get(found, ()), *self.field_types.get(found, ())):
+            self.reach(self.declared.methods.get(found, ()))
+            waiting += self.declared.bases.get(found, ())
+            for kind in (*self.declared.base_types.get(found, ()), *self.declared.field_types.get(found, ())):
                 waiting += self._classes_within(kind)
 
     def mention_types(self, types: Iterable[str]) -> None:
@@ -178,8 +190,8 @@ class _Program:
             found = waiting.pop()
             if found not in self.seen_types:
                 self.seen_types.add(found)
-                yield from self.classes_of.get(found, ())
-                waiting += self.inner.get(found, ())
+                yield from self.declared.classes_of.get(found, ())
+                waiting += self.declared.inner.get(found, ())
 
 
 def _last(name: str) -> str:

@@ -36,7 +36,7 @@ from rosarch.extractor.sources import Sources, diagnostics
 from rosarch.extractor.survey import Survey, survey
 from rosarch.extractor.underlay import Underlay
 from rosarch.extractor.unit_index import UnitIndex
-from rosarch.extractor.unit_store import Makers, read_left_out, read_rows
+from rosarch.extractor.unit_store import Makers, UnitRows
 from rosarch.extractor.units import Outcome, UnitFile
 from rosarch.extractor.workspace import Component, Diagnostic, Workspace
 from rosarch.extractor.workspace.built import Built
@@ -65,12 +65,12 @@ class ComponentFacts:
         """The bytes of all that was read for it."""
         return sum(map(os.path.getsize, self.units))
 
-    def rows(self) -> Rows:
-        """The facts of the component.
+    def rows(self, files: UnitRows | None = None) -> Rows:
+        """The facts of the component; `files` are what its `units` hold, where that was read for another one.
 
         Code that nothing in it mentions and message classes and configurations that it never names are left out.
         """
-        rows = read_rows(self.units, self.own)
+        rows = (files or UnitRows(self.units)).of(self.own)
         classes = {row[0] for row in rows["class"]} | {row[1] for row in rows["type_class"]}
         rows["message_class"] = {row for row in rows["message_class"] if row[0] in classes}
         types = {row[2] for row in rows["message_class"]}
@@ -79,9 +79,9 @@ class ComponentFacts:
             rows.update(self.fields.used(rows["message_class"]))
         return rows
 
-    def left_out(self, makers: Makers) -> list[tuple[str, str, int, int]]:
+    def left_out(self, makers: Makers, files: UnitRows | None = None) -> list[tuple[str, str, int, int]]:
         """Where code that `rows` leaves out makes ports: the name of the function, then path, line and column. Of an unused source: all."""
-        return sorted(set(read_left_out(self.units, self.own, makers, unused=self.kind == UNUSED)))
+        return sorted(set((files or UnitRows(self.units)).left_out(self.own, makers, unused=self.kind == UNUSED)))
 
 
 @dataclass

@@ -19,7 +19,7 @@ from typing import Any
 from rosarch.base.cache import Cache
 from rosarch.base.seal import below_seal, sealed
 from rosarch.base.whole import write_whole
-from rosarch.extractor.live_code import Mentions, by_function, entry_classes, live_functions, mentions_of
+from rosarch.extractor.live_code import DECLARED, Declarations, Mentions, by_function, mentions_of
 
 Row = tuple[str | int, ...]
 Rows = Mapping[str, Iterable[Row]]
@@ -61,35 +61,68 @@ class UnitStore:
         write_whole(self.path(key), sealed(data))
 
 
-def read_rows(paths: Iterable[Path], own: Rows) -> dict[str, AbstractSet[Row]]:
-    """The rows in files of units and headers of a component and its own, but for those of functions that are not live (see `live_code`).
+class UnitRows:
+    """The rows in files of units and headers, each read once: for all components that consist of these."""
 
-    They come in the order of the files, so that who goes through them finds neighbours in memory side by side.
-    """
-    pieces, _, bodies, live = _read(paths, own)
-    for function, compiled in bodies.items():
-        if function in live:
-            for body in compiled:
-                _add(pieces, marshal.loads(body))
-    # equal identifiers mean equal entities
-    return defaultdict(set, {relation: dict.fromkeys(chain.from_iterable(found)).keys() for relation, found in pieces.items()})
+    def __init__(self, paths: Iterable[Path]) -> None:
+        self._outside: list[Rows] = []
+        self._mentions: dict[str, list[Mentions]] = defaultdict(list)
+        self._packed: dict[str, list[bytes]] = defaultdict(list)
+        self._bodies: dict[str, list[Rows]] = {}
+        for path in paths:
+            _, rest, bodies = _parts(path)
+            outside, mentioned = marshal.loads(rest)
+            self._outside.append(outside)
+            for function, found in mentioned.items():
+                self._mentions[function].append(Mentions(*found))
+            for function, body in bodies.items():
+                self._packed[function].append(body)
 
+    def of(self, own: Rows) -> dict[str, AbstractSet[Row]]:
+        """The rows of a component, with its `own`, but for those of functions that are not live (see `live_code`).
 
-def read_left_out(paths: Iterable[Path], own: Rows, makers: Makers, *, unused: bool) -> Iterator[tuple[str, str, int, int]]:
-    """Where functions that are not live call what makes a port: name of the function, then path, line and column.
+        They come in the order of the files, so that who goes through them finds neighbours in memory side by side.
+        """
+        live = self._declarations.live_functions(own, self._mentions)
+        bodies = (body for function in self._packed if function in live for body in self._unpacked(function))
+        pieces: dict[str, list[Iterable[Row]]] = defaultdict(list)
+        for part in chain([own], self._outside, bodies):
+            for relation, found in part.items():
+                pieces[relation].append(found)
+        if "component_class" in own:
+            pieces["component_class"] = [self._declarations.entry_classes(own)]
+        # equal identifiers mean equal entities
+        return defaultdict(set, {relation: dict.fromkeys(chain.from_iterable(found)).keys() for relation, found in pieces.items()})
 
-    Of an `unused` source no function is live.
-    """
-    _, declared, bodies, live = _read(paths, own)
-    names, files = _first_to_second(declared, "function_name"), _first_to_second(declared, "source_file")
-    for function, compiled in bodies.items():
-        if unused or function not in live:
-            for body in map(marshal.loads, filter(makers.may_be_in, compiled)):
+    def left_out(self, own: Rows, makers: Makers, *, unused: bool) -> Iterator[tuple[str, str, int, int]]:
+        """Where functions that are not live call what makes a port: name of the function, then path, line and column.
+
+        Of an `unused` source no function is live.
+        """
+        live = set() if unused else self._declarations.live_functions(own, self._mentions)
+        declared = self._declared("function_name", "source_file", own=own)
+        names, files = _first_to_second(declared, "function_name"), _first_to_second(declared, "source_file")
+        for function, packed in self._packed.items():
+            for body in map(marshal.loads, filter(makers.may_be_in, packed)) if function not in live else ():
                 places = {row[0]: row[1:] for row in body.get("location", ()) if row[1] in files}
                 for call in makers.calls(body, names):
                     if call in places:
                         file, line, column = places[call]
                         yield names.get(function, function), files[file], line, column
+
+    @cached_property
+    def _declarations(self) -> Declarations:
+        return Declarations(self._declared(*DECLARED))
+
+    def _declared(self, *relations: str, own: Rows | None = None) -> dict[str, list[Row]]:
+        """What these relations hold outside of functions."""
+        parts = [*([own] if own else []), *self._outside]
+        return {relation: [row for part in parts for row in part.get(relation, ())] for relation in relations}
+
+    def _unpacked(self, function: str) -> list[Rows]:
+        if function not in self._bodies:
+            self._bodies[function] = list(map(marshal.loads, self._packed[function]))
+        return self._bodies[function]
 
 
 @dataclass(frozen=True)
@@ -117,35 +150,6 @@ class Makers:
 
 def _first_to_second(rows: Rows, relation: str) -> dict[str, str]:
     return {str(row[0]): str(row[1]) for row in rows.get(relation, ())}
-
-
-_Pieces = dict[str, list[Iterable[Row]]]
-
-
-def _read(paths: Iterable[Path], own: Rows) -> tuple[_Pieces, dict[str, list[Row]], dict[str, list[bytes]], set[str]]:
-    """Pieces of what is outside of functions, the same in one, the packed rows of each function, and which of these are live."""
-    pieces: _Pieces = defaultdict(list)
-    mentions: dict[str, list[Mentions]] = defaultdict(list)
-    bodies: dict[str, list[bytes]] = defaultdict(list)
-    _add(pieces, own)
-    for path in paths:
-        _, rest, own_bodies = _parts(path)
-        outside, mentioned = marshal.loads(rest)
-        _add(pieces, outside)
-        for function, found in mentioned.items():
-            mentions[function].append(Mentions(*found))
-        for function, body in own_bodies.items():
-            bodies[function].append(body)
-    declared = {relation: list(chain.from_iterable(found)) for relation, found in pieces.items()}
-    if "component_class" in declared:
-        declared["component_class"] = entry_classes(declared)
-        pieces["component_class"] = [declared["component_class"]]
-    return pieces, declared, bodies, live_functions(declared, mentions)
-
-
-def _add(pieces: dict[str, list[Iterable[Row]]], more: Mapping[str, Iterable[Row]]) -> None:
-    for relation, found in more.items():
-        pieces[relation].append(found)
 
 
 def _parts(path: Path) -> Any:

@@ -56,7 +56,9 @@ def condition(
 
 def both(first: Formula, second: Formula) -> Formula:
     """The conjunction; the conditions of `first` come first."""
-    return _simplify(_joined(one, other) for one in alternatives(first) for other in alternatives(second))
+    if first == TRUE or second == TRUE:
+        return second if first == TRUE else first
+    return _simplify(joined(one + other) for one in alternatives(first) for other in alternatives(second))
 
 
 def either(formulas: Iterable[Formula]) -> Formula:
@@ -64,52 +66,54 @@ def either(formulas: Iterable[Formula]) -> Formula:
     return _simplify(conjunction for formula in formulas for conjunction in alternatives(formula))
 
 
-def _joined(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tuple[Condition, ...] | None:
-    """Both conjunctions in one; None when they contradict each other, with nothing that may change between."""
-    known = {item.key for item in first}
-    stable = {item.key for item in first if item.stable}
-    if any(item.stable and item.opposite in stable for item in second):
-        return None
-    return first + tuple(item for item in second if item.key not in known)
+def joined(items: Iterable[Condition]) -> tuple[Condition, ...] | None:
+    """The conditions, each once; None when they contradict each other, with nothing that may change between."""
+    found: dict[tuple[str, str, bool], Condition] = {}
+    stable = set()
+    for item in items:
+        if item.stable:
+            if item.opposite in stable:
+                return None
+            stable.add(item.key)
+        found.setdefault(item.key, item)
+    return tuple(found.values())
 
 
 def _simplify(conjunctions: Iterable[tuple[Condition, ...] | None]) -> Formula:
     """Merge alternatives that differ in one condition, leave out those that others imply, and bound their number."""
     kept = list(dict.fromkeys(c for c in conjunctions if c is not None))
-    changed = True
-    while changed and len(kept) > 1:
-        changed = False
-        for index, first in enumerate(kept):
-            for other, second in enumerate(kept):
-                if index == other:
-                    continue
-                shorter = _without_opposite(first, second)
-                if shorter is not None:
-                    kept[other] = shorter
-                    changed = True
-        kept = _minimal(kept)
+    if len(kept) > 1:
+        kept = _merged(kept)
     if len(kept) > MOST_ALTERNATIVES:  # weaker, but still true: what all alternatives share
         kept = [_common(kept)]
     return from_alternatives(kept)
 
 
-def _without_opposite(first: tuple[Condition, ...], second: tuple[Condition, ...]) -> tuple[Condition, ...] | None:
-    """`second` without the condition that `first` makes superfluous: in `(a && b) || (a && !b && c)` the `!b`."""
-    keys = {item.key for item in second}
-    different = [item for item in first if item.key not in keys]
-    if len(different) == 1 and different[0].opposite in keys:
-        return tuple(item for item in second if item.key != different[0].opposite)
-    return None
+def _merged(kept: list[tuple[Condition, ...]]) -> list[tuple[Condition, ...]]:
+    """Alternatives without the conditions that others make superfluous, and without those that say more than another one.
 
-
-def _minimal(conjunctions: list[tuple[Condition, ...]]) -> list[tuple[Condition, ...]]:
-    """Leave out every conjunction that says more than another one."""
-    sets = [{item.key for item in conjunction} for conjunction in conjunctions]
-    return [
-        conjunction
-        for index, conjunction in enumerate(conjunctions)
-        if not any(sets[other] < sets[index] or (sets[other] == sets[index] and other < index) for other in range(len(sets)))
-    ]
+    In `(a && b) || (a && !b && c)` the `!b` is superfluous. Conditions are compared by numbers, which is many times as fast.
+    """
+    numbers: dict[tuple[str, str, bool], int] = {}
+    sets = [{numbers.setdefault(item.key, len(numbers)) for item in each} for each in kept]
+    opposites = {numbers[item.key]: numbers.get(item.opposite) for each in kept for item in each}
+    changed = True
+    while changed and len(kept) > 1:
+        changed = False
+        for first in sets:
+            for other, second in enumerate(sets):
+                different = first - second
+                if len(different) == 1 and (superfluous := opposites[different.pop()]) in second:
+                    kept[other] = tuple(item for item in kept[other] if numbers[item.key] != superfluous)
+                    second.remove(superfluous)
+                    changed = True
+        least = [
+            index
+            for index, own in enumerate(sets)
+            if not any(one < own or (one == own and other < index) for other, one in enumerate(sets))
+        ]
+        kept, sets = [kept[index] for index in least], [sets[index] for index in least]
+    return kept
 
 
 def _common(conjunctions: Sequence[tuple[Condition, ...]]) -> tuple[Condition, ...]:

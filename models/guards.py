@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rosarch.base.limits import deep_recursion
-from rosarch.base.logic import FALSE, TRUE, alternatives, atoms
+from rosarch.base.logic import FALSE, TRUE, alternatives, atoms, from_alternatives
 from rosarch.base.places import Place
-from rosarch.models.formula import Condition, Formula, both, condition, either, loosest
+from rosarch.models.formula import Condition, Formula, both, condition, either, joined, loosest
 from rosarch.models.machine.conditions import choice, constant
 from rosarch.models.normal import WORD, expanded, folded, normal_text, replaced, truth_of, with_values
 
@@ -60,17 +60,20 @@ class Way:
 
 def _given(items: Iterable[Condition], values: Mapping[str, str]) -> Formula:
     """A conjunction with the values of parameters in their places; what they decide is decided."""
-    found: Formula = TRUE
+    found: list[Condition] = []
     for item in items:
         before = item.meaning or item.text
         meaning = with_values(before, values)
-        truth = truth_of(meaning) if meaning != before else None
+        if meaning == before:
+            found.append(item)
+            continue
+        truth = truth_of(meaning)
         if truth is None:
-            meaning = folded(meaning) if meaning != before else meaning
-            found = both(found, condition(item.text, item.holds, item.place, stable=item.stable, meaning=meaning, words=item.words))
+            found.append(replace(item, meaning=folded(meaning)))
         elif truth != item.holds:
             return FALSE
-    return found
+    kept = joined(found)
+    return FALSE if kept is None else from_alternatives([kept])
 
 
 def _is_constant(value: str) -> bool:
