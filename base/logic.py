@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Generic, NoReturn, TypeAlias, TypeVar
+from typing import Generic, NoReturn, TypeAlias, TypeVar, cast
 
 Atom = TypeVar("Atom", covariant=True)
 Other = TypeVar("Other")
@@ -113,5 +113,5 @@ def alternatives(formula: Formula[Atom]) -> tuple[tuple[Atom, ...], ...]:
 def _conjunction(formula: Formula[Atom]) -> tuple[Atom, ...]:
     """The atoms of a conjunction."""
     if isinstance(formula, All) and not any(isinstance(part, All | Any | Not) for part in formula.parts):
-        return formula.parts  # so it is nearly always
+        return cast(tuple[Atom, ...], formula.parts)  # so it is nearly always
     return tuple(atoms(formula))

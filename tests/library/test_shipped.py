@@ -20,7 +20,10 @@ def ports(tmp_path: Path, rosarch: Callable, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.chdir(tmp_path)
 
     def found(content: str, **files: str) -> dict[str, set[tuple[str, str]]]:
-        launch = {"launch/main.launch.xml": f"<launch>{content}</launch>\n", **{name.replace("__", "/"): text for name, text in files.items()}}
+        launch = {
+            "launch/main.launch.xml": f"<launch>{content}</launch>\n",
+            **{name.replace("__", "/"): text for name, text in files.items()},
+        }
         write(Path("ws"), {"package.xml": MANIFEST.format("robot"), "CMakeLists.txt": "project(robot)\n", **launch})
         [system] = json.loads(rosarch("show", "graph", "ws", "--implicit", "--format", "json").out)
         names = {each["id"]: each["names"] for each in system["connectors"]}
