@@ -15,6 +15,7 @@ from typing import Any
 from rosarch.base.xml_reader import XmlError
 from rosarch.extractor.launch import elements, nodes
 from rosarch.extractor.launch.bridges import read_files
+from rosarch.extractor.launch.controllers import controllers_of_spawners
 from rosarch.extractor.launch.descriptions import note_worlds
 from rosarch.extractor.launch.files import Files
 from rosarch.extractor.launch.meant import files_meant, meshes_meant
@@ -220,14 +221,15 @@ def finished(state: State, references: Iterable[Reference]) -> Composition:
     """The result, with unknown parts of texts as the source writes them."""
     shown = state.unknowns.render
     nodes = tuple(_rendered_node(node, state) for node in state.nodes)
+    params = tuple(_rendered_param(setting, state) for settings in state.params.values() for setting in settings)
     return Composition(
         nodes=nodes,
         tests=tuple(_rendered_node(node, state) for node in state.tests),
-        controllers=tuple(_rendered_node(node, state) for node in state.controllers),
+        controllers=(*(_rendered_node(node, state) for node in state.controllers), *controllers_of_spawners(nodes, params)),
         controllers_asked=tuple(state.controllers_asked),
         hardware=tuple(state.hardware),
         hardware_unseen=state.hardware_unseen,
-        params=tuple(_rendered_param(setting, state) for settings in state.params.values() for setting in settings),
+        params=params,
         includes=tuple(replace(include, text=shown(include.text)) for include in state.includes),
         problems=tuple(state.problems),
         files=tuple(state.read),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from rosarch.extractor.launch.model import Condition, LaunchError, Place, Problem, World
@@ -13,10 +13,12 @@ from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.urdf.command import XacroCall, run
 from rosarch.extractor.urdf.document import DocumentError, Element, parse
 from rosarch.extractor.urdf.hardware import hardware
+from rosarch.extractor.urdf.plugins import SimulatorPlugin
 from rosarch.extractor.urdf.robots import Robot, robot
 from rosarch.extractor.urdf.writer import write
 
 _WORLDS = (".world", ".sdf")
+_MODEL = re.compile(r"^(model|package)://")
 _FOR_XACRO = re.compile(r"<xacro:|\$[({]")
 """What only xacro makes sense of."""
 
@@ -88,4 +90,47 @@ def note_worlds(state: State, texts: Iterable[str], lines: tuple[Place, ...], co
         except LaunchError as error:
             state.report(error, fatal=False)
             continue
-        state.worlds[path] = World(path, (*lines, state.here), conditions + state.own_conditions, found.plugins if found else ())
+        plugins = (*(found.plugins if found else ()), *_of_models(state, path, {path}))
+        state.worlds[path] = World(path, (*lines, state.here), conditions + state.own_conditions, plugins)
+
+
+def _of_models(state: State, path: str, seen: set[str]) -> Iterator[SimulatorPlugin]:
+    """The plug-ins of the models that a world or model includes, and of those that these include; none that was `seen`."""
+    try:
+        root = state.files.parsed(path, parse).root
+    except DocumentError:
+        return  # told where the world is read
+    for uri in _included(root):
+        file = _model_file(state, uri, path)
+        if file is None or file in seen:
+            continue
+        seen.add(file)
+        try:
+            found = robot_of_file(state, file, state.files.read_text(file))
+        except LaunchError as error:
+            state.report(error, fatal=False)
+            continue
+        yield from found.plugins if found else ()
+        yield from _of_models(state, file, seen)
+
+
+def _included(element: Element) -> Iterator[str]:
+    """What the elements `<include><uri>` name."""
+    for child in element.elements():
+        if element.tag == "include" and child.tag == "uri":
+            yield child.text().strip()
+        yield from _included(child)
+
+
+def _model_file(state: State, uri: str, near: str) -> str | None:
+    """The file of the model that `uri` names, in the package of what includes it, else in the only other one that has it."""
+    name = _MODEL.sub("", uri).strip("/")
+    end = name if name.endswith(".sdf") else f"{name}/model.sdf"
+    packages = state.files.packages
+    own = packages.of_file(near)
+    for folders in ([own] if own else [], packages.packages.values()):
+        paths = (path for folder in folders for path in packages.paths_in(folder).get(os.path.basename(end), ()))
+        found = {path for path in paths if path.endswith(f"/{end}")}
+        if found:
+            return found.pop() if len(found) == 1 else None
+    return None

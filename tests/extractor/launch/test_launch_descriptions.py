@@ -3,7 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from launch_builder import composed, params, problems
+from launch_builder import MANIFEST, composed, params, problems
 
 ROBOT = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:arg name="prefix" default="none"/>
@@ -129,3 +129,24 @@ def test_an_absent_package_in_a_description_is_an_absent_package(tmp_path: Path)
         robot_urdf='<robot xmlns:xacro="http://ros.org/wiki/xacro">\n  <xacro:include filename="$(find gone)/arm.xacro"/></robot>',
     )
     assert [(problem.kind, problem.subject) for problem in found.problems] == [("package", "gone")]
+
+
+def test_models_that_worlds_include(tmp_path: Path) -> None:
+    include = "<include><uri>{}</uri></include>".format
+    plugin = "<plugin name='p' filename='lib{}.so'/>".format
+    here, other = tmp_path / "here", tmp_path / "other"
+    models = {
+        here / "models/cart": f"<sdf><model name='cart'>{plugin('cart')}{include('model://laser')}{include('model://cart')}</model></sdf>",
+        here / "models/laser": f"<sdf><model name='laser'><link name='l'>{plugin('laser')}</link></model></sdf>",
+        other / "models/laser": f"<sdf><model name='laser'>{plugin('elsewhere')}</model></sdf>",
+        other / "models/lamp": f"<sdf><model name='lamp'>{plugin('lamp')}</model></sdf>",
+        other / "models/broken": "<sdf>",
+    }
+    for folder, text in models.items():
+        folder.mkdir(parents=True)
+        (folder / "model.sdf").write_text(text)
+    (other / "package.xml").write_text(MANIFEST.format("other"))
+    uris = ["model://sun", "model://cart", "package://other/models/lamp", "model://lamp/model.sdf", "model://broken"]
+    world = f"<sdf><world name='w'>{''.join(map(include, uris))}<!-- {include('model://none')} --></world></sdf>"
+    found = composed(tmp_path, '<node name="sim" pkg="gazebo_ros" type="gzserver" args="$(find here)/w.world"/>', w_world=world)
+    assert [plugin.filename for one in found.worlds for plugin in one.plugins] == ["libcart.so", "liblaser.so", "liblamp.so"]
