@@ -14,6 +14,7 @@ from rosarch.extractor.cxx.undefined_macros import Macros, undefined_macros
 from rosarch.extractor.cxx.unit import SourceFile, UnitFacts
 
 _ERROR = 3
+_CALL = re.compile(rb"\b([A-Za-z_]\w*)\s*(?:<[^;{}()]*>\s*)?\(")
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,7 @@ class Unseen:
         return {name: body for _, macros in self.files for name, body in macros.bodies(unknown).items()}
 
     def add_facts(self, facts: UnitFacts, parsed: libclang.Unit) -> None:
-        """Add the macros that stand for something, and the bodies of functions that the walk of `parsed` did not meet, to the facts."""
+        """Add what the walk of `parsed` did not meet: macros that stand for something, bodies of functions, and what these call."""
         met: dict[int, set[int]] = {}
         for function in facts.functions:
             met.setdefault(id(function.file), set()).add(function.begin)
@@ -41,6 +42,8 @@ class Unseen:
                     errors = _errors(facts, parsed) if errors is None else errors
                     reason = _cause(errors.get(str(file.path), []), end)
                     facts.add("source_lost", str(file.key), file.line_column(begin)[0], file.line_column(end)[0], reason)
+                    for call in _CALL.finditer(hide(file.data[begin:end])):
+                        facts.add("lost_call", str(file.key), file.line_column(begin + call.start())[0], call.group(1).decode())
 
 
 def unseen(facts: UnitFacts, parsed: libclang.Unit, paths: Iterable[str]) -> Unseen:

@@ -17,6 +17,7 @@ from rosarch.extractor.python.inference import Inference
 from rosarch.extractor.python.model import Class, Function, Module, Symbol
 from rosarch.extractor.python.normal import name_what_texts_name
 from rosarch.extractor.python.program import Program
+from rosarch.extractor.python.records import give_constructors
 from rosarch.extractor.python.scopes import open_module
 from rosarch.extractor.python.source import Problem, read_source
 from rosarch.extractor.workspace.model import PythonEntry
@@ -53,6 +54,7 @@ def _read(root: Path, entry: PythonEntry, name: str, path: Path, problems: list[
         for line, column in _dynamic_imports(nodes):
             problems.append((str(path), line, column, "imports a module by a name that is made up at run time; it is not read"))
     name_what_texts_name(parsed.tree)
+    give_constructors(parsed.tree)
     relative = path_text(shown_path(root, path))
     main = path == entry.file and entry.function is None
     module = Module(name, parsed.tree, file_key(relative), relative, tuple(parsed.data.split(b"\n")), main, path.name == "__init__.py")

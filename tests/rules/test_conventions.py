@@ -30,6 +30,7 @@ ELSEWHERE = {
     "macro_undefined": "tests/extractor/cxx/test_undefined_macros.py",
     "awaited": "tests/rules/sources/answers_that_are_awaited.py",
     "source_lost": "tests/extractor/cxx/test_undefined_macros.py",
+    "lost_call": "tests/extractor/cxx/test_undefined_macros.py",
     "module_member_absent": "tests/rules/packages/python_members/scripts/stock.py",
     "call_misfits": "tests/rules/packages/python_calls/scripts/filler.py",
     # the configuration of a node, which no source has

@@ -152,5 +152,8 @@ def test_a_macro_of_a_branch_that_is_not_compiled(extract) -> None:
 
 
 def test_a_body_that_is_lost(extract) -> None:
-    facts = extract("typedef int T;\nint T::f() {\n  return 1;\n}\nint g() {\n  return 2;\n}\n")
+    facts = extract(
+        'typedef int T;\nint T::f() {\n  return 1 + one::twice<std::vector<int>>("g(");  // h(\n}\nint g() {\n  return k(2);\n}\n'
+    )
     assert facts["source_lost"] == [("@", 2, 4, "'T' (aka 'int') is not a class, namespace, or enumeration")]
+    assert facts["lost_call"] == [("@", 3, "twice")]
