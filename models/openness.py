@@ -14,6 +14,7 @@ _REASONS = {
     "base": "the base class {} was not seen",
     "makes": "{}, which was not seen, makes ports of its own",
     "call": "the call of {} was not understood",
+    "otherwise": "a port may have another name: {}",
     "import": "{} imports a module whose name is not known",
     "member": "a method of {} is called whose name is not known",
     "source": "the source was not analysed: {}",
