@@ -208,11 +208,15 @@ class Calls(Expressions):
     # -- modules --------------------------------------------------------------------------------------------------------------
 
     def module(self, name: str, frame: Frame, place: Place | None = None) -> Any:
-        """A module by its full name: one that is known here, one of the workspace, or unknown; `place` imports it."""
+        """A module by its full name: one that is known here, one of the workspace, or unknown; `place` imports it.
+
+        What a helper imports comes with it.
+        """
         first = name.partition(".")[0]
         if first in _LAUNCH or name in KNOWN_MODULES:
             return Module(name)
-        if place is not None:
+        if place is not None and not frame.module.is_helper:
+            self.asked_at = place
             self.world.import_from(first, place)
         if name in self.modules:
             return Module(name, self.modules[name])
@@ -277,7 +281,7 @@ class Calls(Expressions):
         if isinstance(function, Class):
             return self.instance(function, arguments, named, self.place(node, frame))
         if isinstance(function, Native):
-            if frame.module.is_launch_file:
+            if frame.module.is_launch_file or frame.module.is_helper:
                 self.world.here(self.place(node, frame))
             named.pop(MORE, None)
             found = function.call(self, *arguments, **named)

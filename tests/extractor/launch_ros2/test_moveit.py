@@ -47,6 +47,8 @@ def _composed(folder: Path, body: str, **changed: str | None) -> Composition:
     package = folder / "arm_moveit_config"
     (folder / "moveit_configs_utils/default_configs").mkdir(parents=True)
     (folder / "moveit_configs_utils/package.xml").write_text(MANIFEST.format("moveit_configs_utils"))
+    (folder / "launch_param_builder").mkdir()
+    (folder / "launch_param_builder/package.xml").write_text(MANIFEST.format("launch_param_builder"))
     (folder / "moveit_configs_utils/default_configs/ompl_planning.yaml").write_text("")
     files |= {f"launch/{name}.launch.py": text for name, text in launches.items()}
     files |= {"package.xml": MANIFEST.format("arm_moveit_config"), "launch/main.launch.py": HEAD + body}
@@ -147,3 +149,12 @@ def generate_launch_description():
     assert params(found) == {"/arm/found": ["1", "1", "2", "text", "True", "b", "c", "2"]}
     broken = _composed(tmp_path / "other", "import xml.etree.ElementTree as ET\n" + _returning("ET.fromstring('<a>')"))
     assert any("ParseError" in str(problem) for problem in broken.problems)
+
+
+def test_what_a_helper_misses_is_told_where_the_launch_file_asks_for_it(tmp_path: Path) -> None:
+    (tmp_path / "bare").mkdir()
+    (tmp_path / "bare/package.xml").write_text(MANIFEST.format("bare"))
+    config = "    config = MoveItConfigsBuilder('arm', package_name='bare').to_moveit_configs()\n"
+    found = _composed(tmp_path, f"def generate_launch_description():\n{config}    return generate_rsp_launch(config)\n")
+    places = {str(problem).replace(str(tmp_path), "").partition(": ")[0] for problem in found.problems}
+    assert places == {"/arm_moveit_config/launch/main.launch.py:10:14"}
