@@ -198,10 +198,10 @@ def _best_rates(rates: _Rates) -> tuple[tuple[float | None, str | None], ...]:
 
 
 def _best_rate(rates: _Rates) -> tuple[float | None, str | None]:
-    """A known frequency if there is one, with the parameter it may be read from."""
+    """A known frequency if there is one, with the parameter it may be read from: what a variable begins with gives way to that."""
+    parameter = min((name for _, name in rates if name), default=None)
     known = [rate for rate in rates if rate[0] is not None]
-    parameters = sorted({parameter for _, parameter in rates if parameter})
-    return (known[0][0] if known else None), (parameters[0] if parameters else None)
+    return next((hz for hz, name in known if name == parameter), known[0][0] if known else None), parameter
 
 
 def _reactive(

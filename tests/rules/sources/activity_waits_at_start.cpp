@@ -10,7 +10,7 @@
 // expect: Count = count : { _main_loop(H) }, Count = 1
 // expect: N = count : { _done_before(_, _) }, N = 2
 // expect-not: _comparison(_, _, _, _)
-// expect: 14 = count : { control_dependence(_, _, _, _) }
+// expect: 15 = count : { control_dependence(_, _, _, _) }
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <unistd.h>
