@@ -3,8 +3,9 @@
     ROSARCH_ROS2_PYTHON=PYTHON benchmarks/recovered_ros2.py CHECKOUT... [--node NAME] [--set PACKAGE/NAME:PARAMETER:=VALUE] [--misses]
 
 Each entry point of each Python package of a checkout runs for some seconds in a domain of its own on loopback. Its ports, their types and
-qualities of service, and its parameters are those of the graph at any time. Programs that fail at once, as when a package is missing, are
-listed. Nothing is built or installed.
+qualities of service, and its parameters are those of the graph at any time; what is filled has a name that the model leaves open. Its
+timers and their periods are those that it makes, but for rates, which are loops, and for what parameters say that `--set` gives. Programs
+that fail at once, as when a package is missing, are listed. Nothing is built or installed.
 """
 
 from __future__ import annotations
@@ -32,9 +33,17 @@ from rosarch.observation.rpc import CallError
 
 OF_THE_GRAPH = ("reliability", "durability")
 """The policies that a graph shows."""
-RUN = """import os, pty, sys, time
+RUN = """import json, os, pty, sys, time
 os.dup2(pty.openpty()[1], 0)
 import rclpy, rclpy.context, rclpy.node
+create_timer = rclpy.node.Node.create_timer
+def noted(self, period, *given, **named):
+    frame = sys._getframe(1)
+    if "/rclpy/" not in frame.f_code.co_filename:
+        with open({timers!r}, "a") as file:
+            print(json.dumps([frame.f_code.co_filename, frame.f_lineno, period]), file=file)
+    return create_timer(self, period, *given, **named)
+rclpy.node.Node.create_timer = noted
 for kind, names in ((rclpy.context.Context, ("shutdown", "try_shutdown", "__exit__")), (rclpy.node.Node, ("destroy_node",))):
     for name in names:
         setattr(kind, name, lambda *_, **__: None)
@@ -47,7 +56,8 @@ except Exception as error:
 if rclpy.ok():
     time.sleep(60)
 """
-"""Runs a program with a terminal, as some nodes read keys, and keeps its nodes when it is through: some are there for a moment only."""
+"""Runs a program with a terminal, as some nodes read keys, and keeps its nodes when it is through: some are there for a moment only. Timers
+are noted with the line that makes them."""
 
 
 def programs(root: Path) -> Iterator[tuple[str, str, str, str]]:
@@ -66,7 +76,7 @@ def compared(root: Path, program: tuple[str, str, str, str], words: list[str], s
     """What `rosarch compare` and the model's qualities come to; a text where the node cannot be looked at."""
     package, name, module, function = program
     with tempfile.TemporaryDirectory() as folder, free_domain() as domain:
-        log, launch = Path(folder, "log"), Path(folder, "main.launch.xml")
+        log, launch, timers = Path(folder, "log"), Path(folder, "main.launch.xml"), Path(folder, "timers")
         args = f" args={quoteattr(shlex.join(words))}" if words else ""
         launch.write_text(f'<launch><node pkg="{package}" exec="{name}"{args}/></launch>', encoding="utf-8")
         path = os.pathsep.join(modules(root))
@@ -75,7 +85,7 @@ def compared(root: Path, program: tuple[str, str, str, str], words: list[str], s
         command = [
             python_with_ros(),
             "-c",
-            RUN.format(name=name, module=module, function=function),
+            RUN.format(name=name, module=module, function=function, timers=str(timers)),
             *words,
         ]
         with Participant(python_with_ros(), domain, private=True) as participant, Process(command, Path(folder), log, given) as process:
@@ -91,6 +101,7 @@ def compared(root: Path, program: tuple[str, str, str, str], words: list[str], s
                 return f"rosarch compare exits with {code}: {err.getvalue().strip().splitlines()[-1:]}"
             found: dict[str, Any] = json.loads(out.getvalue())
             found["qualities"] = participant.ask("graph", parameters=False)["qualities"]
+            found["timers"] = [json.loads(line) for line in timers.read_text(encoding="utf-8").splitlines()] if timers.exists() else []
             return found
 
 
@@ -136,6 +147,21 @@ def apart_in_quality(model: dict[str, Any], qualities: list[Any]) -> tuple[int, 
     return count, apart
 
 
+def apart_in_timers(model: dict[str, Any], timers: list[tuple[str, int, float]], given: set[str]) -> tuple[int, list[str]]:
+    """How many timers were compared, and those that the model has not, or with another rate; those of `given` parameters have that."""
+    count, apart = 0, []
+    loops = [*(model.get("periodic") or ()), *(model.get("one_shot") or ())]
+    for file, line, period in timers:
+        same = [one for one in loops if str(one.get("at")).rpartition(":")[2] == str(line) and file.endswith(one["at"].rpartition(":")[0])]
+        if any(one.get("hz_from_param", one.get("after_from_param")) in given for one in same):
+            continue
+        count += 1
+        told = {1 / one["hz"] if one.get("hz") else one.get("after") for one in same if one.get("hz") or one.get("after")}
+        if not any(abs(each - period) <= period / 1000 for each in told):
+            apart.append(f"timer {Path(file).name}:{line} of {period} s: {' '.join(f'{each:g} s' for each in told) or 'none'}")
+    return count, apart
+
+
 def main() -> None:
     """Run each node, and count."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
@@ -148,7 +174,7 @@ def main() -> None:
     if VARIABLE not in os.environ:
         raise SystemExit(f"{VARIABLE} names no Python with rclpy")
     total: Counter[tuple[str, str]] = Counter()
-    nodes, quality, differing = 0, 0, 0
+    nodes, quality, differing, timers, differing_timers = 0, 0, 0, 0, 0
     for root in given.checkout:
         with tempfile.TemporaryDirectory() as folder:
             known = models(root, Path(folder))
@@ -169,20 +195,23 @@ def main() -> None:
             total += outcomes
             count, apart = apart_in_quality(known.get(program[:2], {}), found["qualities"])
             quality, differing = quality + count, differing + len(apart)
+            count, otherwise = apart_in_timers(known.get(program[:2], {}), found["timers"], {each.partition(":=")[0] for each in assigned})
+            timers, differing_timers = timers + count, differing_timers + len(otherwise)
             confirmed = sum(n for (_, outcome), n in outcomes.items() if outcome == "confirmed")
             print(f"{title}: {confirmed} of {sum(outcomes.values())} [{time.monotonic() - begin:.0f} s]", flush=True)
             for element in found["elements"]:
                 if element["outcome"] != "confirmed":
                     print(f"    {element['outcome']} {element['kind']} {element['name']}  {'; '.join(element['reasons'])}")
             wrong = [f"{each['check']} {each['message']}" for each in found["contradictions"]]
-            for line in dict.fromkeys((*apart, *wrong)):
+            for line in dict.fromkeys((*apart, *otherwise, *wrong)):
                 print(f"    {line}")
     print(f"{nodes} nodes")
     for kind in sorted({kind for kind, _ in total}):
         confirmed, filled, missed, unseen = (total[kind, outcome] for outcome in ("confirmed", "filled", "missed", "unseen"))
-        missed += filled
-        print(f"{kind:16} predicted {confirmed + unseen:4}  seen {confirmed + missed:4}  missed {missed:3}  unseen {unseen:3}")
+        seen = confirmed + filled + missed
+        print(f"{kind:16} predicted {confirmed + unseen:4}  seen {seen:4}  filled {filled:3}  missed {missed:3}  unseen {unseen:3}")
     print(f"qualities        compared {quality:4}  differing {differing}")
+    print(f"timers           compared {timers:4}  differing {differing_timers}")
 
 
 if __name__ == "__main__":

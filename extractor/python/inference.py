@@ -356,7 +356,10 @@ class Inference:
         if isinstance(symbol, Function):
             return self.returns(symbol) if symbol.is_property else frozenset({FunctionValue(symbol, bound=symbol.kind != "static_method")})
         if isinstance(symbol, Variable):
-            return self.variable(field_of(cls, symbol))
+            # until it is set, an object has the method that its class inherits under this name
+            covered = cls.find(name, above=True) if cls.member(name) is symbol else None
+            inherited = {FunctionValue(covered, bound=True)} if isinstance(covered, Function) and covered.kind == "method" else NOTHING
+            return self.variable(field_of(cls, symbol)) | inherited
         return frozenset({ClassValue(symbol)}) if isinstance(symbol, Class) else NOTHING
 
     def callee_values(self, node: ast.Call, scope: Scope) -> Values:
