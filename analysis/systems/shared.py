@@ -271,7 +271,10 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
 
     diagnostics: list[Diagnostic] = []
     builds: dict[Path, Built] = {}
-    underlay = method.sources.underlay.without(PackagePath([root]).own)
+    own = PackagePath([root]).own
+    underlay = method.sources.underlay.without(own)
+    # where nothing is started, the packages show all the same what keeps them from being built
+    asked = needed.packages if any(launch.composition.nodes for launch in launches) else set(own)
 
     @cache
     def surveyed(packages: tuple[str, ...] | None) -> Survey:
@@ -288,7 +291,7 @@ def _components(root: Path, launches: Sequence[Launch], needed: _Needed, method:
         return replace(found, models=kept)
 
     planner = Planner([launch.composition for launch in launches], Trees(root, underlay))
-    packages = tuple(sorted(needed.packages & (underlay.hidden | underlay.packages.keys())))
+    packages = tuple(sorted(asked & (underlay.hidden | underlay.packages.keys())))
     found = analyzed(packages, needed.is_needed, Wanted(after=planner.after))
     models = found.models
     tried: dict[_Key, set[NodeConfiguration]] = defaultdict(set)

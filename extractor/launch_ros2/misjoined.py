@@ -1,7 +1,7 @@
 """Paths and commands that a Python launch file puts together wrongly.
 
-`os.path.join` drops what is before an absolute path, a `Command` joins its parts without spaces, and a relative path of a file of
-parameters begins where launch is started.
+`os.path.join` drops what is before an absolute path, a `Command` joins its parts without spaces, a process is given its words one by one,
+and a relative path of a file of parameters begins where launch is started.
 """
 
 from __future__ import annotations
@@ -9,13 +9,14 @@ from __future__ import annotations
 import ast
 import os
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
 from rosarch.extractor.launch.model import Misjoined, Place
 
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNode", "ComposableNodeContainer"})
 _PROGRAM = re.compile(r"(?:ros2 run [\w-]+ )?[\w.-]*\w")
+_SEVERAL_WORDS = re.compile(r"\s*[\w.-]+\s+\S")
 _FOLDERS_ABOVE = 3
 
 
@@ -32,6 +33,10 @@ def misjoined(tree: ast.Module, path: str) -> Iterator[Misjoined]:
                 program = _program(first)
                 if program is not None and _begins_at_once(second, called):
                     yield _at(node, f"no space separates `{program}` from what follows in the command", path)
+            case ast.Call(func=ast.Name(id="ExecuteProcess") | ast.Attribute(attr="ExecuteProcess"), keywords=keywords):
+                program = _words_in_one({keyword.arg: keyword.value for keyword in keywords})
+                if program is not None:
+                    yield _at(node, f"`{program}` is taken for the name of one program: the words of a command are items of its list", path)
             case ast.Call(func=ast.Name(id=kind) | ast.Attribute(attr=kind), keywords=keywords) if kind in _NODES:
                 for keyword in keywords:
                     if keyword.arg == "parameters" and isinstance(keyword.value, (ast.List, ast.Tuple)):
@@ -51,6 +56,18 @@ def _program(node: ast.expr) -> str | None:
             return text
         case ast.Call(func=ast.Name(id="PathJoinSubstitution"), args=[ast.List(elts=[only])]) if isinstance(only, ast.Call):
             return _program(only)
+    return None
+
+
+def _words_in_one(given: Mapping[str | None, ast.expr]) -> str | None:
+    """The first word of a command that no shell takes apart, where it is several words."""
+    if None in given or not isinstance(given.get("shell", ast.Constant(False)), ast.Constant):
+        return None
+    match given.get("shell"), given.get("cmd"):
+        case ast.Constant(value=value), _ if value:
+            return None
+        case _, ast.List(elts=[ast.Constant(value=str(text)) | ast.List(elts=[ast.Constant(value=str(text)), *_]), *_]):
+            return text.strip() if _SEVERAL_WORDS.match(text) else None
     return None
 
 

@@ -57,6 +57,11 @@ def test_interfaces_that_are_not(tmp_path: Path) -> None:
         ("Dim.msg", 2, "field name", "a__b"),
         ("Dim.msg", 3, "field name", "ends_"),
     ]
+    types = "Header header\nHue hue\nstd_msgs/Header other\nstring<=4[] names\nchar letter\nDim[2] dims\n"
+    assert interfaces(tmp_path / "types", '"msg/Dim.msg" "msg/Hue.msg"', **{"msg/Dim.msg": types, "msg/Hue.msg": "time since\n"}) == [
+        ("Dim.msg", 1, "field type", "Header"),
+        ("Hue.msg", 1, "field type", "time"),
+    ]
     # a list that is not known leaves nothing out
     assert interfaces(tmp_path / "e", "${FILES}", **{"msg/Hue.msg": "float32 x\n"}) == []
 
@@ -197,6 +202,22 @@ setup(name='lens', packages=[], data_files=[
     assert [(each.path.name, each.line, each.kind, each.about) for each in of_build(one)] == [
         ("setup.py", 3, "install source", "gone.yaml")
     ]
+
+
+def test_targets_of_interfaces(tmp_path: Path) -> None:
+    made = "project(lamp)\nfind_package(rosidl_default_generators)\nrosidl_generate_interfaces({} msg/Dim.msg)\nadd_{}\nament_package()\n"
+    files = {"msg/Dim.msg": "float32 level\n", "src/lamp.cpp": "int main() {}\n"}
+
+    def of_lamp(name: str, target: str, command: str) -> list[tuple[int, str, str]]:
+        one = built(tmp_path / name, "lamp", "ament_cmake", GROUP, **{"CMakeLists.txt": made.format(target, command), **files})
+        return [(each.line, each.kind, each.about) for each in of_build(one)]
+
+    assert of_lamp("a", "${PROJECT_NAME}", "executable(lamp src/lamp.cpp)") == [(4, "target twice", "lamp")]
+    assert of_lamp("b", "lamp", "library(${PROJECT_NAME} src/lamp.cpp)") == [(4, "target twice", "lamp")]
+    assert of_lamp("c", "lamp_interfaces", "executable(lamp src/lamp.cpp)") == []
+    assert of_lamp("d", "lamp", "executable(lamp_node src/lamp.cpp)") == []
+    assert of_lamp("e", "lamp", "library(lamp SHARED IMPORTED)") == []
+    assert of_lamp("f", "${UNKNOWN}", "executable(lamp src/lamp.cpp)") == []
 
 
 def test_names_and_build_types(tmp_path: Path) -> None:

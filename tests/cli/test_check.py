@@ -156,6 +156,18 @@ def test_variables_of_the_environment(ws: Path, rosarch: Callable) -> None:
     assert heads(rosarch("check", ws).out) == [MISMATCH]
 
 
+def test_a_workspace_of_interfaces_alone(tmp_path: Path, rosarch: Callable) -> None:
+    folder = tmp_path / "levels" / "level_msgs"
+    (folder / "msg").mkdir(parents=True)
+    (folder / "msg" / "Level.msg").write_text("Header header\n")
+    group = "<member_of_group>rosidl_interface_packages</member_of_group><export><build_type>ament_cmake</build_type></export>"
+    (folder / "package.xml").write_text(f'<package format="3"><name>level_msgs</name>{group}</package>')
+    build = "project(level_msgs)\nfind_package(ament_cmake)\nrosidl_generate_interfaces(level_msgs msg/Level.msg)\nament_package()\n"
+    (folder / "CMakeLists.txt").write_text(build)
+    outcome = rosarch("check", tmp_path / "levels")
+    assert [line.rpartition("  ")[2] for line in heads(outcome.out)] == ["[interfaces-refused]"]
+
+
 def test_packages_elsewhere(ws: Path, tmp_path: Path, rosarch: Callable) -> None:
     other = tmp_path / "underlay" / "other"
     other.mkdir(parents=True)

@@ -16,7 +16,8 @@ from rosarch.extractor.workspace.installs import line_with
 
 _ADDED = {"msg": "add_message_files", "srv": "add_service_files", "action": "add_action_files"}
 _INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
-_FIELD = re.compile(r"[ \t]*[\w/]+(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
+_FIELD = re.compile(r"[ \t]*([\w/]+)(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
+_BASIC = re.compile(r"bool|byte|char|w?string|float(?:32|64)|u?int(?:8|16|32|64)")
 _FIELD_NAME = re.compile(r"[a-z](?:_?[a-z0-9])*")
 
 
@@ -28,7 +29,7 @@ def of_interfaces(package: Built) -> tuple[Defect, ...]:
 
 
 def _of_rosidl(package: Built) -> Iterator[Defect]:
-    """Interfaces of ROS 2 that do not exist, that no call lists, or that have a field with no proper name."""
+    """Interfaces of ROS 2 that do not exist, that no call lists, or that have a field with no proper name or type."""
     calls = package.called("rosidl_generate_interfaces")
     if not calls:
         return
@@ -45,7 +46,7 @@ def _of_rosidl(package: Built) -> Iterator[Defect]:
     for kind in _ADDED:
         for path in sorted((package.folder / kind).glob(f"*.{kind}")):
             if package.brings(f"share/{package.name}/{kind}/{path.name}"):
-                yield from _of_fields(path)
+                yield from _of_fields(path, package.folder)
             elif known:
                 yield Defect(calls[0].path, calls[0].line, "interface left out", f"{package.name}/{path.stem}")
 
@@ -64,8 +65,12 @@ def _of_catkin(package: Built) -> Iterator[Defect]:
         yield Defect(added[0].path, added[0].line, "interfaces not made", "")
 
 
-def _of_fields(path: Path) -> Iterator[Defect]:
+def _of_fields(path: Path, folder: Path) -> Iterator[Defect]:
     for number, written in enumerate(text_or_nothing(path).splitlines(), 1):
         field = _FIELD.match(written)
-        if field is not None and not field[2] and not _FIELD_NAME.fullmatch(field[1]):
-            yield Defect(path, number, "field name", field[1])
+        if field is None:
+            continue
+        if not field[3] and not _FIELD_NAME.fullmatch(field[2]):
+            yield Defect(path, number, "field name", field[2])
+        if "/" not in field[1] and not _BASIC.fullmatch(field[1]) and not any(folder.rglob(f"{field[1]}.*")):
+            yield Defect(path, number, "field type", field[1])

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from functools import lru_cache
 
 from rosarch.analysis.systems.builds.defect import Defect
 from rosarch.extractor.workspace.built import INSTALLED_FIRST, Built
 from rosarch.extractor.workspace.installs import line_with
+from rosarch.extractor.workspace.model import IMPORTED
 
 
 @lru_cache(maxsize=256)
@@ -29,4 +31,12 @@ def of_build(package: Built) -> tuple[Defect, ...]:
     projects = [call for call in package.called("project") if call.path == build and call.is_known and call.words]
     if projects and projects[0].words[0] != package.name:
         result.append(Defect(build, projects[0].line, "project name", projects[0].words[0]))
-    return tuple(result)
+    return (*result, *_made_twice(package))
+
+
+def _made_twice(package: Built) -> Iterator[Defect]:
+    """Programs and libraries that are called as the target which makes the interfaces."""
+    interfaces = {call.words[0] for call in package.called("rosidl_generate_interfaces") if call.is_known and call.words}
+    for target in package.targets:
+        if target.name in interfaces and target.kind != IMPORTED:
+            yield Defect(target.cmake_file, target.line, "target twice", target.name)
