@@ -84,9 +84,10 @@ def _give_constructor(node: ast.ClassDef, fields: tuple[_Field, ...], named: boo
     defaults = [deepcopy(field.default) for field in given]
     body: list[ast.stmt] = []
     for field in fields:
-        value = ast.Name(field.name, ast.Load()) if field.given else deepcopy(field.default)
+        here = field.written.target
+        value = ast.copy_location(ast.Name(field.name, ast.Load()), here) if field.given else deepcopy(field.default)
         if value is not None:
-            target = ast.Attribute(ast.Name("self", ast.Load()), field.name, ast.Store())
+            target = ast.copy_location(ast.Attribute(ast.Name("self", ast.Load()), field.name, ast.Store()), here)
             body.append(_placed(ast.Assign([target], value), field.written))
     if _has(node, "__post_init__"):
         call = ast.Call(ast.Attribute(ast.Name("self", ast.Load()), "__post_init__", ast.Load()), [], [])

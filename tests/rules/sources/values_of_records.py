@@ -1,5 +1,6 @@
 # Records are made with the values that their constructor is given, which no source says.
 #
+# expect: state Light::on = False
 # expect-only: subscriber
 from dataclasses import dataclass, field
 from typing import ClassVar, NamedTuple
@@ -49,6 +50,11 @@ class Foreigner(Foreign):
     sign: str = "sign"
 
 
+@dataclass
+class Light:
+    on: bool = False
+
+
 class Viewer:
     def __init__(self, camera: Camera, arm: LongArm, joined: Joined):
         rospy.Subscriber(camera.topic, String, self.on_text)  # expect: subscriber left
@@ -58,8 +64,13 @@ class Viewer:
         rospy.Subscriber(joined.full, String, self.on_text)  # expect: subscriber root/full
         rospy.Subscriber(joined.KIND, String, self.on_text)  # expect: subscriber joined
 
+        self.light = Light()
+        self.pub = rospy.Publisher("lit", String, queue_size=1)
+
     def on_text(self, message):
-        pass
+        if not self.light.on:
+            self.pub.publish(message)
+        self.light.on = True
 
 
 def by_default(camera: Camera):
