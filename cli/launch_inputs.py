@@ -47,7 +47,10 @@ def compose_folder(words: Sequence[str], around: Surroundings) -> dict[str, Comp
 
 
 def compose_words(words: Sequence[str], around: Surroundings) -> Composition:
-    """Compose the launch files among `words`; the others are arguments, `name:=value`."""
+    """Compose the launch files among `words`; the others are arguments, `name:=value`.
+
+    With ROS_VERSION of 2 among the variables that are given, `ros2 launch` starts them, whatever they are written for.
+    """
     from rosarch.extractor.launch import Files, PackagePath, compose
 
     names = [word for word in words if ":=" not in word]
@@ -57,7 +60,8 @@ def compose_words(words: Sequence[str], around: Surroundings) -> Composition:
     launch_files = [os.path.abspath(check_file(Path(name))) for name in names]
     variables = _variables(around.environment)
     files = Files(PackagePath(_package_path(around, _default_path(Path(names[0]), variables), variables), around.underlay))
-    composition = compose(launch_files, arguments, files=files, environment=variables, namespace=namespace)
+    version = 2 if parse_environment(around.environment).get("ROS_VERSION") == "2" else None
+    composition = compose(launch_files, arguments, files=files, environment=variables, namespace=namespace, version=version)
     for problem in composition.problems:
         if problem.kind == "xml" and problem.subject in launch_files:
             raise InputError(str(problem).removeprefix(f"{Path.cwd()}/"))

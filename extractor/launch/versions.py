@@ -37,14 +37,18 @@ def compose(
     files: Files,
     environment: Mapping[str, str] | None = None,
     namespace: str | None = None,
+    version: int | None = None,
 ) -> Composition:
-    """What roslaunch or `ros2 launch` would make of launch files, each by the version of ROS that it is for; see `compose.compose`."""
+    """What roslaunch or `ros2 launch` would make of launch files; see `compose.compose`.
+
+    Without the `version` of ROS that starts them, each is started by the one that it is for.
+    """
     compositions: list[Composition] = []
-    for version, found in itertools.groupby(launch_files, key=_version_or_none):
+    for own, found in itertools.groupby(launch_files, key=lambda path: version or _version_or_none(path)):
         group = list(found)
-        if version is None:
+        if own is None:
             composed = _left_behind(group)
-        elif version == 1:
+        elif own == 1:
             composed = compose_ros1(group, arguments, files=files.of_ros(1, group[0]), environment=environment, namespace=namespace)
         else:
             from rosarch.extractor.launch_ros2.compose import compose_ros2

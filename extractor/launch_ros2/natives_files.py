@@ -236,7 +236,18 @@ def xml_of(run: Calls, document: Made) -> Any:
 # -- texts as values ----------------------------------------------------------------------------------------------------------
 
 
-@native("yaml.safe_load", "yaml.load", "yaml.full_load")
+_WITH_YAML_6 = frozenset({"jazzy", "kilted", "rolling"})
+
+
+@native("yaml.load")
+def _load_so(run: Calls, source: Any, *loader: Any, **named: Any) -> Any:
+    """Since PyYAML 6, which is in the distributions since Jazzy, a loader must be given."""
+    if not (loader or named) and run.world.environment.get("ROS_DISTRO") in _WITH_YAML_6:
+        raise Raised("TypeError", "load() missing 1 required positional argument: 'Loader'")
+    return _load(run, source)
+
+
+@native("yaml.safe_load", "yaml.full_load")
 def _load(run: Calls, source: Any, *_more: Any, **_named: Any) -> Any:
     text = source.text if isinstance(source, TextFile) else source
     if not isinstance(text, str) or run.world.state.unknowns.is_open(text):

@@ -140,6 +140,18 @@ def test_environment(rosarch: Callable, tmp_path: Path) -> None:
     assert json.loads(outcome.out)["params"] == {"/a": "me", "/b": f"{tmp_path}/src"}
 
 
+def test_the_version_of_ros_that_starts_a_file(rosarch: Callable, tmp_path: Path) -> None:
+    folder = tmp_path / "src" / "arm"
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text("<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>")
+    (folder / "main.launch.xml").write_text('<launch><arg name="port" default="1"/><param name="port" value="$(arg port)"/></launch>')
+    words = ["launch", "src/arm/main.launch.xml", "--package-path", "src"]
+    assert rosarch(*words).code == 0
+    refused = rosarch(*words, "--env", "ROS_VERSION=2")
+    assert refused.code == 1
+    assert "unknown element <param> in <launch>" in refused.err
+
+
 def test_several_files(rosarch: Callable) -> None:
     outcome = rosarch("launch", "src/robot/launch/drivers.launch", "src/robot/launch/drivers.launch", "rate:=1")
     assert outcome.code == 1

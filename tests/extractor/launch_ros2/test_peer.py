@@ -145,6 +145,13 @@ def test_variables_that_are_set_wherever_launch_runs(tmp_path: Path) -> None:
     assert [problem.message for problem in found.problems] == ["environment variable `HOME` is not set"]
 
 
+def test_yaml_is_loaded_without_a_loader_before_jazzy(tmp_path: Path) -> None:
+    before = "loaded = yaml.load('{a: 1}')"
+    for distribution, said in (("humble", None), ("kilted", "TypeError: load() missing 1 required positional argument: 'Loader'")):
+        found = described(tmp_path, "node('n', parameters=[loaded])", before, environment={"ROS_DISTRO": distribution})
+        assert (found.refusal.message if found.refusal else None) == said
+
+
 def test_a_condition_that_asks_a_function(tmp_path: Path) -> None:
     before = "from launch import Condition\ndef asked(context):\n    return LaunchConfiguration('a').perform(context) == '1'"
     given = (
