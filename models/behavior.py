@@ -383,6 +383,9 @@ def _transitions(
     timers = _timers(relations, places)
     found: dict[_Change, set[str]] = defaultdict(set)
     timed: dict[_Change, set[Place]] = defaultdict(set)
+    rows: dict[str, dict[int, dict[str, str]]] = defaultdict(lambda: defaultdict(dict))
+    for assignment, row, part, text in sorted(relations.get("row_value", ())):
+        rows[assignment][row][part] = text
     elsewhere = defaultdict(set)
     for port, assignment in relations["done_for_others"]:
         elsewhere[assignment].add(ports.get(port, ""))
@@ -390,7 +393,7 @@ def _transitions(
         how, target, value = parts.get(assignment, ("call", "", ""))
         written = _value(how, texts.get(assignment), texts.get(target), texts.get(value)) or ""
         meant = _value(how, texts.get(assignment), texts.get(target), guards.meaning(value)) or ""
-        for way in _distinct_ways(guards.ways(root, assignment, meant)):
+        for way in _distinct_ways(guards.ways(root, assignment, meant), rows[assignment].values()):
             shown = written if way.value == meant or constant(way.value) is None else way.value
             change = _Change(assignment, variable, way.guard, shown or None, way.value or None, way.called)
             found[change].update(set(triggers.get(root, ())) - elsewhere[assignment])
@@ -421,11 +424,11 @@ class _Change:
     called: Place | None
 
 
-def _distinct_ways(ways: Collection[Way]) -> list[Way]:
-    """The ways to an assignment: one for each call that gives it a value of its own, or all in one."""
+def _distinct_ways(ways: Collection[Way], rows: Collection[Mapping[str, str]]) -> list[Way]:
+    """The ways to an assignment: one for each call, or row of a table, that gives it a value of its own, or all in one."""
     if len({way.value for way in ways}) == 1:
-        return [Way(formula.either(way.guard for way in ways), next(way.value for way in ways))]
-    return list(ways)
+        ways = [Way(formula.either(way.guard for way in ways), next(way.value for way in ways))]
+    return [each for way in ways for each in way.in_rows(rows)]
 
 
 def _timers(relations: Relations, places: Mapping[str, Place]) -> dict[str, set[Place]]:

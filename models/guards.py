@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from rosarch.base.limits import deep_recursion
@@ -54,16 +55,33 @@ class Way:
     def given(self, values: Mapping[str, str], fixed: Collection[str], called: Place | None) -> Way:
         """Seen from the caller: the words of conditions stay, their meaning gets the values; a constant is what an expression is."""
         constants = {name: value for name, value in values.items() if _is_constant(value)}
-        guard = either(_given(conjunction, values) for conjunction in alternatives(self.guard)) if values else self.guard
+        fill = partial(with_values, values=values)
+        guard = either(_given(conjunction, fill) for conjunction in alternatives(self.guard)) if values else self.guard
         return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), called)
 
+    def in_rows(self, rows: Iterable[Mapping[str, str]]) -> list[Way]:
+        """The ways for each row of a table that is searched, where what stands there is the value."""
+        found = []
+        for row in rows:
+            fill = partial(_filled, row=row)
+            guard = either(_given(conjunction, fill) for conjunction in alternatives(self.guard))
+            found.append(replace(self, guard=guard, value=fill(self.value)))
+        return [way for way in found if way.guard != FALSE] if any(way.value != self.value for way in found) else [self]
 
-def _given(items: Iterable[Condition], values: Mapping[str, str]) -> Formula:
-    """A conjunction with the values of parameters in their places; what they decide is decided."""
+
+def _filled(source: str, row: Mapping[str, str]) -> str:
+    """`source` with what a row of a table has in its places."""
+    for written, value in row.items():
+        source = replaced(source, written, value)
+    return source
+
+
+def _given(items: Iterable[Condition], fill: Callable[[str], str]) -> Formula:
+    """A conjunction with values in their places; what they decide is decided."""
     found: list[Condition] = []
     for item in items:
         before = item.meaning or item.text
-        meaning = with_values(before, values)
+        meaning = fill(before)
         if meaning == before:
             found.append(item)
             continue
