@@ -96,7 +96,10 @@ class World:
         """The folder of a package, where its `share` is from; a mark when it is not on the package path."""
         state = self.state
         if state.unknowns.is_open(package):
-            if any(mark in package for mark in self.interpreter.of_unset):
+            without = package
+            for mark in self.interpreter.of_unset:
+                without = without.replace(mark, "None")
+            if without != package and state.files.packages.find(without) is None:
                 shown = state.unknowns.render(package)
                 state.report(LaunchError("env", shown, f"the package `{shown}` is named by an environment variable that is not set"))
             return state.unknowns.mark(f"$(find-pkg-share {state.unknowns.render(package)})", package)

@@ -162,7 +162,7 @@ class _Expressions(Evaluator):
         if isinstance(value, dict):
             if name not in value:
                 raise EvalFailed(f"there is no entry '{name}'")
-            return value[name]
+            return list(value[name]) if isinstance(value[name], list) else value[name]  # a new list each time that it is asked for
         return None
 
 

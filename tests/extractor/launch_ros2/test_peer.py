@@ -136,6 +136,9 @@ def test_names_of_packages_made_from_variables_that_are_not_set(tmp_path: Path) 
     ):
         found = described(tmp_path, "", f"{asked}\nget_package_share_directory(f'{{kind}}_robot')")
         assert [problem.message for problem in found.problems] == said
+    main = f"{HEAD}kind = os.getenv('KIND')\nget_package_share_directory(f'{{kind}}_robot')\n{_ends('')}"
+    files = {"main.launch.py": main, "package.xml": MANIFEST.format("here"), "none/package.xml": MANIFEST.format("None_robot")}
+    assert composed(tmp_path / "none", files).refusal is None
 
 
 def test_variables_that_are_set_wherever_launch_runs(tmp_path: Path) -> None:

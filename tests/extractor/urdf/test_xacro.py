@@ -59,6 +59,11 @@ def test_evaluation(tmp_path: Path, content: str, result: str) -> None:
     assert inner(tmp_path, content, arguments={"a": "5"}, environment={"SET": "1"}) == result
 
 
+def test_lists_of_yaml_are_new_ones_each_time(tmp_path: Path) -> None:
+    content = f"""<{P} name="all" value="${{xacro.load_yaml('c.yaml')}}"/><l v="${{all.entries.pop(0)}} ${{len(all.entries)}}"/>"""
+    assert inner(tmp_path, content, c_yaml="entries: [5, 6]") == '<l v="5 2"/>'
+
+
 def test_includes_are_relative_to_the_file_and_may_have_a_namespace(tmp_path: Path) -> None:
     content = (
         '<xacro:include filename="part.xacro" ns="p"/><xacro:include filename="$(find here)/more*.xacro"/><xacro:p.m/><l v="${p.a} ${b}"/>'
