@@ -8,9 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from rosarch import library
 from tests.extractor.workspace_builder import write
 from tests.library.test_files import MANIFEST
 
+DISTRIBUTIONS = {1: {"indigo", "kinetic", "melodic", "noetic"}, 2: {"dashing", "foxy", "galactic", "humble", "iron", "jazzy", "kilted", "rolling"}}
 CLIENTS = ("list_controllers", "load_controller", "configure_controller", "switch_controller", "unload_controller")
 
 
@@ -36,6 +38,14 @@ def ports(tmp_path: Path, rosarch: Callable, monkeypatch: pytest.MonkeyPatch) ->
         return seen
 
     return found
+
+
+def test_each_file_says_for_which_version_it_holds() -> None:
+    files = [json.loads(path.read_text()) for path in Path(library.__path__[0]).glob("*/*.json")]
+    for file in files:
+        [version] = file["ros"]
+        assert set(file.get("distributions", ())) <= DISTRIBUTIONS[version], file["package"]
+    assert sum("distributions" in file for file in files) > 0.8 * len(files)
 
 
 def test_a_spawner_asks_the_manager_that_it_is_given(ports: Callable) -> None:
