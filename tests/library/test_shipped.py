@@ -63,3 +63,25 @@ def test_transforms_that_a_costmap_hears_are_in_the_namespace_of_its_server(port
     found = ports(server)["/robot/global_costmap/global_costmap"]
     assert ("in", "/robot/tf_static") in found
     assert not any("global_costmap/tf" in name for _, name in found)
+
+
+def test_servo_sends_what_its_parameters_name(ports: Callable) -> None:
+    servo = '<node pkg="moveit_servo" exec="servo_node_main" name="servo">{}</node>'
+    given = {"command_out_topic": "/arm/commands", "command_out_type": "std_msgs/Float64MultiArray", "is_primary_planning_scene_monitor": "false"}
+    parameters = "".join(f'<param name="moveit_servo.{name}" value="{value}"/>' for name, value in given.items())
+    found = ports(servo.format(parameters))["/servo"]
+    assert {("out", "/arm/commands"), ("out", "/get_planning_scene"), ("in", "/servo/delta_twist_cmds"), ("in", "/servo/start_servo")} <= found
+    assert ("in", "/get_planning_scene") not in found
+    assert not any("panda" in name for _, name in found)
+
+
+def test_recoveries_of_older_distributions(ports: Callable) -> None:
+    found = ports('<node pkg="nav2_recoveries" exec="recoveries_server"><param name="recovery_plugins" value="[spin, wait]"/></node>')
+    assert {("in", "/spin"), ("in", "/wait"), ("out", "/cmd_vel")} <= found["/recoveries_server"]
+    assert ("in", "/backup") not in found["/recoveries_server"]
+
+
+def test_a_joint_state_publisher_takes_the_description_from_its_topic(ports: Callable) -> None:
+    found = ports('<node pkg="joint_state_publisher" exec="joint_state_publisher"><param name="source_list" value="[gripper/states]"/></node>')
+    expected = {("out", "/joint_states"), ("in", "/robot_description"), ("in", "/gripper/states")}
+    assert found["/joint_state_publisher"] >= expected
