@@ -21,12 +21,12 @@ def message_of(name: str) -> tuple[str, str] | None:
         return None
     outer, _, inner = names.partition("::")
     if part == "msg":
-        return "message", f"{package}/{outer}"
+        return None if inner else ("message", f"{package}/{outer}")  # within a message there are constants only
     if part == "srv":
         for role in ("Request", "Response"):
             if inner == role or (not inner and outer.endswith(role)):
                 return role.lower(), f"{package}/{outer if inner else outer.removesuffix(role)}"
-        return "service", f"{package}/{outer}"
+        return None if inner else ("service", f"{package}/{outer}")
     if part == "cfg":
         return "config", f"{package}/{outer}"
     if part == "action":

@@ -6,6 +6,7 @@ import rospy
 from geometry_msgs.msg import Point, PoseStamped, Twist
 from std_msgs.msg import Float64, Header, String
 from std_srvs.srv import SetBool, SetBoolRequest, SetBoolResponse
+from visualization_msgs.msg import Marker
 
 
 def on_pose(msg):
@@ -53,7 +54,10 @@ header.stamp = time.time()  # expect: finding field-misgiven "*stamp, which is t
 point = Point(1, 2, 3)
 point = Point(1, 2)  # expect: finding message-misbuilt "*from 2 positional values, but its class takes 3"
 point.x = 1
+point.x = Point  # expect: finding field-misgiven "*x, which is float64, to a value that is the class geometry_msgs/Point"
 point.x = '1'  # expect: finding field-misgiven "*x, which is float64, to a value that is str"
+marker = Marker()
+marker.action = Marker.ADD  # expect-not: finding field-misgiven "/filler sets visualization_msgs/Marker.action*"
 first = rospy.wait_for_message('pose', PoseStamped)
 print(first.position)  # expect: finding field-absent "*position of a geometry_msgs/PoseStamped*"
 rospy.spin()
