@@ -99,7 +99,7 @@ def _of_models(state: State, path: str, seen: set[str]) -> Iterator[SimulatorPlu
     try:
         root = state.files.parsed(path, parse).root
     except DocumentError:
-        return  # told where the world is read
+        return  # reported where the world is read
     for uri in _included(root):
         file = _model_file(state, uri, path)
         if file is None or file in seen:
