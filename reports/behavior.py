@@ -24,7 +24,7 @@ class Table:
 
 def tables(document: Document) -> list[Table]:
     """The tables of a component that have rows."""
-    names = {str(port["id"]): spaced(str(port.get("name") or "?")) for port in document.get("ports") or ()}
+    names = _port_names(document)
     found = [
         Table("reactions", ("on", "sends", "", "source", "when"), _reactions(document, names)),
         Table("timed loops", ("rate", "by", "sends", "source", "when"), _loops(document, names)),
@@ -37,7 +37,16 @@ def tables(document: Document) -> list[Table]:
 
 def nothing(document: Document) -> str:
     """What is said where there is no table."""
-    return "no reactions, no timed loops, no state" + (", as far as was seen" if document.get("open") else "")
+    found = "no reactions, no timed loops, no state" + (", as far as was seen" if document.get("open") else "")
+    names, traits = _port_names(document), document.get("traits") or {}
+    for trait, when in (("sent_at_start", "at the start"), ("sent_by_itself", "at other times")):
+        sent = dict.fromkeys(names.get(str(port), str(port)) for port, *_ in traits.get(trait, ()))
+        found += f"; sends {when}: {', '.join(sent)}" if sent else ""
+    return found
+
+
+def _port_names(document: Document) -> dict[str, str]:
+    return {str(port["id"]): spaced(str(port.get("name") or "?")) for port in document.get("ports") or ()}
 
 
 def heading(document: Document) -> tuple[str, str]:

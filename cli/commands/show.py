@@ -66,9 +66,9 @@ def behavior(
 
         emit(behaviors_text(models))
         return
-    from rosarch.models.component import to_json
+    from rosarch.models.component import to_json, traits_json
 
-    documents = [to_json(model) for model in models]
+    documents = [{**to_json(model), "traits": traits_json(model)} for model in models]
     if output_format is Format.markdown:
         from rosarch.reports.behavior_markdown import behaviors_text as markdown_text
 

@@ -12,7 +12,10 @@ from rosarch import library
 from tests.extractor.workspace_builder import write
 from tests.library.test_files import MANIFEST
 
-DISTRIBUTIONS = {1: {"indigo", "kinetic", "melodic", "noetic"}, 2: {"dashing", "foxy", "galactic", "humble", "iron", "jazzy", "kilted", "rolling"}}
+DISTRIBUTIONS = {
+    1: {"indigo", "kinetic", "melodic", "noetic"},
+    2: {"dashing", "foxy", "galactic", "humble", "iron", "jazzy", "kilted", "rolling"},
+}
 CLIENTS = ("list_controllers", "load_controller", "configure_controller", "switch_controller", "unload_controller")
 
 
@@ -67,10 +70,19 @@ def test_transforms_that_a_costmap_hears_are_in_the_namespace_of_its_server(port
 
 def test_servo_sends_what_its_parameters_name(ports: Callable) -> None:
     servo = '<node pkg="moveit_servo" exec="servo_node_main" name="servo">{}</node>'
-    given = {"command_out_topic": "/arm/commands", "command_out_type": "std_msgs/Float64MultiArray", "is_primary_planning_scene_monitor": "false"}
+    given = {
+        "command_out_topic": "/arm/commands",
+        "command_out_type": "std_msgs/Float64MultiArray",
+        "is_primary_planning_scene_monitor": "false",
+    }
     parameters = "".join(f'<param name="moveit_servo.{name}" value="{value}"/>' for name, value in given.items())
     found = ports(servo.format(parameters))["/servo"]
-    assert {("out", "/arm/commands"), ("out", "/get_planning_scene"), ("in", "/servo/delta_twist_cmds"), ("in", "/servo/start_servo")} <= found
+    assert {
+        ("out", "/arm/commands"),
+        ("out", "/get_planning_scene"),
+        ("in", "/servo/delta_twist_cmds"),
+        ("in", "/servo/start_servo"),
+    } <= found
     assert ("in", "/get_planning_scene") not in found
     assert not any("panda" in name for _, name in found)
 
@@ -82,6 +94,8 @@ def test_recoveries_of_older_distributions(ports: Callable) -> None:
 
 
 def test_a_joint_state_publisher_takes_the_description_from_its_topic(ports: Callable) -> None:
-    found = ports('<node pkg="joint_state_publisher" exec="joint_state_publisher"><param name="source_list" value="[gripper/states]"/></node>')
+    found = ports(
+        '<node pkg="joint_state_publisher" exec="joint_state_publisher"><param name="source_list" value="[gripper/states]"/></node>'
+    )
     expected = {("out", "/joint_states"), ("in", "/robot_description"), ("in", "/gripper/states")}
     assert found["/joint_state_publisher"] >= expected

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from machine_documents import document
 
-from rosarch.reports import behavior_markdown, behavior_text
+from rosarch.reports import behavior, behavior_markdown, behavior_text
 
 EXPECTED = Path(__file__).resolve().parents[2] / "examples/docking_states/expected/auto_docking"
 
@@ -74,6 +74,13 @@ def test_reactions_and_odd_rows() -> None:
         "p/n  node n\n"
         "  no reactions, no timed loops, no state\n"
     )
+
+
+def test_what_is_sent_beside_reactions_and_loops_is_said() -> None:
+    node = document()
+    node["ports"] = [{"id": "p1", "name": "~state"}, {"id": "p2", "name": "map"}]
+    node["traits"] = {"sent_by_itself": [["p1"]], "sent_at_start": [["p2", "n.cpp:3:1"], ["p2", "n.cpp:4:1"]]}
+    assert behavior.nothing(node) == "no reactions, no timed loops, no state; sends at the start: map; sends at other times: ~state"
 
 
 def test_nothing_is_seen_of_an_open_component() -> None:
