@@ -60,7 +60,7 @@ class Way:
         return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), called)
 
     def in_rows(self, rows: Iterable[Mapping[str, str]]) -> list[Way]:
-        """The ways for each row of a table that is searched, where what stands there is the value."""
+        """The ways for each row of a table that is searched, with the value that the row has."""
         found = []
         for row in rows:
             fill = partial(_filled, row=row)
