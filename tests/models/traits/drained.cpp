@@ -1,6 +1,7 @@
 // expect: keeps_value_of topic ~scan_topic
-// expect: serves_callbacks 22
-// expect: names_nothing 15 ~scan_topic /scan
+// expect: serves_callbacks 23
+// expect: names_nothing 16 ~scan_topic /scan
+// expect: misused 16 value unused ~scan_topic
 #include <string>
 #include <ros/ros.h>
 #include <std_msgs/String.h>
