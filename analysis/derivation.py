@@ -19,7 +19,7 @@ from rosarch.rule_programs.sets import component_program, model_program
 if TYPE_CHECKING:
     from rosarch.datalog import Result
     from rosarch.extractor.pipeline import ComponentFacts
-    from rosarch.extractor.unit_store import Makers
+    from rosarch.extractor.unit_store import Makers, UnitRows
     from rosarch.rule_programs.choice import RuleSet
 
 Following = Callable[[Sequence[ComponentModel]], Iterable[NodeConfiguration]]
@@ -95,13 +95,19 @@ class Deriving:
         """The models of each component of a task, with its configurations. What they have in common is derived once."""
         found: list[list[Made]] = []
         rows: Rows = {}
-        read = _reader(task)
+        files = self._files(task)
         with self._evaluations(task) as evaluate:
             for component, configurations in task.parts:
                 # nothing of an unused source runs: there is nothing to derive
-                rows = _sharing(read(component), rows) if component.kind != UNUSED else {}
-                found.append(list(self._of_component(component, configurations, rows, evaluate, follows=task.follows)))
+                rows = _sharing(_read(component, files), rows) if component.kind != UNUSED else {}
+                found.append(list(self._of_component(component, configurations, rows, evaluate, files, follows=task.follows)))
         return found
+
+    def _files(self, task: Task) -> UnitRows | None:
+        """The files that the components of a task all consist of, where they are asked for more than once."""
+        from rosarch.extractor.unit_store import UnitRows
+
+        return UnitRows(task.parts[0][0].units) if len(task.parts) > 1 or self.makers else None
 
     def _evaluations(self, task: Task) -> AbstractContextManager[Evaluate]:
         """What evaluates the rules: it keeps rows where there is more to come than one component by itself."""
@@ -110,7 +116,14 @@ class Deriving:
         return self.program.series(engine=self.engine)
 
     def _of_component(
-        self, component: Extracted, configurations: Iterable[Configuration], rows: Rows, evaluate: Evaluate, *, follows: bool
+        self,
+        component: Extracted,
+        configurations: Iterable[Configuration],
+        rows: Rows,
+        evaluate: Evaluate,
+        files: UnitRows | None,
+        *,
+        follows: bool,
     ) -> Iterator[Made]:
         def derive(facts: Mapping[str, Any]) -> Relations:
             return evaluate({**rows, **facts}).all_rows()
@@ -122,17 +135,17 @@ class Deriving:
                 continue
             done.add(configuration)
             if configuration is None:
-                models = self._alone(component, derive({}))
+                models = self._alone(component, derive({}), files)
             else:
                 models = self._configured(component, configuration, configured_rows(derive, rows["component"], configuration))
             yield configuration, models
             if follows and self.after:
                 waiting += self.after(models)
 
-    def _alone(self, component: Extracted, relations: Relations) -> tuple[ComponentModel, ...]:
+    def _alone(self, component: Extracted, relations: Relations, files: UnitRows | None) -> tuple[ComponentModel, ...]:
         found = self._built(component, component.kind, relations)
         reason = UNUSED if component.kind == UNUSED else "uncalled"
-        more = (Unseen("ports", reason, function, Place(*at)) for function, *at in _left_out(component, self.makers))
+        more = (Unseen("ports", reason, function, Place(*at)) for function, *at in _left_out(component, self.makers, files))
         return (replace(found[0], left_out=tuple(sorted({*found[0].left_out, *more}))), *found[1:])
 
     def _configured(self, component: Extracted, configuration: NodeConfiguration, relations: Relations) -> tuple[ComponentModel, ...]:
@@ -145,13 +158,11 @@ class Deriving:
         return build_models(self.system, component.name, component.package, kind, component.sources, relations)
 
 
-def _reader(task: Task) -> Callable[[Extracted], Rows]:
-    """What reads the facts of the components of a task: the files that they all consist of once."""
+def _read(component: Extracted, files: UnitRows | None) -> Rows:
+    """The facts of a component; `files` are what its units hold, if that was read before."""
     from rosarch.extractor.pipeline import ComponentFacts
-    from rosarch.extractor.unit_store import UnitRows
 
-    files = UnitRows(task.parts[0][0].units) if len(task.parts) > 1 else None
-    return lambda component: component.rows(files) if isinstance(component, ComponentFacts) else component.rows()
+    return component.rows(files) if isinstance(component, ComponentFacts) else component.rows()
 
 
 def _sharing(rows: Rows, before: Rows) -> Rows:
@@ -159,11 +170,11 @@ def _sharing(rows: Rows, before: Rows) -> Rows:
     return {name: before[name] if name in before and before[name] == found else found for name, found in rows.items()}
 
 
-def _left_out(component: Extracted, makers: Makers | None) -> Iterable[tuple[Any, ...]]:
+def _left_out(component: Extracted, makers: Makers | None, files: UnitRows | None) -> Iterable[tuple[Any, ...]]:
     """Where code makes ports that no facts are kept of; of stored facts that is not known."""
     from rosarch.extractor.pipeline import ComponentFacts
 
-    return component.left_out(makers) if makers and isinstance(component, ComponentFacts) else ()
+    return component.left_out(makers, files) if makers and isinstance(component, ComponentFacts) else ()
 
 
 def _makers(rules: RuleSet) -> Makers:

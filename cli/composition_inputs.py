@@ -30,7 +30,7 @@ ScenarioFile = Annotated[
 def load_composed(question: SystemQuestion) -> System:
     """The only system that the options or the configuration name, with the behaviour of its nodes."""
     from rosarch.behavior.composition.system import composed
-    from rosarch.models.component import switches_json, to_json, traits_json
+    from rosarch.models.component import document_json, switches_json
     from rosarch.rule_programs.sets import system_rules
 
     rules, folder = question.rules(), question.folder
@@ -39,7 +39,7 @@ def load_composed(question: SystemQuestion) -> System:
     if len(analysis.systems) != 1:
         known = ", ".join(system.name for system in analysis.systems) or "none"
         raise InputError(f"{folder}: {len(analysis.systems)} systems; choose one with --launch: {known}")
-    documents = {model.title: {**to_json(model), "traits": traits_json(model), **switches_json(model)} for model in analysis.models}
+    documents = {model.title: {**document_json(model), **switches_json(model)} for model in analysis.models}
     return composed(analysis.systems[0], documents)
 
 

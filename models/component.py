@@ -380,6 +380,11 @@ def traits_json(model: ComponentModel) -> dict[str, list[list[str]]]:
     return found
 
 
+def document_json(model: ComponentModel) -> dict[str, Any]:
+    """The component as `to_json` shows it, and what rules say of it for the sake of systems: what is worked out from models needs both."""
+    return {**to_json(model), "traits": traits_json(model)}
+
+
 def switches_json(model: ComponentModel) -> dict[str, Any]:
     """What goes on at times only, what is done in transitions of a managed node, what is sent at the start."""
     life = [[str(place), name] for place, name in model.behavior.lifecycle]

@@ -8,7 +8,7 @@ from typing import Any
 
 from rosarch.base.places import Place
 from rosarch.library import LibraryComponent
-from rosarch.models.component import MANAGED, ComponentModel, parameter_json, port_json, to_json, traits_json
+from rosarch.models.component import MANAGED, ComponentModel, document_json, parameter_json, port_json
 from rosarch.models.rhythm import Reactions, rhythms, used_up, way_needs
 from rosarch.models.traits import TRAITS
 
@@ -108,7 +108,7 @@ def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
     places = {str(loop.at): loop.at for loop in model.behavior.periodic}
     if managed or not model.behavior.state_variables:
         return
-    reactions = Reactions({**to_json(model), "traits": traits_json(model)})
+    reactions = Reactions(document_json(model))
     for rhythm in rhythms(reactions):
         source = writer.placed(places[rhythm.trigger]) if rhythm.trigger in places else f"{component}#{rhythm.trigger}"
         sink = f"{component}#{rhythm.output}"

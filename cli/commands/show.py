@@ -66,9 +66,9 @@ def behavior(
 
         emit(behaviors_text(models))
         return
-    from rosarch.models.component import to_json, traits_json
+    from rosarch.models.component import document_json
 
-    documents = [{**to_json(model), "traits": traits_json(model)} for model in models]
+    documents = list(map(document_json, models))
     if output_format is Format.markdown:
         from rosarch.reports.behavior_markdown import behaviors_text as markdown_text
 
@@ -98,11 +98,11 @@ def machine(
     if len(models) != 1 and output_format not in (MachineFormat.text, MachineFormat.json):
         names = ", ".join(f"{model.package}/{model.component}" for model in models)
         raise InputError(f"{question.folder}: {len(models)} components; choose one for {output_format.value}: {names}")
-    from rosarch.models.component import to_json, traits_json
+    from rosarch.models.component import document_json
     from rosarch.models.machine.build import build_machine
     from rosarch.reports.machines import machines_text
 
-    machines = [build_machine({**to_json(model), "traits": traits_json(model)}, max_states=max_states, joint=joint) for model in models]
+    machines = [build_machine(document_json(model), max_states=max_states, joint=joint) for model in models]
     write = emit if output_format is MachineFormat.json else emit_lines
     write(machines_text(machines, output_format.value))
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
-from functools import lru_cache
+from collections.abc import Callable, Iterator
+from functools import cache, lru_cache, partial
 from pathlib import Path
 
 from rosarch.analysis.systems.builds.defect import Defect
@@ -43,10 +43,11 @@ def _of_rosidl(package: Built) -> Iterator[Defect]:
             if _INTERFACE.fullmatch(name) and not os.path.isfile(path):
                 yield Defect(call.path, line_with(call.path, os.path.basename(word)), "interface file", name)
     known = not package.unsure and all(call.is_known for call in calls)
+    own = cache(partial(_names_below, package.folder))
     for kind in _ADDED:
         for path in sorted((package.folder / kind).glob(f"*.{kind}")):
             if package.brings(f"share/{package.name}/{kind}/{path.name}"):
-                yield from _of_fields(path, package.folder)
+                yield from _of_fields(path, own)
             elif known:
                 yield Defect(calls[0].path, calls[0].line, "interface left out", f"{package.name}/{path.stem}")
 
@@ -65,12 +66,17 @@ def _of_catkin(package: Built) -> Iterator[Defect]:
         yield Defect(added[0].path, added[0].line, "interfaces not made", "")
 
 
-def _of_fields(path: Path, folder: Path) -> Iterator[Defect]:
+def _names_below(folder: Path) -> frozenset[str]:
+    """The names of all files in a package, without their endings: an interface may be made in any way."""
+    return frozenset(path.name.partition(".")[0] for path in folder.rglob("*.*"))
+
+
+def _of_fields(path: Path, own: Callable[[], frozenset[str]]) -> Iterator[Defect]:
     for number, written in enumerate(text_or_nothing(path).splitlines(), 1):
         field = _FIELD.match(written)
         if field is None:
             continue
         if not field[3] and not _FIELD_NAME.fullmatch(field[2]):
             yield Defect(path, number, "field name", field[2])
-        if "/" not in field[1] and not _BASIC.fullmatch(field[1]) and not any(folder.rglob(f"{field[1]}.*")):
+        if "/" not in field[1] and not _BASIC.fullmatch(field[1]) and field[1] not in own():
             yield Defect(path, number, "field type", field[1])
