@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { SharedContext } from "./context";
+import { SharedContext, type Subject } from "./context";
 import type { Place } from "./data";
 import type { Report } from "./model";
 import { ComponentPage } from "./pages/component";
@@ -9,7 +9,7 @@ import { GraphPage } from "./pages/graph";
 import { LaunchPage } from "./pages/launch";
 import { OverviewPage } from "./pages/overview";
 import { TimingPage } from "./pages/timing";
-import { ProofDialog, type Subject } from "./parts/proof";
+import { ProofDialog } from "./parts/proof";
 import { SourceDialog } from "./parts/source";
 import { shortened } from "./parts/text";
 import { href, type Route, useRoute } from "./route";

@@ -3,7 +3,18 @@ import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 import type { Place } from "./data";
 import type { Report } from "./model";
-import type { Subject } from "./parts/proof";
+
+/** What is proven: the component or system that has it, and the key of the thing there. */
+export interface Proven {
+  owner: string;
+  key: string;
+}
+
+/** What a dialog of proofs is about. */
+export interface Subject {
+  title: string;
+  proofs: Proven[];
+}
 
 export interface Shared {
   report: Report;

@@ -1,21 +1,10 @@
 /** Proofs: the rules and facts that something rests on, as trees. */
 import { useEffect, useState } from "preact/hooks";
-import { useShared } from "../context";
+import { type Proven, type Subject, useShared } from "../context";
 import { type Proofs, type Rate, type ReportDocument, type System, type SystemNode, unpack } from "../data";
 import { Modal } from "./modal";
 import { Source } from "./source";
 import { shortened } from "./text";
-
-/** What is proven: the component or system that has it, and the key of the thing there. */
-export interface Proven {
-  owner: string;
-  key: string;
-}
-
-export interface Subject {
-  title: string;
-  proofs: Proven[];
-}
 
 let unpacked: Promise<Proofs | null> | null = null;
 
