@@ -126,6 +126,18 @@ def test_launch_files(tmp_path: Path) -> None:
     assert list(defects(compose([tmp_path / "lamp" / "launch" / "a.launch.xml"], files=Files(PackagePath([tmp_path]))), [package])) == []
 
 
+def test_launch_files_of_samples(tmp_path: Path) -> None:
+    cmake = "project(lamp)\nfind_package(ament_cmake REQUIRED)\ninstall(FILES launch/a.launch.xml DESTINATION share/lamp/launch)\nament_package()\n"
+    shown = {
+        f"{folder}/{name}.launch.xml": LAUNCH.format("other", name)
+        for folder, name in (("launch", "a"), ("sample", "b"), ("launch/c", "c"))
+    }
+    package = built(tmp_path, "lamp", "ament_cmake", **{"CMakeLists.txt": cmake, **shown})
+    files = Files(PackagePath([tmp_path]))
+    found = [each.about for path in shown for _, each in defects(compose_ros2([tmp_path / "lamp" / path], files=files), [package])]
+    assert found == ["launch/c/c.launch.xml"]
+
+
 def test_interfaces_of_ros1(tmp_path: Path) -> None:
     def found(name: str, calls: str, **files: str) -> list[tuple[int, str, str]]:
         cmake = f"project(lamp)\nfind_package(catkin REQUIRED COMPONENTS message_generation)\n{calls}\ncatkin_package()\n"
