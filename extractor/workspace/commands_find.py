@@ -147,7 +147,6 @@ def set_catkin(run: Evaluator, components: list[str]) -> None:
     run.set("catkin_INCLUDE_DIRS", join_list(folders))
     run.set("catkin_LIBRARIES", join_list([*libraries, *(f"{name}::{name}" for name in missing)]))
     run.set("catkin_EXPORTED_TARGETS", "catkin_EXPORTED_TARGETS")
-    run.set("CATKIN_DEVEL_PREFIX", f"{run.build}/devel")
     run.set("CATKIN_PACKAGE_BIN_DESTINATION", f"lib/{run.project}")
     run.set("CATKIN_PACKAGE_LIB_DESTINATION", "lib")
     run.set("CATKIN_PACKAGE_SHARE_DESTINATION", f"share/{run.project}")

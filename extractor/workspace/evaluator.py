@@ -88,7 +88,7 @@ class Evaluator:
         self.world = world
         self.versions = versions(distro)
         self.scope = Scope()
-        self.scope.variables.update(initial_variables(distro))
+        self.scope.variables.update(initial_variables(distro, self.build))
         self.cache: dict[str, str] = dict(options.defines)
         self.environment = initial_environment(distro) | dict(options.environment)
         self.directory = Directory(folder, self.build, frozenset({os.path.realpath(folder)}))

@@ -13,6 +13,8 @@ from rosarch.base.limits import SOURCE_SECONDS
 
 DEFAULT_DISTRO = "kinetic"
 DEFAULT_AMENT_DISTRO = "humble"
+ROS1_DISTROS = frozenset(("hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic"))
+"""The distributions of ROS 1 with catkin; all others are of ROS 2."""
 
 _COLUMNS = ("CMake", "GCC", "OpenCV", "PCL", "Eigen3", "Boost", "Qt5", "gazebo", "CUDA", "Python", "yaml-cpp")
 _VERSIONS = {
@@ -46,8 +48,11 @@ def versions(distro: str) -> dict[str, str]:
     return dict(zip(_COLUMNS, _VERSIONS.get(distro, _VERSIONS[DEFAULT_DISTRO]), strict=True))
 
 
-def initial_variables(distro: str) -> dict[str, str]:
-    """CMake's variables on Linux with GCC, in a shell where the distribution's setup file was sourced."""
+def initial_variables(distro: str, build: str) -> dict[str, str]:
+    """CMake's variables on Linux with GCC, in a shell where the distribution's setup file was sourced.
+
+    Of ROS 1, with those that `catkin_make` and `catkin build` give on the command line, for the folder `build`.
+    """
     known = versions(distro)
     major, minor, patch = known["CMake"].split(".")
     gcc = int(known["GCC"].partition(".")[0])
@@ -87,15 +92,15 @@ def initial_variables(distro: str) -> dict[str, str]:
         "LINUX": "1",
         "CATKIN_ENABLE_TESTING": "1",
         "BUILD_TESTING": "1",
+        **({"CATKIN_DEVEL_PREFIX": f"{build}/devel"} if distro in ROS1_DISTROS else {}),
     }
 
 
 def initial_environment(distro: str) -> dict[str, str]:
     """Environment variables of such a shell."""
-    version = "2" if distro in ("humble", "jazzy") or distro > "o" else "1"
     return {
         "ROS_DISTRO": distro,
-        "ROS_VERSION": version,
+        "ROS_VERSION": "1" if distro in ROS1_DISTROS else "2",
         "ROS_ROOT": f"/opt/ros/{distro}/share/ros",
         "HOME": "/home/user",
         "USER": "user",

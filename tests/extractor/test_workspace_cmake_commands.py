@@ -142,6 +142,13 @@ def test_distribution(tmp_path: Path, distro: str | None, name: str) -> None:
     assert [one.name for one in found.targets] == [name]
 
 
+@pytest.mark.parametrize(("distro", "name"), [("noetic", "made"), ("iron", "other")])
+def test_what_the_tools_of_catkin_give_is_known_before_catkin_is_found(tmp_path: Path, distro: str, name: str) -> None:
+    cmake = "if(DEFINED CATKIN_DEVEL_PREFIX)\nadd_executable(made a.cpp)\nelse()\nadd_executable(other a.cpp)\nendif()"
+    found, _ = evaluated(tmp_path, cmake, ABC, ros_distro=distro)
+    assert [one.name for one in found.targets] == [name]
+
+
 def test_target_properties(tmp_path: Path) -> None:
     cmake = """
 add_definitions(-DALL -Wall)
