@@ -41,13 +41,13 @@ class Mentions(NamedTuple):
 
 
 def by_function(rows: Rows) -> dict[str, dict[str, list[Row]]]:
-    """Rows apart by the function whose body they are about; with "" declarations, and code outside functions."""
+    """Rows apart by the function whose body they are about, in order; with "" declarations, and code outside functions."""
     owner = {row[0]: str(row[1]) for relation in _OWNED for row in rows.get(relation, ())}
     parts: dict[str, dict[str, list[Row]]] = {"": {}}
     for relation, found in rows.items():
         column = _ABOUT.get(relation, 0)
         grouped: dict[str, list[Row]] = defaultdict(list)
-        for row in found:
+        for row in sorted(found):
             grouped[owner.get(row[column], "")].append(row)
         for function, part in grouped.items():
             parts.setdefault(function, {})[relation] = part

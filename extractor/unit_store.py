@@ -62,21 +62,25 @@ class UnitStore:
 
 
 class UnitRows:
-    """The rows in files of units and headers, each read once: for all components that consist of these."""
+    """The rows in files of units and headers, each read once: for all components that consist of these.
+
+    What many units have of a function in a header is mostly the same to the byte: then it is unpacked once.
+    """
 
     def __init__(self, paths: Iterable[Path]) -> None:
         self._outside: list[Rows] = []
         self._mentions: dict[str, list[Mentions]] = defaultdict(list)
-        self._packed: dict[str, list[bytes]] = defaultdict(list)
+        self._packed: dict[str, dict[bytes, None]] = defaultdict(dict)
         self._bodies: dict[str, list[Rows]] = {}
         for path in paths:
             _, rest, bodies = _parts(path)
             outside, mentioned = marshal.loads(rest)
             self._outside.append(outside)
-            for function, found in mentioned.items():
-                self._mentions[function].append(Mentions(*found))
+            self._mentions[""].append(Mentions(*mentioned[""]))
             for function, body in bodies.items():
-                self._packed[function].append(body)
+                if body not in self._packed[function]:
+                    self._packed[function][body] = None
+                    self._mentions[function].append(Mentions(*mentioned[function]))
 
     def of(self, own: Rows) -> dict[str, AbstractSet[Row]]:
         """The rows of a component, with its `own`, but for those of functions that are not live (see `live_code`).

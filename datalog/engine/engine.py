@@ -163,12 +163,17 @@ class Evaluation:
     def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
         """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""
         slots = self.slots
-        if not all(slots[slot] for slot in rule.required):
+        if not self._has_needed(rule):
             return None
         read = [slots[slot] for slot in rule.relations]
         read += [slots[slot] or self._index(slot, origins, growing) for slot, origins in rule.indexes]
         read += [self.tables[number] for number in rule.tables]
         return partial(self.functions[rule.function], self.state, slots[self.code.relation_slot[rule.target]], *read)
+
+    def _has_needed(self, rule: Rule) -> bool:
+        """Whether no relation is empty without which a rule derives nothing."""
+        slots = self.slots
+        return all(slots[slot] for slot in rule.required)
 
     def _new_tables(self) -> list[Table]:
         if not self.code.tables:
@@ -194,7 +199,7 @@ class Evaluation:
 
     def prepare_for_table(self, rule: Rule, table: Table) -> Callable[..., None] | None:
         """The function of a rule as one of a key and what takes new rows; None while a relation it needs is empty."""
-        if not all(self.slots[slot] for slot in rule.required):
+        if not self._has_needed(rule):
             return None
         read = [self.slots[slot] for slot in rule.relations]
         read += [self.slots[slot] or self._index(slot, (), ()) for slot, _ in rule.indexes]
@@ -265,6 +270,7 @@ class Evaluation:
         growing, handled, enough = {m.full for m in members}, 0, MANY_ROWS
         pending: list[list[Any]] = [list(slots[m.full]) for m in members]
         rules = [[_Bound(r, position[r.target]) for r in stratum.loop if r.delta == m.name] for m in members]
+        indexes = [(slot, j) for j, m in enumerate(members) for slot in m.indexes]
         known: dict[int, int] = {}  # how many of the pending rows an index has because it was built when they were there
         while any(pending):
             for i, delta in enumerate(pending):
@@ -276,11 +282,11 @@ class Evaluation:
                 for bound in rules[i]:
                     function = bound.function
                     if function is None:
-                        unbuilt = [(slot, j) for j, m in enumerate(members) for slot in m.indexes if slots[slot] is None]
+                        if not self._has_needed(bound.rule):
+                            continue
+                        unbuilt = [(slot, j) for slot, j in indexes if slots[slot] is None]
                         function = bound.function = self.prepare(bound.rule, growing)
                         known.update((slot, len(pending[j])) for slot, j in unbuilt if slots[slot] is not None)
-                        if function is None:
-                            continue
                     try:
                         function(delta, pending[bound.target])
                     except (EvaluationError, MemoryError, OverflowError):
