@@ -45,7 +45,7 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
     state.hardware_unseen |= not is_whole
     if expansion.document is None:
         return None, None
-    return write(expansion.document, call.file), _described(state, expansion.document.root, is_whole=is_whole)
+    return write(expansion.document, call.file, installed=installed), _described(state, expansion.document.root, is_whole=is_whole)
 
 
 def robot_of_file(state: State, path: str, text: str) -> Robot | None:

@@ -18,7 +18,22 @@ from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.parameters import evaluated
 from rosarch.extractor.launch_ros2.registry import NATIVES
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import NOTHING, Bound, Either, Function, Instance, Made, Native, Unknown, is_derived
+from rosarch.extractor.launch_ros2.values import (
+    CLASSES,
+    NOTHING,
+    Bound,
+    Class,
+    Constructor,
+    Either,
+    Function,
+    Instance,
+    Made,
+    Native,
+    Unknown,
+    class_of,
+    in_order,
+    is_derived,
+)
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -39,19 +54,39 @@ def carries_out(*kinds: str) -> Callable[[Handler], Handler]:
     return register
 
 
-def visit(world: World, entity: Any, context: Context) -> None:
-    """Carry out an action, or several."""
-    if entity is None or entity is NOTHING:
-        return
-    if isinstance(entity, (list, tuple)):
-        world.state.spend(PART_COST * len(entity))
-        for item in entity:
+def visit_read(world: World, found: Any, context: Context) -> None:
+    """Carry out what a launch file has: a description in Python, actions in XML and YAML, nothing if it could not be read."""
+    (visit_all if isinstance(found, (list, type(None))) else visit)(world, found, context)
+
+
+def visit_all(world: World, entities: Any, context: Context) -> None:
+    """Carry out what stands where launch takes a list of actions, or none; it ends where something else does."""
+    if isinstance(entities, (list, tuple, set, frozenset)):
+        world.state.spend(PART_COST * len(entities))
+        for item in in_order(entities) if isinstance(entities, (set, frozenset)) else entities:
             visit(world, item, context)
-    elif isinstance(entity, Either):
+    elif isinstance(entities, Either):
+        for condition, item in entities.alternatives():
+            if context.allows(condition):
+                with context.within(condition):
+                    visit_all(world, item, context)
+    elif isinstance(entities, Unknown):
+        visit(world, entities, context)
+    elif isinstance(entities, (Made, Instance, str, int, float)):
+        world.interpreter.raised(Raised("TypeError", f"'{class_of(entities)}' object is not iterable"), world.state.here)
+
+
+def visit(world: World, entity: Any, context: Context) -> None:
+    """Carry out an action; launch ends where something else stands for one."""
+    if entity is NOTHING:
+        return
+    if isinstance(entity, Either):
         for condition, item in entity.alternatives():
             if context.allows(condition):
                 with context.within(condition):
                     visit(world, item, context)
+    elif isinstance(entity, _NO_ACTIONS) or (isinstance(entity, Made) and not _is_entity(entity.kind)):
+        world.interpreter.raised(Raised("AttributeError", f"'{class_of(entity)}' object has no attribute 'visit'"), world.state.here)
     elif isinstance(entity, Instance) and entity.made is not None:
         _visit_instance(world, entity, context)
     elif isinstance(entity, Made):
@@ -61,13 +96,24 @@ def visit(world: World, entity: Any, context: Context) -> None:
         world.interpreter.misunderstood(entity.place, f"what `{world.state.unknowns.render(entity.text)}` starts is not known{reason}")
 
 
+_NO_ACTIONS = (list, tuple, set, dict, str, int, float, Class, Constructor, Function, type(None))
+
+
+def _is_entity(kind: str) -> bool:
+    """Whether an object of a class of launch may stand for an action."""
+    return kind not in CLASSES or is_derived(kind, "Action") or is_derived(kind, "LaunchDescriptionEntity")
+
+
 def _visit_instance(world: World, entity: Instance, context: Context) -> None:
     """An object of a class of the launch file: as its base class is, unless it says itself what is executed."""
     run = world.interpreter
     for name in ("execute", "visit"):
         method = run.member_of(entity, name)
         if isinstance(method, (Function, Bound)):
-            visit(world, run.apply(method, [context], {}), context)
+            found = run.apply(method, [context], {})
+            (visit if isinstance(found, (Made, Instance)) else visit_all)(
+                world, found, context
+            )  # the method of a base class gives its object
             return
     if entity.made is not None:
         _visit_made(world, entity.made, context)
@@ -114,7 +160,7 @@ def conditional(world: World, condition: Any, context: Context) -> Iterator[bool
 
 @carries_out("LaunchDescription")
 def _description(world: World, made: Made, context: Context) -> None:
-    visit(world, made.get("initial_entities"), context)
+    visit_all(world, made.get("initial_entities"), context)
 
 
 @carries_out("GroupAction")
@@ -123,14 +169,14 @@ def _group(world: World, made: Made, context: Context) -> None:
     given = made.get("launch_configurations") or {}
     if scoped is False:
         context.put(_performed(world, given, context))
-        visit(world, made.get("actions"), context)
+        visit_all(world, made.get("actions"), context)
         return
     with context.scoped():
         own = _performed(world, given, context)
         if forwarding is False:
             context.environment = {}
         _put(context, own, alone=forwarding is False)
-        visit(world, made.get("actions"), context)
+        visit_all(world, made.get("actions"), context)
 
 
 def _put(context: Context, configurations: Mapping[str, str], *, alone: bool) -> None:
@@ -180,21 +226,28 @@ def _performed(world: World, given: Any, context: Context) -> dict[str, str]:
 
 @carries_out("TimerAction", "RosTimer", "ROSTimer")
 def _timer(world: World, made: Made, context: Context) -> None:
-    text, moment = perform(world, made.get("period"), context), context.moment()
+    period = made.get("period")
+    text, moment = str(period) if isinstance(period, float) else perform(world, period, context), context.moment()
 
     def fire() -> None:
         with context.resumed(moment):
-            visit(world, made.get("actions"), context)
+            visit_all(world, made.get("actions"), context)
 
-    world.agenda.put(_seconds(text), fire)
+    world.agenda.put(_seconds(world, text), fire)
 
 
-def _seconds(text: str) -> float:
-    """The period of a timer; 0 when it is not known."""
+def _seconds(world: World, text: str) -> float:
+    """The period of a timer; 0 when it is not known.
+
+    Raises:
+        Raised: it is no number.
+    """
     try:
         return max(float(text), 0.0)
-    except ValueError:
-        return 0.0
+    except ValueError as error:
+        if world.state.unknowns.is_open(text):
+            return 0.0
+        raise Raised("ValueError", str(error)) from None
 
 
 _HANDLED = ("on_exit", "on_start", "on_completion", "on_shutdown", "on_stdout", "on_stderr", "entities")
@@ -217,7 +270,8 @@ def _events(world: World, made: Made, context: Context) -> None:
                 outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
             if outcome == [] and is_derived(handler.kind, "OnActionEventBase"):  # which asks it as if it were a function
                 world.state.report(LaunchError("python", "AttributeError", f"{handler.kind} has nothing to start"), place=place)
-            visit(world, outcome, context)
+            several = isinstance(outcome, (list, tuple, type(None)))
+            (visit_all if several else visit)(world, outcome, context)
 
     world.agenda.register(handler, context, handle)
 
@@ -363,8 +417,10 @@ def _function(world: World, made: Made, context: Context) -> None:
     arguments = made.arguments.get("args") or ()
     named = made.arguments.get("kwargs") or {}
     function = made.get("function")
+    if isinstance(function, (list, tuple, str, Made, type(None))):
+        raise Raised("TypeError", f"OpaqueFunction expected a callable for 'function', got '{class_of(function)}'")
     rest = list(arguments) if isinstance(arguments, (list, tuple)) else []
-    visit(world, called(world, function, [context, *rest], named if isinstance(named, dict) else {}), context)
+    visit_all(world, called(world, function, [context, *rest], named if isinstance(named, dict) else {}), context)
 
 
 def called(world: World, function: Any, arguments: list[Any], named: dict[str, Any]) -> Any:
@@ -406,8 +462,8 @@ def _for(world: World, made: Made, context: Context) -> None:
 
 def _round(world: World, made: Made, arguments: list[Any], values: dict[str, Any], context: Context) -> None:
     if made.get("function") is not None:
-        visit(world, called(world, made.get("function"), arguments, {} if arguments else values), context)
+        visit_all(world, called(world, made.get("function"), arguments, {} if arguments else values), context)
         return
     kept, context.loop = context.loop, {**context.loop, **values}
-    visit(world, made.get("actions"), context)
+    visit_all(world, made.get("actions"), context)
     context.loop = kept

@@ -16,6 +16,7 @@ from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.decisions import holds_several, is_certain
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHODS, xml_of
+from rosarch.extractor.launch_ros2.natives_processes import decoded
 from rosarch.extractor.launch_ros2.natives_xml import ELEMENT_METHODS, of_element
 from rosarch.extractor.launch_ros2.parameters import yaml_value
 from rosarch.extractor.launch_ros2.registry import NATIVES, native
@@ -220,6 +221,7 @@ _MADE: dict[str, _Call] = {"add_action": _add, "add_entity": _add, "perform": _p
 _MADE["_predicate_func"] = _evaluate  # what IfCondition and UnlessCondition evaluate by
 _MADE["get_launch_arguments"] = _arguments
 _MADE["toxml"] = _MADE["toprettyxml"] = lambda run, owner, **_named: xml_of(run, owner) if owner.kind == "XacroDocument" else NOTHING
+_MADE["decode"] = decoded
 _MADE["describe"] = lambda _run, _owner: NOTHING
 
 

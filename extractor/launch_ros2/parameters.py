@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from rosarch.base.diagnostics import shortened
 from rosarch.extractor.launch.model import Condition, LaunchError, Place
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, load_yaml
@@ -172,6 +173,8 @@ def _taken(world: World, name: str, value: Any) -> Any:
     if value is None or isinstance(value, (PathText, set)):
         shown = "None" if value is None else "a path of pathlib" if isinstance(value, PathText) else "a set"
         raise LaunchError("parameter", name, f"the parameter `{name}` is {shown}, which launch does not take for a value")
+    if isinstance(value, (list, tuple)) and not value:
+        raise LaunchError("parameter", name, f"the parameter `{name}` is an empty list, for which launch knows no type")
     if not isinstance(value, (list, tuple)) or not all(type(item) in _PLAIN for item in value):
         return value
     kinds = {type(item) for item in value}
@@ -211,37 +214,76 @@ def evaluated(world: World, value: Any, context: Context) -> Any:
         return _typed(world, value, context)
     if isinstance(value, (list, tuple)):
         world.state.spend(PART_COST * len(value))
-    if isinstance(value, (Made, Instance)) or (
-        isinstance(value, (list, tuple)) and any(isinstance(item, (Made, Instance)) for item in value)
-    ):
-        if isinstance(value, (list, tuple)) and all(isinstance(item, Made) and item.kind == "ParameterValue" for item in value):
-            return [evaluated(world, item, context) for item in value]
-        return _read(world, perform(world, value, context))
     if isinstance(value, (list, tuple)):
-        return [evaluated(world, item, context) for item in value]
+        return _evaluated_list(world, value, context)
+    if isinstance(value, (Made, Instance)):
+        return _read(world, perform(world, value, context))
     return world.as_text(value) if isinstance(value, (Unknown, Either)) else value
 
 
+def _evaluated_list(world: World, items: Sequence[Any], context: Context) -> Any:
+    """A list of values, each of which may be a list of substitutions; or one such list, where there are no others."""
+    has_substitutions = any(isinstance(item, (Made, Instance)) for item in items)
+    if items and all(isinstance(item, Made) and item.kind == "ParameterValue" for item in items):
+        return [evaluated(world, item, context) for item in items]
+    if has_substitutions and not any(isinstance(item, (*_NUMBERS, list, tuple)) for item in items):
+        return _read(world, perform(world, items, context))
+    if has_substitutions or any(isinstance(item, (list, tuple)) for item in items):
+        found = [item if isinstance(item, _NUMBERS) else _read(world, perform(world, item, context)) for item in items]
+    else:
+        found = [evaluated(world, item, context) for item in items]
+    if not _is_of_one_type(world, found):
+        raise LaunchError("parameter", str(found), f"the elements of `{found}` are of several types")
+    return found
+
+
+_NUMBERS = (bool, int, float)
+
+
+def _is_of_one_type(world: World, found: list[Any]) -> bool:
+    return _is_value([item for item in found if not (isinstance(item, str) and world.state.unknowns.is_open(item))])
+
+
 def _read(world: World, text: str) -> Any:
-    found = text if world.state.unknowns.is_open(text) or text in world.described else yaml_value(text)
-    return "" if found is None else found
+    """What launch_ros makes of a text that substitutions come to.
+
+    Raises:
+        LaunchError: it is no YAML, as the description of a robot with `: ` in a comment, or is a map.
+    """
+    if not text or world.state.unknowns.is_open(text):
+        return text
+    shown = shortened(text)
+    try:
+        found = load_yaml(text, Loader)
+    except YamlError as error:
+        message = (
+            f"`{shown}` is no YAML, which launch takes it for without a ParameterValue of type str: {error.message}, line {error.line}"
+        )
+        raise LaunchError("parameter", shown, message) from None
+    if not _is_value(found) or found == []:
+        raise LaunchError("parameter", shown, f"`{shown}` is neither a scalar nor a list of one type")
+    if isinstance(found, str) and text in world.described:
+        world.described[found] = world.described[text]
+    return found
 
 
 def _typed(world: World, made: Made, context: Context) -> Any:
     value, kind = made.arguments.get("value"), made.arguments.get("value_type")
     if not isinstance(value, (str, list, tuple, Made, Instance, Either, Unknown)):
         return value
+    if kind is None and isinstance(value, (list, tuple)) and all(isinstance(item, _PLAIN) for item in value):
+        return list(value)
     text, name = perform(world, value, context), type_name(kind)
     if name == "str" or world.state.unknowns.is_open(text):
         return text
     if name in TYPES:
         return converted(text, TYPES[name])
-    found = _read(world, text)
-    of, several = TYPES.get(name.removeprefix("list_of_")), isinstance(found, list)
-    if of is not None and not (several and all(isinstance(item, of) for item in found)):
+    of = TYPES.get(name.removeprefix("list_of_"))
+    if of is None:
+        return _read(world, text)
+    found = yaml_value(text)
+    if not (isinstance(found, list) and all(isinstance(item, of) for item in found)):
         raise LaunchError("parameter", text, f"`{text}` is no list of {of.__name__}")
-    if name in ("auto", "yaml") and not (_is_value(found) and (not text or yaml_value(text) is not None)):
-        raise LaunchError("parameter", text, f"`{world.state.unknowns.render(text)}` is neither a scalar nor a list of one type")
     return found
 
 
@@ -278,7 +320,7 @@ def yaml_value(source: str) -> Any:
 def _of_file(world: World, value: Any, given: Given, name: str | None, context: Context) -> Iterator[Setting | Unread | Read]:
     state = world.state
     substituted = isinstance(value, Made) and value.kind == "ParameterFile" and bool(value.arguments.get("allow_substs"))
-    path = perform(world, value, context)
+    path = value.text if isinstance(value, PathText) else perform(world, value, context)
     if not path:  # launch_ros goes on without a file
         return
     if path not in world.written and state.unknowns.is_open(path):

@@ -260,13 +260,16 @@ def _value(events: Iterator[yaml.Event], value: yaml.Event, subject: str) -> Non
 
 
 def _list(events: Iterator[yaml.Event], subject: str) -> None:
-    """The elements of the list that `subject` is, whose beginning was read: values of one type."""
+    """The elements of the list that `subject` is, whose beginning was read: values of one type, or those of the list that it ends with."""
     types: dict[str, None] = {}
     for event in events:
         if isinstance(event, yaml.SequenceEndEvent):
             break
         if isinstance(event, yaml.SequenceStartEvent):
-            raise _Refused(f"{subject} is a list of lists", event)
+            _list(events, subject)
+            if not isinstance(next(events), yaml.SequenceEndEvent):
+                raise _Refused(f"{subject} is a list of lists", event)
+            break
         if not isinstance(event, yaml.ScalarEvent):
             _require_no_alias(event)
             if len(set(_values_of_map(events))) > 1:  # to rcl they are elements of the list

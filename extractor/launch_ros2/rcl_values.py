@@ -1,8 +1,8 @@
 """Values of parameters as rcl reads them, whatever the YAML of Python makes of them: in files, and of what launch_ros writes for a node.
 
 Source: rcl_yaml_param_parser (parse.c): a plain scalar is a Boolean, an integer or a double when it looks like one to C, else a text; tags
-count for nothing but `!!str`. Of what a launch file gives, launch_ros writes a file by PyYAML, which quotes what would be another type to
-itself: `1e5` and `y` it leaves as they are, and they arrive as a double and a Boolean.
+count for nothing but `!!str`. A list that begins within a list begins anew. Of what a launch file gives, launch_ros writes a file by
+PyYAML, which quotes what would be another type to itself: `1e5` and `y` it leaves as they are, and they arrive as a double and a Boolean.
 """
 
 from __future__ import annotations
@@ -68,10 +68,19 @@ class RclLoader(RepeatedKeysLoader):
         """A scalar that is not certainly a text."""
         return node.value if node.style else scalar(node.value)
 
+    def list_of(self, node: yaml.SequenceNode) -> Any:
+        """A list, or the one that it ends with."""
+        outer: set[int] = set()
+        while id(node) not in outer and node.value and isinstance(node.value[-1], yaml.SequenceNode):
+            outer.add(id(node))
+            node = node.value[-1]
+        return self.construct_yaml_seq(node)
+
 
 RclLoader.yaml_implicit_resolvers = {None: [(_TAGS[name], re.compile(rf"(?:{form.pattern})\Z", form.flags)) for _, name, form in SCALARS]}
 for _tag in _TAGS.values():
     RclLoader.add_constructor(_tag, RclLoader.typed)
+RclLoader.add_constructor("tag:yaml.org,2002:seq", RclLoader.list_of)
 
 
 def read(text: str) -> Any:

@@ -25,14 +25,16 @@ from rosarch.extractor.launch.model import (
     Remap,
 )
 from rosarch.extractor.launch.names import canonical, ns_join
+from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch_ros2.actions import carries_out, conditional, joined, require_namespace, require_node_name
 from rosarch.extractor.launch_ros2.context import Context, Given
 from rosarch.extractor.launch_ros2.controllers import asked_by_command, asked_by_spawner
+from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
 from rosarch.extractor.launch_ros2.substitutions import perform
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written, cases, in_order
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written, cases, class_of, in_order
 
 if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.world import World
@@ -105,8 +107,8 @@ def start_node(world: World, made: Made, context: Context) -> NodeStart:
 
 def load(world: World, descriptions: Any, container: str, context: Context) -> None:
     """Load components into a container."""
-    if isinstance(descriptions, Either):
-        descriptions = [descriptions]
+    if isinstance(descriptions, Made):
+        raise Raised("TypeError", f"'{class_of(descriptions)}' object is not iterable")
     for one in descriptions if isinstance(descriptions, (list, tuple)) else [descriptions]:
         _load_one(world, one, container, context)
 
@@ -114,13 +116,13 @@ def load(world: World, descriptions: Any, container: str, context: Context) -> N
 def _load_one(world: World, one: Any, container: str, context: Context) -> None:
     if isinstance(one, Instance):
         one = one.made
-    if isinstance(one, (list, tuple)):
-        load(world, one, container, context)
-    elif isinstance(one, Either):
+    if isinstance(one, Either):
         for condition, item in one.alternatives():
             if context.allows(condition):
                 with context.within(condition):
-                    _load_one(world, item, container, context)
+                    (load if isinstance(item, (list, tuple)) else _load_one)(world, item, container, context)
+    elif isinstance(one, (list, tuple, type(None))):
+        raise Raised("AttributeError", f"'{class_of(one)}' object has no attribute 'condition'")
     elif isinstance(one, Unknown):
         world.interpreter.misunderstood(one.place, f"what is loaded into {world.state.unknowns.render(container)} is not known: {one.text}")
     elif isinstance(one, Made):
@@ -337,7 +339,9 @@ def _names_in(world: World, package: str, place: Place) -> frozenset[str] | None
 
 def _given(made: Made) -> list[Given]:
     found = made.get("parameters")
-    parts = _parts([found] if isinstance(found, dict) else found)
+    parts = list(_parts([found] if isinstance(found, dict) else found))
+    if any(item is None for item, _ in parts):
+        raise Raised("TypeError", "'parameters' has None for a file or a map")
     return [Given(item, item.place if isinstance(item, Made) else made.place, conditions) for item, conditions in parts]
 
 
@@ -383,7 +387,10 @@ def _words(world: World, made: Made, context: Context) -> list[str]:
 def _words_of(world: World, found: Any, context: Context) -> list[str]:
     """The words of a command line, or a part of one; in XML and YAML it is one text, where a substitution is within one word."""
     if not (isinstance(found, Made) and found.kind == "Words"):
-        return [perform(world, item, context) for item in _as_list(found)]
+        if isinstance(found, Made):
+            raise Raised("TypeError", f"'{class_of(found)}' object is not iterable")
+        # a text is a list of its characters
+        return list(found) if isinstance(found, str) and is_known(found) else [perform(world, [item], context) for item in _as_list(found)]
     words: list[list[str]] = []
     word: list[str] = []
     for part in found.arguments["text"]:

@@ -17,7 +17,8 @@ from rosarch.extractor.launch.model import ArgumentUsed, LaunchError
 from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.values import boolean
 from rosarch.extractor.launch_ros2.context import Context
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown
+from rosarch.extractor.launch_ros2.expressions import Raised
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, PathText, Unknown, class_of
 from rosarch.extractor.urdf.command import xacro_call
 
 if TYPE_CHECKING:
@@ -40,10 +41,16 @@ def performs(*kinds: str) -> Callable[[_Performer], _Performer]:
 
 
 def perform(world: World, value: Any, context: Context) -> str:
-    """The text that a value comes to where launch takes substitutions: a text, a substitution, or a list of them."""
+    """The text that a value comes to where launch takes substitutions: a text, a substitution, or a list of them.
+
+    Raises:
+        Raised: it is a number, a truth value or a path, or one of a list is None.
+    """
     if isinstance(value, (list, tuple)):
         world.state.spend(PART_COST * len(value))
-        text = "".join([perform(world, item, context) for item in value])
+        text = "".join([perform(world, _part(item), context) for item in value])
+    elif isinstance(value, (bool, int, float, PathText)):
+        raise Raised("TypeError", f"'{class_of(value)}' object is not iterable")
     elif isinstance(value, Made):
         performer = _PERFORMERS.get(value.kind)
         # code of the launch file may have set a configuration to anything
@@ -60,6 +67,19 @@ def perform(world: World, value: Any, context: Context) -> str:
         raise LaunchError("size", "text", f"a text of more than {MAX_TEXT >> 20} Mi characters after substitution")
     world.state.spend(len(text))
     return text
+
+
+def _part(item: Any) -> Any:
+    if item is None:
+        raise Raised("TypeError", "'NoneType' object is not iterable")
+    return item
+
+
+def _shown(value: Any) -> Any:
+    """A value where launch takes what Python prints of it, too."""
+    if isinstance(value, (list, tuple)):
+        return [_shown(item) for item in value]
+    return value.text if isinstance(value, PathText) else str(value) if isinstance(value, (bool, int, float)) else value
 
 
 def _by_method(world: World, value: Instance, context: Context) -> str:
@@ -99,7 +119,7 @@ def _configuration(world: World, made: Made, context: Context) -> str:
     if name == "ros_namespace" and context.namespace:
         return context.namespace
     if "default" in made.arguments and made.arguments["default"] is not None:
-        return perform(world, made.arguments["default"], context)
+        return perform(world, _shown(made.arguments["default"]), context)
     if not _is_open(world, name, *context.configurations):  # one whose name is not known may be this one
         world.state.report(LaunchError("configuration", name, f"launch configuration `{name}` is not set"))
     return _mark(world, f"$(var {_rendered(world, name)})", context.file)
@@ -195,23 +215,32 @@ def _command(world: World, made: Made, context: Context) -> str:
     command = world.by_names(perform(world, made.get("command"), context))
     unknown = _mark(world, f"$(command {_rendered(world, command)})", command)
     words = words_of(command)
-    made_here = any(world.is_made(word.rpartition(":=")[2]) for word in words)
-    call = xacro_call(words)
-    if call is None:
-        world.hand(command)
-    if made_here or (call is not None and _is_open(world, call.file)):
-        return unknown
     try:
-        if call is None:
-            printed = output(words, world.state.files, world.environment)
-        else:
-            printed, robot = evaluated(world.state, call, installed=True)
-            if printed is not None:
-                world.described[printed] = robot
+        printed = printed_by(world, words, command)
     except LaunchError as error:
         world.state.report_unread(error)
         return unknown
     return unknown if printed is None else printed
+
+
+def printed_by(world: World, words: list[str], handed: Any) -> str | None:
+    """What a program prints, None where only running it could show: one that is not known may write to what it is `handed`.
+
+    Raises:
+        LaunchError: it certainly fails.
+    """
+    made_here = any(world.is_made(word.rpartition(":=")[2]) for word in words)
+    call = xacro_call(words)
+    if call is None:
+        world.hand(handed)
+    if made_here or (call is not None and _is_open(world, call.file)):
+        return None
+    if call is None:
+        return output(words, world.state.files, world.environment)
+    printed, robot = evaluated(world.state, call, installed=True)
+    if printed is not None:
+        world.described[printed] = robot
+    return printed
 
 
 @performs("PythonExpression")
@@ -303,7 +332,7 @@ def _both(world: World, made: Made, context: Context) -> str:
 
 @performs("EqualsSubstitution", "NotEqualsSubstitution")
 def _equals(world: World, made: Made, context: Context) -> str:
-    texts = [perform(world, made.arguments.get(side), context) for side in ("left", "right")]
+    texts = [perform(world, _shown(made.arguments.get(side)), context) for side in ("left", "right")]
     left, right = texts
     name = "equals" if made.kind == "EqualsSubstitution" else "not-equals"
     found = None if left != right and _is_open(world, left, right) else (left == right or _same_value(left, right)) is (name == "equals")

@@ -257,6 +257,17 @@ def is_derived(kind: str | None, base: str) -> bool:
     return kind is not None
 
 
+_CLASSES_IN_PYTHON = ((PathText, "PosixPath"), (Written, "tuple"), ((Class, Constructor), "type"), (Function, "function"))
+
+
+def class_of(value: Any) -> str:
+    """What Python calls the class of a value."""
+    named = next((name for kind, name in _CLASSES_IN_PYTHON if isinstance(value, kind)), None)
+    if named is not None:
+        return named
+    return value.kind if isinstance(value, Made) else value.of.name if isinstance(value, Instance) else type(value).__name__
+
+
 def _read_api() -> None:
     shared: dict[str, list[str]] = {}
     for line in (Path(__file__).parent / "api.txt").read_text(encoding="utf-8").splitlines():

@@ -37,6 +37,8 @@ class XacroCall:
 def xacro_call(words: Sequence[str]) -> XacroCall | None:
     """The call that `words` make; None when they call another program, or with options that make it print something else."""
     program, rest = words[0], list(words[1:])
+    if program == "ros2" and rest[:1] == ["run"]:
+        program, rest = "rosrun", rest[1:]
     if program == "rosrun" and len(rest) > 1:
         program, rest = rest[1], rest[2:]
     dialects = _PROGRAMS.get(program.rpartition("/")[2])

@@ -409,3 +409,77 @@ def test_a_source_of_another_format(tmp_path: Path) -> None:
         found = [problem.message for problem in composed(tmp_path, {"launch/main.launch.py": body, **inner}).problems]
         refused = f"{name}LaunchDescriptionSource does not read inner.launch.xml: use AnyLaunchDescriptionSource"
         assert (refused in found) == told
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "Command(['ros2 run xacro xacro ', robot, ' link:=base'])",
+        "subprocess.run(['xacro', robot, 'link:=base'], capture_output=True, text=True, check=True).stdout",
+        "subprocess.run(['xacro', robot, 'link:=base'], stdout=subprocess.PIPE).stdout.decode('utf-8')",
+        "subprocess.check_output(['xacro', Path(robot), 'link:=base']).decode()",
+        "subprocess.check_output('xacro ' + robot + ' link:=base', shell=True, encoding='utf-8')",
+        "subprocess.getoutput(f'xacro {robot} link:=base')",
+        "os.popen(f'xacro {robot} link:=base').read()",
+    ],
+)
+def test_a_description_that_a_program_prints(tmp_path: Path, command: str) -> None:
+    robot = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="link" default=""/>
+      <link name="$(arg link)"/></robot>"""
+    entities = f"node('a', parameters=[{{'robot_description': {command}}}])"
+    text = (
+        f"{HEAD}import subprocess\ndef generate_launch_description():\n    robot = os.path.dirname(__file__) + '/r.urdf'\n"
+        f"    return LaunchDescription([{entities}])\n"
+    )
+    found = composed(tmp_path, {"main.launch.py": text, "r.urdf": robot})
+    assert '<link name="base"/>' in str(params(found)["/a/robot_description"])
+    assert not found.problems
+
+
+def test_what_a_program_prints_that_is_not_known(tmp_path: Path) -> None:
+    entities = "node('a', parameters=[{'host': subprocess.check_output(['hostname', '-I'], text=True)}])"
+    text = f"{HEAD}import subprocess\ndef generate_launch_description():\n    return LaunchDescription([{entities}])\n"
+    assert params(composed(tmp_path, {"main.launch.py": text})) == {"/a/host": "$(subprocess.check_output(['hostname', '-I'], text=True))"}
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("<!-- a: b -->", "is no YAML, which launch takes it for without a ParameterValue of type str: mapping values are not allowed here, line 2"),
+        ("<!-- # -->\n<link/>", "is no YAML, which launch takes it for without a ParameterValue of type str: "),
+        ("\t<link/>", "is no YAML, which launch takes it for without a ParameterValue of type str: "),
+        ("<link/> # the last line", None),
+    ],
+)  # fmt: skip
+def test_a_description_is_read_as_yaml(tmp_path: Path, text: str, told: str | None) -> None:
+    """As the real launch does it with what `Command` prints, unless the value is said to be a text."""
+    described = "Command(['cat ', os.path.dirname(__file__) + '/r.urdf'])"
+    for value, fails in ((described, told), (f"ParameterValue({described}, value_type=str)", None)):
+        body = f"return LaunchDescription([node('a', parameters=[{{'robot_description': {value}}}])])"
+        files = {"main.launch.py": f"{HEAD}def generate_launch_description():\n    {body}\n", "r.urdf": f'<robot name="r">\n{text}\n'}
+        found = composed(tmp_path, files)
+        assert [fails in problem.message for problem in found.problems if fails] == [True] * bool(fails)
+        assert bool(found.nodes) == (fails is None)
+
+
+@pytest.mark.parametrize(
+    "text", ["a: b", "a: b: c", "[1, a]", "null", "2020-01-01", "[[1], [2]]", '"a', "[]", "@a", "*a", "# a", "a\\n---\\nb"]
+)
+def test_texts_that_launch_takes_for_no_parameter(tmp_path: Path, text: str) -> None:
+    """All of them the real launch refused."""
+    found = described(tmp_path, f"node('a', parameters=[{{'p': [TextSubstitution(text='{text}')]}}])")
+    assert [problem.kind for problem in found.problems] == ["parameter"]
+    assert not found.nodes
+
+
+def test_texts_of_several_types_in_a_list(tmp_path: Path) -> None:
+    found = described(tmp_path, "node('a', parameters=[{'p': [[TextSubstitution(text='1')], [TextSubstitution(text='b')]]}])")
+    assert [problem.message for problem in found.problems] == ["the elements of `[1, 'b']` are of several types"]
+
+
+def test_what_xacro_prints_in_ros_2_ends_with_its_last_line(tmp_path: Path) -> None:
+    """That of ROS 1 prints an empty line more."""
+    text = "ParameterValue(Command(['xacro ', os.path.dirname(__file__), '/r.urdf']), value_type=str)"
+    body = f"return LaunchDescription([node('a', parameters=[{{'p': {text}}}])])"
+    found = composed(tmp_path, {"main.launch.py": f"{HEAD}def generate_launch_description():\n    {body}\n", "r.urdf": '<robot name="r"/>'})
+    assert str(params(found)["/a/p"]).endswith(' -->\n<robot name="r"/>\n')

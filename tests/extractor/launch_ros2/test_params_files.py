@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from ros2_launch_builder import composed, problems
+from ros2_launch_builder import composed, params, problems
 
 from rosarch.extractor.launch_ros2.params_files import refused
 
@@ -37,6 +37,7 @@ TAKEN = (
     "n:\n  ros__parameters:\n    p:\n    - {a: x, b: z, c: [1]}\n",
     "n:\n  ros__parameters:\n    p: [1.0, inf, -Infinity, nan, 0x1.8p3, -.inf]\n    q: [!!str 1, a]\n",
     "/**/n:\n  ros__parameters:\n    a.b: {c: 1}\nm: {}\n",
+    "n:\n  ros__parameters:\n    p: [[-2.4, 2.4]]\n    q: [[]]\n    r: [[[1]]]\n    s: [1, [2, 3]]\n",
 )
 
 
@@ -52,6 +53,15 @@ def test_refused(text: str) -> None:
 @pytest.mark.parametrize("text", TAKEN, ids=str)
 def test_taken(text: str) -> None:
     assert refused(text) is None
+
+
+def test_a_list_that_ends_with_a_list_is_that_one(tmp_path: Path) -> None:
+    """As rclpy has it from the real rcl."""
+    written = "n:\n  ros__parameters:\n    p: [[-2.4, 2.4]]\n    q: [[[1]]]\n    r: [1, [2, 3]]\n"
+    launch = '<node pkg="here" exec="run" name="n" args="--ros-args -p s:=[[2,3]]"><param from="$(dirname)/p.yaml"/></node>'
+    found = composed(tmp_path, {"main.launch.xml": f"<launch>{launch}</launch>", "p.yaml": written})
+    assert params(found) == {"/n/p": [-2.4, 2.4], "/n/q": [1], "/n/r": [2, 3], "/n/s": [2, 3]}
+    assert not found.problems
 
 
 def told(folder: Path, launch: str, written: str) -> list[str]:
