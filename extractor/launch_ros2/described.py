@@ -267,6 +267,7 @@ class _Reader:
             return {_key(self.made(name, line)): self.made(one, line) for name, one in value["pairs"]}
         line = int(value.get("line", line))
         given = {str(name): self.made(one, line) for name, one in value.get("with", {}).items()}
+        given.update((name, list(_flat(given[name]))) for name in _WITH_ACTIONS & given.keys())
         if "new" in value:
             return self._instance(value["of"], value["new"], given)
         rest = tuple(self.made(one, line) for one in value.get("rest", ()))
@@ -281,6 +282,18 @@ class _Reader:
             raise ValueError("no class of a helper package")
         of_launch = made_of.constructors()[:1]
         return Instance(made_of, attributes, *(Made(one.kind, {}, Place(self.file, 1)) for one in of_launch))
+
+
+_WITH_ACTIONS = frozenset({"initial_entities", "actions", "on_exit", "on_start", "on_completion", "entities"})
+
+
+def _flat(actions: Any) -> Iterator[Any]:
+    """Actions without the lists that stand for those that a function returns."""
+    for one in actions if isinstance(actions, list) else [actions]:
+        if isinstance(one, list):
+            yield from _flat(one)
+        elif one is not None:
+            yield one
 
 
 def _key(value: Any) -> Any:

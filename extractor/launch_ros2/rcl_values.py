@@ -1,7 +1,7 @@
 """Values of parameters as rcl reads them, whatever the YAML of Python makes of them: in files, and of what launch_ros writes for a node.
 
 Source: rcl_yaml_param_parser (parse.c): a plain scalar is a Boolean, an integer or a double when it looks like one to C, else a text; tags
-count for nothing but `!!str`. A list that begins within a list begins anew. Of what a launch file gives, launch_ros writes a file by
+count for nothing but `!!str`. A list within a list takes its place. Of what a launch file gives, launch_ros writes a file by
 PyYAML, which quotes what would be another type to itself: `1e5` and `y` it leaves as they are, and they arrive as a double and a Boolean.
 """
 
