@@ -17,6 +17,7 @@ from rosarch.models import formula
 from rosarch.models.component import MANAGED, ComponentModel, Parameter, Port, default_value
 
 UNKNOWN = "?"
+_OF_ROS_1 = frozenset({"hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic"})
 _ONE_NAME = re.compile(r"(?P<not>!|not )?(?P<name>[A-Za-z_][\w.]*)")
 
 
@@ -38,7 +39,8 @@ def library_documents(models: Iterable[ComponentModel], source: Source) -> dict[
                 known.add(2 if "ROS 2" in model.middleware else 1)
     head = {"origin": source.origin, "revision": source.revision}
     more = {"distributions": list(source.distributions)} if source.distributions else {}
-    together = sorted(set().union(*versions.values())) or [1]  # packages without nodes of their own are for the ROS of the others
+    # packages without nodes of their own are for the ROS of the others
+    together = sorted(set().union(*versions.values())) or [1 if _OF_ROS_1.issuperset(source.distributions) else 2]
     return {
         package: {
             **{"package": package, **head, "ros": sorted(versions[package]) or together, **more},

@@ -9,7 +9,11 @@ from pathlib import Path
 import pytest
 from jsonschema import Draft202012Validator
 
+from rosarch.base.places import Place
 from rosarch.library import find
+from rosarch.library.build import library_documents
+from rosarch.library.model import Source
+from rosarch.models.component import ComponentModel, Parameter
 from rosarch.reports.library import library_schema
 
 ORIGIN = ("--origin", "https://example.com/scan_filters.git", "--revision", "1.2")
@@ -176,3 +180,11 @@ def test_names_made_of_the_own_one_are_for_any(rosarch: Callable, tmp_path: Path
     found = find("p", "n", [tmp_path / "own"])
     assert found and found.node_name == "keeper"
     assert [port.name for port in found.ports if not port.implicit] == ["{node}/is_active"]
+
+
+def test_the_distribution_says_for_which_ros_a_package_of_plugins_is() -> None:
+    opened = Parameter("~max_effort", "read", "double", "1.0", Place("gripper.cpp", 1))
+    plugin = ComponentModel("system", "grippers/Gripper", "grippers", "plugin", None, (), (), (opened,))
+    for distributions, expected in ((("jazzy",), [2]), (("noetic",), [1]), ((), [1])):
+        source = Source("https://example.com/grippers.git", "1.0", distributions)
+        assert library_documents([plugin], source)["grippers"]["ros"] == expected
