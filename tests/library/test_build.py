@@ -183,7 +183,7 @@ def test_names_made_of_the_own_one_are_for_any(rosarch: Callable, tmp_path: Path
 
 
 def test_the_distribution_says_for_which_ros_a_package_of_plugins_is() -> None:
-    opened = Parameter("~max_effort", "read", "double", "1.0", Place("gripper.cpp", 1))
+    opened = Parameter("~max_effort", "read", "double", "1.0", Place("gripper.cpp", 1, 1))
     plugin = ComponentModel("system", "grippers/Gripper", "grippers", "plugin", None, (), (), (opened,))
     for distributions, expected in ((("jazzy",), [2]), (("noetic",), [1]), ((), [1])):
         source = Source("https://example.com/grippers.git", "1.0", distributions)
