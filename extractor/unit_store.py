@@ -119,9 +119,9 @@ class UnitRows:
         return Declarations(self._declared(*DECLARED))
 
     def _declared(self, *relations: str, own: Rows | None = None) -> dict[str, list[Row]]:
-        """What these relations hold outside of functions."""
+        """What these relations hold outside of functions, each row once: many units include the same headers."""
         parts = [*([own] if own else []), *self._outside]
-        return {relation: [row for part in parts for row in part.get(relation, ())] for relation in relations}
+        return {relation: list(dict.fromkeys(chain.from_iterable(part.get(relation, ()) for part in parts))) for relation in relations}
 
     def _unpacked(self, function: str) -> list[Rows]:
         if function not in self._bodies:
