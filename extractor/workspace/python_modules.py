@@ -47,6 +47,7 @@ class Modules:
         self._installed: dict[str, Path | None] = {}
         self._outlines: dict[Path, Outline] = {}
         self._files: dict[tuple[str, Path], Path | None] = {}
+        self._inside: dict[Path, frozenset[str]] = {}
         self._found: dict[tuple[Path, ...], dict[str, Path | None]] = {}
 
     def find(self, name: str, roots: Sequence[Path]) -> Path | None:
@@ -66,7 +67,19 @@ class Modules:
         return self._of_underlay(name) if own is None and self._own(name.partition(".")[0], roots) is None else own
 
     def _own(self, name: str, roots: Sequence[Path]) -> Path | None:
-        return next((found for root in roots if (found := self._below(name, root)) is not None), None)
+        top = name.partition(".")[0]
+        there = (root for root in roots if top in self._names_in(root))
+        return next((found for root in there if (found := self._below(name, root)) is not None), None)
+
+    def _names_in(self, folder: Path) -> frozenset[str]:
+        """What modules a folder may have: a name is looked for in many folders, and most lack it."""
+        if folder not in self._inside:
+            try:
+                names = os.listdir(folder)
+            except OSError:
+                names = []
+            self._inside[folder] = frozenset(name.removesuffix(".py") for name in names)
+        return self._inside[folder]
 
     def closure(self, file: Path, module: str, roots: Sequence[Path]) -> tuple[tuple[tuple[str, Path], ...], frozenset[str]]:
         """The modules that running a file imports, itself first, and the names of the packages that are elsewhere."""
