@@ -13,6 +13,7 @@ _REASONS = {
     "undefined": "the node is handed to {}, whose body is not among the sources",
     "base": "the base class {} was not seen",
     "makes": "{}, which was not seen, makes ports of its own",
+    "factory": "{} makes a node of a class that only its library names",
     "call": "the call of {} was not understood",
     "otherwise": "a port may have another name: {}",
     "import": "{} imports a module whose name is not known",

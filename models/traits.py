@@ -39,6 +39,7 @@ TRAITS = {
     "answers_least": ("port", "port", "text"),
     "round_least": ("place", "port", "text"),
     "round_always": ("place", "port"),
+    "round_without_wait": ("place",),
     "round_waits": ("place", "place", "text", "text", "text"),
     "round_of_each": ("place",),
     "sent_untimed": ("port",),

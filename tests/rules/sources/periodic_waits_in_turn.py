@@ -1,14 +1,16 @@
 # Loops that wait at several places in a round, one after another or at one of them, and several times at one.
 #
-# expect: round_waits(A, A, "always", "1", "sleep"), round_waits(A, B, "always", "1", "sleep"), A != B, location(A, _, 22, _), location(B, _, 24, _)
+# expect: round_waits(A, A, "always", "1", "sleep"), round_waits(A, B, "always", "1", "sleep"), A != B, location(A, _, 24, _), location(B, _, 26, _)
 # expect: 2 = count : { round_waits(_, _, "always", "1", "sleep") }
-# expect: round_waits(A, A, "sometimes", "1", "sleep"), round_waits(A, B, "instead", "1", "sleep"), A != B, location(A, _, 32, _), location(B, _, 34, _)
-# expect: round_waits(A, A, "always", "1", "rate"), round_waits(A, B, "sometimes", "1", "sleep"), location(B, _, 43, _), location(A, _, 44, _)
-# expect: round_waits(A, A, "always", "3", "sleep"), location(A, _, 51, _)
-# expect: round_waits(A, A, "sometimes", "many", "sleep"), location(A, _, 59, _)
-# expect: round_sends(A, [_, _, "/in_turn"], "2"), location(A, _, 22, _)
-# expect-not: round_sends(A, _, _), location(A, _, 24, _)
-# expect-not: round_waits(A, _, _, _, _), location(A, _, 67, _)
+# expect: round_waits(A, A, "sometimes", "1", "sleep"), round_waits(A, B, "instead", "1", "sleep"), A != B, location(A, _, 34, _), location(B, _, 36, _)
+# expect: round_waits(A, A, "always", "1", "rate"), round_waits(A, B, "sometimes", "1", "sleep"), location(B, _, 45, _), location(A, _, 46, _)
+# expect: round_waits(A, A, "always", "3", "sleep"), location(A, _, 53, _)
+# expect: round_waits(A, A, "sometimes", "many", "sleep"), location(A, _, 61, _)
+# expect: round_without_wait(A), location(A, _, 61, _)
+# expect: 1 = count : { round_without_wait(_) }
+# expect: round_sends(A, [_, _, "/in_turn"], "2"), location(A, _, 24, _)
+# expect-not: round_sends(A, _, _), location(A, _, 26, _)
+# expect-not: round_waits(A, _, _, _, _), location(A, _, 69, _)
 import rospy
 from std_msgs.msg import Bool
 
