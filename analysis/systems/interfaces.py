@@ -42,7 +42,7 @@ class _Writer:
 
 _PORT = {
     "type": "type", "queue": "queue", "from_param": "parameter", "conditional": "conditional", "callback": "callback",
-    "latched": "latched", "implicit": "implicit", "in_namespace": "in_namespace",
+    "latched": "latched", "implicit": "implicit", "via": "via", "in_namespace": "in_namespace",
 }  # fmt: skip
 _LIBRARY_PORT = {**_PORT, "from_arg": "argument", "param_pattern": "pattern", "suffix": "suffix", "rest": "rest"}
 

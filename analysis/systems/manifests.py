@@ -7,11 +7,12 @@ import re
 import sys
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from rosarch.base.files import text_or_nothing
+from rosarch.base.files import read_file, text_or_nothing
+from rosarch.base.xml_reader import XmlError, read_tree
 from rosarch.extractor.launch.facts import path_below
 from rosarch.extractor.launch.model import Composition, PackageNamed
 from rosarch.extractor.package_names import NO_PACKAGES, name_in, quick_text, without_comments
@@ -51,7 +52,8 @@ class Declared:
 
     `kinds` are the kinds of its dependencies, each with the line of the last one, `aside` those that are only in a comment, `after` the
     lines of the dependencies that it is built or used with, not only tested.
-    `needs` have no dependency of their name. `is_meta`: it is a metapackage.
+    `needs` have no dependency of their name. `is_meta`: it is a metapackage. `flaws` keep it from being built: each has its line, its kind
+    and what it is about.
     """
 
     name: str
@@ -64,6 +66,7 @@ class Declared:
     after: tuple[tuple[str, int], ...]
     needs: tuple[Need, ...]
     is_meta: bool = False
+    flaws: tuple[tuple[int, str, str], ...] = ()
 
 
 def declared(root: Path) -> tuple[Declared, ...]:
@@ -75,7 +78,31 @@ def declared(root: Path) -> tuple[Declared, ...]:
     folders = {os.path.dirname(path) for path in paths}
     built = set(find_manifests(root, []))
     found = [one for path in paths if (one := _read(path, folders, path in built)) is not None]
-    return tuple({one.name: one for one in reversed(found)}.values())  # of several of a name the first counts
+    first = {one.name: one for one in reversed(found)}  # of several of a name the first counts
+    for one in (one for one in found if f"{one.folder}/package.xml" in built):
+        other = first[one.name]
+        if _built_together(one, other, folders, root):
+            twice = (_line_of_name(other.folder), "name twice", os.path.relpath(one.folder, root))
+            first[one.name] = replace(other, flaws=(*other.flaws, twice))
+    return tuple(first.values())
+
+
+def _built_together(one: Declared, other: Declared, folders: set[str], root: Path) -> bool:
+    """Whether two packages of one name are in one workspace, below its folder `src`: a tool for one version of ROS finds both there."""
+    above = os.path.relpath(os.path.commonpath((one.folder, other.folder)), root.parent)
+    alone = all(str(upper) not in folders for package in (one, other) for upper in Path(package.folder).parents)
+    return one.folder != other.folder and alone and "src" in Path(above).parts and _version(one) == _version(other)
+
+
+def _version(one: Declared) -> int:
+    from rosarch.extractor.workspace.manifests import ros_version
+
+    return ros_version(Path(one.folder, "package.xml"))
+
+
+def _line_of_name(folder: str) -> int:
+    text = quick_text(f"{folder}/package.xml") or ""
+    return 1 + text.count("\n", 0, text.find("<name>"))
 
 
 def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:
@@ -91,6 +118,7 @@ def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:
     aside = frozenset(match[2] for match in _DEPENDENCY.finditer(text_or_nothing(path))) - depends
     needs = tuple(_needs(folder, folders, depends | {name})) if is_built else ()
     kinds = {tag: line for tag, _, line in found}
+    broken = _broken(path) if is_built else None
     given = _FORMAT.search(text)
     return Declared(
         name,
@@ -103,7 +131,17 @@ def _read(path: str, folders: set[str], is_built: bool) -> Declared | None:
         tuple(after.items()),
         needs,
         _METAPACKAGE.search(text) is not None,
+        (broken,) if broken else (),
     )
+
+
+def _broken(path: str) -> tuple[int, str, str] | None:
+    """Where a manifest is no XML."""
+    try:
+        read_tree(read_file(path))
+    except XmlError as error:
+        return error.line, "manifest broken", error.message
+    return None
 
 
 def _needs(folder: str, packages: set[str], depends: frozenset[str]) -> Iterator[Need]:
@@ -195,7 +233,7 @@ def manifest_rows(
         rows["package_set_aside"].update((one.name, dependency) for dependency in one.aside)
         needs = [need for need in one.needs if need.how != "header" or need.name in there or _MESSAGES.search(need.name)]
         rows["package_needs"].update((place(one, need.line, need.path), one.name, need.name, need.how) for need in needs)
-        rows["package_known"].update((need.name,) for need in needs if need.name in there)
+        rows["package_known"].update((name,) for name in (*(need.name for need in needs), *one.depends) if name in there)
     named = {named.package for named in composition.references if isinstance(named, PackageNamed)}
     used = named | {need.name for one in wanted for need in one.needs}
     for one in _with_dependencies(wanted | {by_name[name] for name in used if name in by_name}, by_name):
@@ -203,6 +241,8 @@ def manifest_rows(
     for one in wanted:
         rows["package_after"].update((one.name, name, place(one, line)) for name, line in one.after)
         rows["package_is_meta"].update((name,) for name in (one.name, *one.depends) if name in by_name and by_name[name].is_meta)
+    for one in manifests:
+        rows["build_defect"].update((place(one, line), one.name, kind, about) for line, kind, about in one.flaws)
     for number, one in enumerate(_unordered(by_name)):
         rows["package_unordered"].update((one.name, name, place(one, line), number) for name, line in one.after if name in by_name)
     return rows

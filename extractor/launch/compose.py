@@ -18,7 +18,7 @@ from rosarch.extractor.launch.bridges import read_files
 from rosarch.extractor.launch.controllers import controllers_of_spawners
 from rosarch.extractor.launch.descriptions import note_worlds
 from rosarch.extractor.launch.files import Files
-from rosarch.extractor.launch.meant import files_meant, meshes_meant
+from rosarch.extractor.launch.meant import files_meant, meshes_meant, parts_meant
 from rosarch.extractor.launch.model import (
     ArgumentDeclared,
     Composition,
@@ -243,7 +243,7 @@ def finished(state: State, references: Iterable[Reference]) -> Composition:
         views=views_of(state, nodes),
         bridges=read_files(state, nodes),
         commands=tuple(state.commands),
-        references=(*references, *meshes_meant(state.meshes, state.files.packages)),
+        references=(*references, *meshes_meant(state.meshes, state.files.packages), *parts_meant(state.parts, state.files.packages)),
     )
 
 

@@ -38,6 +38,7 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
             return None, None
     expansion = run(call, state.files, state.resolver.environment, state.unknowns, installed=installed)
     state.spend(expansion.work)
+    state.parts.update(dict.fromkeys(expansion.meant))
     for problem in expansion.problems:
         kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))

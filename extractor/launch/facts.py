@@ -215,6 +215,8 @@ class _Writer:
     def view(self, start: str, view: View) -> None:
         """What a viewer shows by its configuration."""
         self.add("view_given", start, self.path(view.path))
+        if view.frame is not None:
+            self.add("view_frame", start, view.frame[0], self.place(view.frame[1]))
         for part in view.parts:
             self.add("view_part", start, part.role, part.class_name, self.place(part.place))
             for topic in part.topics:

@@ -42,6 +42,14 @@ def file_meant(role: str, path: str, place: Place, packages: PackagePath, *, the
     return FileMeant(role, path, absent, place, beside(path) if absent else None, made)
 
 
+def parts_meant(parts: Collection[tuple[str, Place]], packages: PackagePath) -> Iterator[FileMeant]:
+    """The files of packages that robot descriptions are made of."""
+    for path, place in parts:
+        if packages.of_file(path) is not None:
+            tracing.probe(path)
+            yield file_meant("part", path, place, packages, there=os.path.exists(path))
+
+
 def meshes_meant(meshes: Collection[tuple[str, Place]], packages: PackagePath) -> Iterator[FileMeant | FileNamed]:
     """The files that robot descriptions name: those to be installed, and those that are not there where one is called nearly so.
 

@@ -302,9 +302,10 @@ class FileNamed:
 
 @dataclass(frozen=True)
 class FileMeant:
-    """With the arguments of this launch, an element means `file`; `role` is include, read (its content is used here) or value.
+    """With the arguments of this launch, an element means `file`.
 
-    Of one that is `absent`, `beside` is a file of its kind in the same folder. One that is `made` is not among the sources, nor absent.
+    `role` is include, read (its content is used here), part (a robot description includes it), mesh or value. Of one that is `absent`,
+    `beside` is a file of its kind in the same folder. One that is `made` is not among the sources, nor absent.
     """
 
     role: str

@@ -62,6 +62,7 @@ class State:
         self.unread: list[ParamSetting] = []
         self.worlds: dict[str, World] = {}
         self.meshes: dict[tuple[str, Place], None] = {}
+        self.parts: dict[tuple[str, Place], None] = {}
         self.commands: dict[Place, None] = {}
         self.includes: list[Include] = []
         self.declared: list[ArgumentDeclared] = []

@@ -42,10 +42,11 @@ class ViewPart:
 
 @dataclass(frozen=True)
 class View:
-    """A configuration file."""
+    """A configuration file; all is shown in the `frame` that it names."""
 
     path: str
     parts: tuple[ViewPart, ...]
+    frame: tuple[str, Place] | None
 
 
 def views_of(state: State, nodes: Iterable[NodeStart]) -> tuple[View, ...]:
@@ -55,18 +56,20 @@ def views_of(state: State, nodes: Iterable[NodeStart]) -> tuple[View, ...]:
         if not path.endswith(_ENDING) or path in found or not is_known(path) or not state.files.is_file(path):
             continue
         try:
-            found[path] = View(path, state.files.parsed(path, _parts))
+            found[path] = state.files.parsed(path, _view)
         except (LaunchError, YamlError):
             continue
     return tuple(found.values())
 
 
-def _parts(data: bytes, path: str) -> tuple[ViewPart, ...]:
+def _view(data: bytes, path: str) -> View:
     with opened(data.decode("utf-8", "replace"), Loader) as (_loader, root):
         top = _entries(root)
         manager = _entries(top.get("Visualization Manager"))
         listed = (("panel", top.get("Panels")), ("display", manager.get("Displays")), ("tool", manager.get("Tools")))
-        return tuple(part for role, items in listed for part in _listed(role, items, path))
+        frame = _entries(manager.get("Global Options")).get("Fixed Frame")
+        named = (_text(frame), place_of(frame, path)) if frame is not None else None
+        return View(path, tuple(part for role, items in listed for part in _listed(role, items, path)), named)
 
 
 def _listed(role: str, items: yaml.Node | None, path: str) -> Iterator[ViewPart]:

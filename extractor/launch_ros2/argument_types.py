@@ -1,6 +1,7 @@
 """Arguments that the classes of launch_ros reject, in all versions: their types, and those that must be there.
 
-Sources: launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py, launch/utilities/type_utils.py.
+Sources: launch_ros/actions/node.py, launch_ros/utilities/normalize_remap_rule.py, launch/utilities/type_utils.py and
+launch/event_handlers/on_action_event_base.py.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch_ros2.values import MORE, Made
 
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
+_OF_PROCESSES = frozenset({"OnProcessExit", "OnProcessStart", "OnProcessIO", "OnExecutionComplete"})
 _REQUIRED = {  # by any of their names
     "Node": (("executable", "node_executable"),),
     **dict.fromkeys(
@@ -39,6 +41,8 @@ def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         yield "parameters", "parameters must be a list"
     if kind == "IncludeLaunchDescription" and isinstance(given.get("launch_arguments"), dict):
         yield "launch_arguments", "launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
+    if kind in _OF_PROCESSES and (isinstance(given.get("target_action"), list) or _is_text(given.get("target_action"))):
+        yield "target_action", "target_action must be an action, or a function that chooses actions"
     wanted, value = type_name(given.get("value_type")), given.get("value")
     if kind == "ParameterValue" and _is_scalar(value) and not is_of(value, wanted):
         yield "value", f"{value!r} is no {wanted}: only what substitutions come to is converted"

@@ -18,7 +18,11 @@ MAX_DEPTH = 120  # elements, macros and files within each other
 
 
 class Context:
-    """What all parts of an evaluation share. `incomplete` says that a file is missing, so that what it defines is unknown, not absent."""
+    """What all parts of an evaluation share.
+
+    `incomplete` says that a file is missing, so that what it defines is unknown, not absent. `meant` are files that are looked for where
+    their packages are installed, each with the place that names it.
+    """
 
     def __init__(
         self, files: Files, environment: Mapping[str, str], unknowns: Unknowns, arguments: Mapping[str, str], installed: bool = False
@@ -30,6 +34,7 @@ class Context:
         self.here = Place("", 1)
         self.problems: dict[Problem, None] = {}
         self.read: dict[str, None] = {}
+        self.meant: dict[tuple[str, Place], None] = {}
         self.incomplete = False
         self.work = 0
         self.depth = 0

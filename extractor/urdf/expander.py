@@ -6,6 +6,7 @@ and their order are those of xacro.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -166,9 +167,12 @@ class Expander:
             self.context.incomplete = True
             return []
         path = self.context.beside(pattern)
+        is_one = not re.search(r"[*\[?]", path)
+        if is_one and not is_optional and self.context.installed and os.path.isabs(pattern):
+            self.context.meant[(os.path.normpath(pattern), self.context.here)] = None
         found = []
         try:
-            for name in self.context.files.matching(path) if re.search(r"[*\[?]", path) else [path]:
+            for name in [path] if is_one else self.context.files.matching(path):
                 found.append((name, self.context.files.parsed(name, parse)))
         except LaunchError as error:
             if error.is_limit or error.kind == "made":

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rosarch.extractor.launch.model import Problem
+from rosarch.extractor.launch.model import Place, Problem
 
 if TYPE_CHECKING:
     from rosarch.extractor.urdf.document import Document
@@ -44,7 +44,8 @@ class Expansion:
     """What xacro makes of a file.
 
     `document` is None when the file is rejected, which the last of `problems` then reports. `bare_tags` says that tags without `xacro:`
-    were left as they are although an older xacro takes them for its own. `work` is what it cost, `files` are those that were read.
+    were left as they are although an older xacro takes them for its own. `work` is what it cost, `files` are those that were read, `meant`
+    those that it includes from where packages are installed.
     It is `incomplete` when something was left out that is not known, such as a file that is missing.
     """
 
@@ -54,3 +55,4 @@ class Expansion:
     bare_tags: bool
     work: int
     incomplete: bool
+    meant: tuple[tuple[str, Place], ...] = ()

@@ -54,4 +54,5 @@ def expand(
         context.report(LaunchError("xml", path, error.message))
     except RecursionError:
         context.report(LaunchError("xacro", path, "definitions nested too deeply"))
-    return Expansion(document, tuple(context.problems), tuple(context.read), expander.bare_tags, context.work, context.incomplete)
+    read, meant = tuple(context.read), tuple(context.meant)
+    return Expansion(document, tuple(context.problems), read, expander.bare_tags, context.work, context.incomplete, meant)

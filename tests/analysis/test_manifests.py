@@ -40,6 +40,25 @@ def test_of_two_packages_of_one_name_the_first_counts(tmp_path: Path) -> None:
     assert [(one.name, one.depends) for one in declared(tmp_path)] == [("robot", frozenset({"rospy"}))]
 
 
+def test_what_keeps_packages_from_being_built(tmp_path: Path) -> None:
+    """A manifest that is no XML, a name that two packages of one workspace have; not one of two workspaces, or below another package."""
+    package(tmp_path, "src/a/robot")
+    package(tmp_path, "src/b/robot")
+    package(tmp_path, "src/b/robot/inner/robot")
+    package(tmp_path, "one/src/lamp")
+    package(tmp_path, "two/src/lamp")
+    package(tmp_path, "src/c/bulb", "<buildtool_depend>catkin</buildtool_depend>")
+    package(tmp_path, "src/d/bulb", "<buildtool_depend>ament_cmake</buildtool_depend>")
+    package(tmp_path, "src/broken", "<depend>rospy</depends>\n")
+    found = {one.name: one.flaws for one in declared(tmp_path)}
+    assert found == {
+        "robot": ((2, "name twice", "src/b/robot"),),
+        "lamp": (),
+        "bulb": (),
+        "broken": ((3, "manifest broken", "broken XML: mismatched tag"),),
+    }
+
+
 def test_headers(tmp_path: Path) -> None:
     header = (
         "#ifndef ROBOT_H\n#define ROBOT_H\n#include <map>\n#include <nav_msgs/msg/path.hpp>\n# include <robot/robot.h>\n"
@@ -73,7 +92,7 @@ def test_rows(tmp_path: Path) -> None:
         ("driver/a.cpp:2:1", "driver", "known", "header"),
         ("driver/a.cpp:3:1", "driver", "x_msgs", "header"),
     }
-    assert rows["package_known"] == {("meshes",), ("driver",), ("known",)}
+    assert rows["package_known"] == {("meshes",), ("driver",), ("known",), ("lamp",)}
     assert rows["package_depends"] == {("robot", "lamp"), ("robot", "gtest"), ("lamp", "bulb"), ("bulb", "lamp"), ("meshes", "far")}
     assert rows["package_after"] == {("robot", "lamp", "robot/package.xml:3:1")}
     assert rows["package_unordered"] == {

@@ -293,7 +293,7 @@ def test_every_relation_of_the_schema_is_filled(tmp_path: Path) -> None:
     )
     (tmp_path / "here" / ".gitignore").write_text("made.yaml\n")
     (tmp_path / "here" / "box.yaml").write_text("box:\n  ros__parameters:\n    p: 1\n")
-    view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}]}"
+    view = "Visualization Manager: {Displays: [{Class: rviz/Map, Topic: {Value: /map, Reliability Policy: Reliable}}], Global Options: {Fixed Frame: map}}"
     (tmp_path / "here" / "demo.rviz").write_text(view)
     (tmp_path / "here" / "bridge.yaml").write_text("- {ros_topic_name: /imu}\n")
     in_python = compose([tmp_path / "here" / "ros2.launch.py"], files=Files(PackagePath([tmp_path])))

@@ -32,6 +32,8 @@ Visualization Manager:
     - {Class: rviz/Image, Enabled: true, Image Topic: ""}
   Tools:
     - {Class: rviz/SetGoal, Topic: /goal}
+  Global Options:
+    Fixed Frame: map
 """
 
 
@@ -42,6 +44,7 @@ def test_parts_and_topics(tmp_path: Path) -> None:
         *(("display", name) for name in ("rviz/LaserScan", "rviz/Group", "rviz_default_plugins/Map", "rviz/Image")),
         *(("panel", "rviz/Displays"), ("tool", "rviz/SetGoal")),
     }
+    assert rows["view_frame"] == {("/rviz", "map", "here/demo.rviz:25:18")}
     scan, map_, goal = (f"/rviz#here/demo.rviz:{place}" for place in ("7:14", "15:20", "23:36"))
     assert rows["view_topic"] == {
         ("/rviz", scan, "rviz/LaserScan", "Topic"),

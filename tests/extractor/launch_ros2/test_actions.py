@@ -384,6 +384,14 @@ def test_arguments_of_an_include_that_are_no_pairs(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize("target", ["'n'", "[node('n')]", "node('n')", "lambda action: True"])
+def test_events_of_processes_are_of_actions(tmp_path: Path, target: str) -> None:
+    handler = f"RegisterEventHandler(OnProcessExit(target_action={target}, on_exit=[node('then')]))"
+    found = described(tmp_path, handler)
+    message = "OnProcessExit: target_action must be an action, or a function that chooses actions"
+    assert [problem.message for problem in found.problems if problem.kind == "type"] == ([] if target[0] in "nl" else [message])
+
+
 def test_a_launch_file_that_returns_nothing(tmp_path: Path) -> None:
     found = composed(tmp_path, {"main.launch.py": "def generate_launch_description():\n    return_later = []\n"})
     assert [problem.message for problem in found.problems] == ["generate_launch_description of main.launch.py returns nothing"]

@@ -195,4 +195,5 @@ def test_files_of_packages_that_are_installed_come_from_elsewhere_in_their_sourc
     (package / "robot.xacro").write_text(f"{HEAD}{texts}</robot>")
     expansion = expand(f"{package}/robot.xacro", files=Files(PackagePath([tmp_path])), installed=installed)
     assert [problem.kind for problem in expansion.problems] == ([] if installed else ["xacro"])
+    assert [path for path, _ in expansion.meant] == ([f"{package}/urdf/part.xacro"] if installed else [])
     assert expansion.document is None or "".join(write(expansion.document, "robot.xacro").split()).endswith('<part/><lv="3"/></robot>')

@@ -1,15 +1,17 @@
 // expect: keeps_value_of more ~more
-// expect: reads_clock 29
-// expect: reads_clock 30
 // expect: reads_clock 31
-// expect: may_send_frame 29 base_link ~base_frame
-// expect: may_send_frame 29 odom 
-// expect: may_send_frame 30 map 
-// expect: may_send_frame 30 odom 
-// expect: may_send_frame 31 laser 
-// expect: may_send_frame 31 map 
-// expect: sends_frame 29 base_link ~base_frame
-// expect: sends_frame 30 odom 
+// expect: reads_clock 32
+// expect: reads_clock 33
+// expect: may_send_frame 31 base_link ~base_frame
+// expect: may_send_frame 31 odom 
+// expect: may_send_frame 32 map 
+// expect: may_send_frame 32 odom 
+// expect: may_send_frame 33 laser 
+// expect: may_send_frame 33 map 
+// expect: sends_frame 31 base_link ~base_frame
+// expect: sends_from_frame 31 odom 
+// expect: sends_from_frame 32 map 
+// expect: sends_frame 32 odom 
 #include <string>
 #include <ros/ros.h>
 #include <tf/transform_broadcaster.h>
