@@ -32,6 +32,7 @@ from rosarch.extractor.launch_ros2.controllers import asked_by_command, asked_by
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.parameters import Read, Setting, Unread, in_order_of_rcl, is_map, settings
 from rosarch.extractor.launch_ros2.params_files import ALL, expression, likely_name, params_file
+from rosarch.extractor.launch_ros2.processes import node_programs
 from rosarch.extractor.launch_ros2.ros_arguments import prefixed, require_rule, ros_arguments
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, Unknown, Written, cases, class_of, in_order
@@ -41,8 +42,6 @@ if TYPE_CHECKING:
     from rosarch.extractor.urdf.robots import Robot
 
 _NODES = ("Node", "LifecycleNode", "ComposableNodeContainer")
-_SIMULATOR = ("gzserver", "gazebo")
-"""What runs Gazebo classic; `gazebo` has a window, too."""
 _KINDS = ("topic", "service")
 """What a remapping rule may be for alone."""
 _DESCRIPTIONS = ("robot_description", "robot_description_semantic")
@@ -423,11 +422,14 @@ def _split(text: str) -> list[str]:
         raise LaunchError("arguments", text, f"`{text}`: {str(error).lower()}") from None
 
 
-def _start_simulator(world: World, words: Sequence[str], made: Made, context: Context) -> None:
-    """Start Gazebo classic, which makes a node when it loads plug-ins for ROS; of a shell a word may be several."""
+def _start_program(world: World, words: Sequence[str], made: Made, context: Context) -> None:
+    """Start a program that makes a node, such as Gazebo classic when it loads plug-ins for ROS; of a shell a word may be several."""
+    package, executable, name = node_programs()[os.path.basename(words[0])]
     given = ros_arguments(world, [part for word in words[1:] for part in word.split()])
+    name = given.name or name
+    namespace = joined("", given.namespace(name) or "")
     args = " ".join(map(shlex.quote, given.plain))
-    _start(world, made, context, ("gazebo_ros", _SIMULATOR[0], "gazebo", ""), given.remaps, given.params, args)
+    _start(world, made, context, (package, executable, name, namespace), given.remaps, given.params, args)
 
 
 @carries_out("ExecuteProcess", "ExecuteLocal")
@@ -441,8 +443,8 @@ def _process(world: World, made: Made, context: Context) -> None:
     if len(words) > 3 and os.path.basename(words[0]) == "ros2" and words[1] == "run" and not words[2].startswith("-"):
         node = Made("Node", {"package": words[2], "executable": words[3], "arguments": words[4:]}, made.place)
         start_node(world, node, context.of_commands())
-    elif words and os.path.basename(words[0]) in _SIMULATOR:
-        _start_simulator(world, words, made, context)
+    elif words and os.path.basename(words[0]) in node_programs():
+        _start_program(world, words, made, context)
     else:
         world.state.commands.setdefault(world.state.here)
         asked_by_command(world, words, context)

@@ -491,3 +491,9 @@ def test_what_xacro_prints_in_ros_2_ends_with_its_last_line(tmp_path: Path) -> N
     body = f"return LaunchDescription([node('a', parameters=[{{'p': {text}}}])])"
     found = composed(tmp_path, {"main.launch.py": f"{HEAD}def generate_launch_description():\n    {body}\n", "r.urdf": '<robot name="r"/>'})
     assert str(params(found)["/a/p"]).endswith(' -->\n<robot name="r"/>\n')
+
+
+def test_a_process_that_is_a_node_of_its_own(tmp_path: Path) -> None:
+    found = described(tmp_path, "ExecuteProcess(cmd=['rviz2', '-d', 'x.rviz', '--ros-args', '-r', '__ns:=/robot', '-r', 'tf:=/tf'])")
+    [node] = found.nodes
+    assert (node.package, node.type, node.full_name, node.args, len(node.remaps)) == ("rviz2", "rviz2", "/robot/rviz2", "-d x.rviz", 1)
