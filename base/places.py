@@ -15,3 +15,8 @@ class Place:
 
     def __str__(self) -> str:
         return f"{self.path}:{self.line}"
+
+
+def precise(place: Place) -> str:
+    """The place with its column, where several may be in one line."""
+    return f"{place}:{place.column}"

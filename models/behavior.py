@@ -25,10 +25,23 @@ _Key = TypeVar("_Key", bound=Hashable)
 
 
 @dataclass(frozen=True)
+class Sending:
+    """One of several ways in which something is sent: a place, or a chain of calls to it, under a guard of its own.
+
+    `publishes` is what is sent, where that is not all that is; `trail` is as that of `Way`.
+    """
+
+    at: Place
+    guard: Formula
+    trail: tuple[Place, ...] | None = None
+    publishes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Periodic:
     """What a timed loop or timer sends under one guard; `hz` is None when the frequency is not known.
 
-    `ways` are the guards of the chains of calls that lead to the place that sends, where there are several.
+    `ways` are the chains of calls that lead to the places that send, where there are several.
     """
 
     mechanism: str
@@ -37,7 +50,7 @@ class Periodic:
     publishes: tuple[str, ...]
     at: Place
     guard: Formula
-    ways: tuple[Formula, ...] = ()
+    ways: tuple[Sending, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -52,7 +65,7 @@ class Reactive:
     at: tuple[Place, ...]
     must: bool
     guard: Formula
-    ways: tuple[tuple[Place, Formula], ...] = ()
+    ways: tuple[Sending, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -66,6 +79,7 @@ class OneShot:
     must: bool
     at: Place
     guard: Formula
+    ways: tuple[Sending, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -97,7 +111,7 @@ class Transition:
     """An assignment to a state variable; `field` is the part that is assigned, `trigger` has port ids and kinds of activities.
 
     `timed_by` are the places of the timed loops and timers among the triggers, as those of `Periodic` and `OneShot`. `meaning` is the value
-    with locals replaced by what they stand for, where that differs.
+    with locals replaced by what they stand for, where that differs. `trail` is as that of `Way`.
     """
 
     variable: str
@@ -108,6 +122,7 @@ class Transition:
     at: Place
     timed_by: tuple[Place, ...] = ()
     meaning: str | None = None
+    trail: tuple[Place, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -155,28 +170,36 @@ def _periodic(relations: Relations, places: Mapping[str, Place], ports: PortIds,
     rates = _rates(relations)
     for_sink = _rates_of(((site, sink), row) for site, sink, *row in relations["period_for_sink"])
     sent: dict[tuple[str, str], dict[tuple[_Rates, Formula], set[str]]] = defaultdict(lambda: defaultdict(set))
-    calls: dict[tuple[str, str, Formula], set[str]] = defaultdict(set)
+    calls: dict[tuple[str, str, Formula], dict[str, tuple[str, ...]]] = defaultdict(dict)
     roots = sorted(relations["periodic"])
     for site, port, call in sorted(relations["sends_periodically"], key=repr):
         if port in ports:
             for other, root, _mechanism in roots:
                 if other == site and (guard := guards.guard(root, call)) != FALSE:
                     sent[site, root][for_sink.get((site, port), rates[site]), guard].add(ports[port])
-                    calls[site, root, guard].add(call)
+                    own = calls[site, root, guard]
+                    own[call] = (*own.get(call, ()), ports[port])
     found = []
     for site, root, mechanism in roots:
         for (known, guard), published in (sent[site, root] or {(rates[site], TRUE): set()}).items():
-            ways = _ways_of_one(guards, root, calls[site, root, guard])
+            ways = _chains(guards, root, places, calls[site, root, guard])
             for hz, parameter in _best_rates(known):
                 told = None if hz is None else round(hz, 6)
                 found.append(Periodic(mechanism, told, parameter, tuple(sorted(published, key=_number)), places[site], guard, ways))
     return tuple(sorted(dict.fromkeys(found), key=lambda p: (p.at, p.publishes, formula.text(p.guard) or "")))
 
 
-def _ways_of_one(guards: Guards, root: str, calls: Collection[str]) -> tuple[Formula, ...]:
-    """The guards of the chains of calls by which the activity of `root` comes to the only one of `calls`, where there are several."""
-    found = dict.fromkeys(way.guard for call in calls for way in guards.calls_apart(root, call)) if len(calls) == 1 else ()
-    return tuple(found) if len(found) > 1 else ()
+def _chains(guards: Guards, root: str, places: Mapping[str, Place], sent: Mapping[str, tuple[str, ...]]) -> tuple[Sending, ...]:
+    """The chains of calls by which the activity of `root` comes to calls that send, each through these ports.
+
+    They are needed where their order counts, and where several lead to the only call that sends.
+    """
+    found = dict.fromkeys(
+        Sending(places[call], way.guard, way.trail, sent[call] if guards.is_ordered_by_calls(root) else ())
+        for call in sent if len(sent) == 1 or guards.is_ordered_by_calls(root)
+        for way in guards.calls_apart(root, call)
+    )  # fmt: skip
+    return tuple(found) if len(found) > 1 or guards.is_ordered_by_calls(root) else ()
 
 
 def _rates(relations: Relations) -> Mapping[str, _Rates]:
@@ -218,19 +241,20 @@ def _reactive(
     for (source, sink), sites in calls.items():
         if source in ports and sink in ports:
             ways = [
-                (places[site], way.guard)
+                Sending(places[site], way.guard, way.trail)
                 for site in sorted(sites)
                 for function in guards.those_that_run(sorted(functions[source]), site)
                 for way in guards.ways(function, site, "")
                 if way.guard != FALSE
             ]
-            guard = formula.either(guard for _, guard in ways)
+            guard = formula.either(guards.guard(function, site) for function in functions[source] for site in sites)
             if guard == FALSE:
                 continue
             at = tuple(sorted(places[site] for site in sites))
-            if len(functions[source]) == 1 and (chains := _ways_of_one(guards, functions[source][0], sites)):
-                ways = [(places[sites[0]], chain) for chain in chains]
-            apart = tuple(dict.fromkeys(ways)) if len({guard for _, guard in ways}) > 1 else ()
+            if len(functions[source]) == 1:
+                ways = list(_chains(guards, functions[source][0], places, dict.fromkeys(sites, ()))) or ways
+            ordered = any(way.trail is not None for way in ways)
+            apart = tuple(dict.fromkeys(ways)) if ordered or len({way.guard for way in ways}) > 1 else ()
             found.append(Reactive(ports[source], ports[sink], at, (source, sink) in always, guard, apart))
     return tuple(sorted(found, key=lambda r: (_number(r.input), _number(r.output))))
 
@@ -251,7 +275,9 @@ def _one_shot(relations: Relations, places: Mapping[str, Place], ports: PortIds,
             hz, parameter = _best_rate(rates[timer])
             at = tuple(sorted(places[site] for site in sites))
             after = None if not hz else round(1 / hz, 6)
-            found.append(OneShot(after, parameter, ports[sink], at, (timer, sink) in always, places[timer], guard))
+            called = dict.fromkeys(sorted(sites), ())
+            ways = tuple(way for function in functions[timer] for way in _chains(guards, function, places, called) if way.trail is not None)
+            found.append(OneShot(after, parameter, ports[sink], at, (timer, sink) in always, places[timer], guard, ways))
     return tuple(sorted(found, key=lambda o: (o.at, _number(o.output))))
 
 
@@ -383,9 +409,6 @@ def _transitions(
     timers = _timers(relations, places)
     found: dict[_Change, set[str]] = defaultdict(set)
     timed: dict[_Change, set[Place]] = defaultdict(set)
-    rows: dict[str, dict[int, dict[str, str]]] = defaultdict(lambda: defaultdict(dict))
-    for assignment, row, part, text in sorted(relations.get("row_value", ())):
-        rows[assignment][row][part] = text
     elsewhere = defaultdict(set)
     for port, assignment in relations["done_for_others"]:
         elsewhere[assignment].add(ports.get(port, ""))
@@ -393,9 +416,9 @@ def _transitions(
         how, target, value = parts.get(assignment, ("call", "", ""))
         written = _value(how, texts.get(assignment), texts.get(target), texts.get(value)) or ""
         meant = _value(how, texts.get(assignment), texts.get(target), guards.meaning(value)) or ""
-        for way in _distinct_ways(guards.ways(root, assignment, meant), rows[assignment].values()):
+        for way in _distinct_ways(guards.ways(root, assignment, meant)):
             shown = written if way.value == meant or constant(way.value) is None else way.value
-            change = _Change(assignment, variable, way.guard, shown or None, way.value or None, way.called)
+            change = _Change(assignment, variable, way.guard, shown or None, way.value or None, way.through[:1], way.trail)
             found[change].update(set(triggers.get(root, ())) - elsewhere[assignment])
             timed[change].update(timers.get(root, ()))
     result = []
@@ -406,8 +429,8 @@ def _transitions(
             field = _field(texts.get(target, ""), name)
             meaning = None if change.meaning == change.value else change.meaning
             timed_by = tuple(sorted(timed[change]))
-            made = Transition(name, field, tuple(sorted(causes)), change.guard, change.value, at, timed_by, meaning)
-            result.append((change.called or at, made))
+            made = Transition(name, field, tuple(sorted(causes)), change.guard, change.value, at, timed_by, meaning, change.trail)
+            result.append(((*change.called, at)[0], made))
     result.sort(key=lambda row: (row[1].at, row[1].variable, row[0], formula.text(row[1].guard) or "", row[1].trigger))
     return tuple(transition for _, transition in result)
 
@@ -421,14 +444,15 @@ class _Change:
     guard: Formula
     value: str | None
     meaning: str | None
-    called: Place | None
+    called: tuple[Place, ...]
+    trail: tuple[Place, ...] | None
 
 
-def _distinct_ways(ways: Collection[Way], rows: Collection[Mapping[str, str]]) -> list[Way]:
-    """The ways to an assignment: one for each call, or row of a table, that gives it a value of its own, or all in one."""
-    if len({way.value for way in ways}) == 1:
-        ways = [Way(formula.either(way.guard for way in ways), next(way.value for way in ways))]
-    return [each for way in ways for each in way.in_rows(rows)]
+def _distinct_ways(ways: list[Way]) -> list[Way]:
+    """The ways to an assignment: one for each call, or row of a table, that gives it a value or a place of its own, or all in one."""
+    if len({way.value for way in ways}) == 1 and all(way.trail is None for way in ways):
+        return [Way(formula.either(way.guard for way in ways), next(way.value for way in ways))]
+    return ways
 
 
 def _timers(relations: Relations, places: Mapping[str, Place]) -> dict[str, set[Place]]:

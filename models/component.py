@@ -12,9 +12,9 @@ from rosarch.base.logic import TRUE
 from rosarch.base.places import Place
 from rosarch.datalog.language.values import symbols
 from rosarch.models import formula
-from rosarch.models.behavior import NOTHING, Behavior, StateVariable, build_behavior, variable_names
+from rosarch.models.behavior import NOTHING, Behavior, Sending, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
-from rosarch.models.guards import Guards
+from rosarch.models.guards import Guards, meant_json, trail_json
 from rosarch.models.node_configuration import InnerNode, PluginArgument
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
@@ -402,12 +402,12 @@ def _behavior_json(behavior: Behavior, asked: Collection[str]) -> dict[str, Any]
              "publishes": [port for port in p.publishes if port not in asked],
              **({"calls": calls} if (calls := [port for port in p.publishes if port in asked]) else {}),
              "at": str(p.at), **_guard_json("conditional", p.guard),
-             **({"ways": [_guard_json("conditional", guard) for guard in p.ways]} if p.ways else {})}
+             **({"ways": [{**_guard_json("conditional", way.guard), **_way_json(way)} for way in p.ways]} if p.ways else {})}
             for p in behavior.periodic
         ],
         "reactive": [
             {"input": r.input, "output": r.output, "at": [str(place) for place in r.at], "must": r.must, **_guard_json("when", r.guard),
-             **({"ways": [{"at": str(place), **_guard_json("when", guard)} for place, guard in r.ways]} if r.ways else {})}
+             **({"ways": [{"at": str(way.at), **_guard_json("when", way.guard), **_way_json(way)} for way in r.ways]} if r.ways else {})}
             for r in behavior.reactive
         ],
         "state_variables": [_variable_json(variable) for variable in behavior.state_variables],
@@ -415,20 +415,26 @@ def _behavior_json(behavior: Behavior, asked: Collection[str]) -> dict[str, Any]
         "transitions": [
             {"variable": t.variable, **({} if t.field is None else {"field": t.field}), "trigger": list(t.trigger),
              **({"timed_by": [str(place) for place in t.timed_by]} if t.timed_by else {}),
-             **_guard_json("guard", t.guard), "value": t.value, **({"value_normal": t.meaning} if t.meaning else {}), "at": str(t.at)}
+             **_guard_json("guard", t.guard), "value": t.value, **({"value_normal": t.meaning} if t.meaning else {}), "at": str(t.at),
+             **trail_json(t.trail)}
             for t in behavior.transitions
         ],
         "reactive_deferred": [vars(deferred) for deferred in behavior.deferred],
         "one_shot": [
             {"after": o.after, "after_from_param": o.after_from_param, "output": o.output, "sent_at": [str(place) for place in o.sent_at],
-             "must": o.must, "at": str(o.at), **_guard_json("when", o.guard)}
+             "must": o.must, "at": str(o.at), **_guard_json("when", o.guard),
+             **({"ways": [{**_guard_json("when", way.guard), **_way_json(way)} for way in o.ways]} if o.ways else {})}
             for o in behavior.one_shot
         ],
     }  # fmt: skip
 
 
+def _way_json(way: Sending) -> dict[str, Any]:
+    return {**({"publishes": list(way.publishes)} if way.publishes else {}), **trail_json(way.trail)}
+
+
 def _guard_json(key: str, guard: Formula) -> dict[str, Any]:
-    return {key: formula.text(guard), f"{key}_normal": normal_text(guard), f"{key}_tree": formula.tree(guard)}
+    return {key: formula.text(guard), f"{key}_normal": normal_text(guard), f"{key}_tree": formula.tree(guard), **meant_json(guard)}
 
 
 def _variable_json(variable: StateVariable) -> dict[str, Any]:

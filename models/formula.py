@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from rosarch.base import logic
 from rosarch.base.logic import FALSE, TRUE, alternatives, from_alternatives
-from rosarch.base.places import Place
+from rosarch.base.places import Place, precise
 
 MOST_ALTERNATIVES = 24
 
@@ -20,7 +20,8 @@ class Condition:
     """A condition as the source spells it, at `place`, which `holds` or does not. Conditions with the same text and meaning are equal.
 
     A `stable` condition has one value as long as an activity runs: it cannot hold here and not there. `meaning` is the text with local
-    variables replaced by what they stand for. Its language has `words` (and, or, not), or signs.
+    variables replaced by what they stand for. Its language has `words` (and, or, not), or signs. `through` are the calls by which an
+    activity comes to it, where what it asks may differ from one to the other.
     """
 
     text: str
@@ -29,16 +30,20 @@ class Condition:
     stable: bool = field(default=False, compare=False)
     meaning: str | None = None
     words: bool = field(default=False, compare=False)
+    through: tuple[Place, ...] = ()
 
     @property
-    def key(self) -> tuple[str, str, bool]:
+    def key(self) -> Key:
         """What makes two conditions the same."""
-        return self.text, self.meaning or self.text, self.holds
+        return self.text, self.meaning or self.text, self.holds, self.through
 
     @property
-    def opposite(self) -> tuple[str, str, bool]:
+    def opposite(self) -> Key:
         """The key of the negated condition."""
-        return self.text, self.meaning or self.text, not self.holds
+        return self.text, self.meaning or self.text, not self.holds, self.through
+
+
+Key: TypeAlias = tuple[str, str, bool, tuple[Place, ...]]
 
 
 Formula: TypeAlias = logic.Formula[Condition]
@@ -46,12 +51,13 @@ Formula: TypeAlias = logic.Formula[Condition]
 
 
 def condition(
-    text: str, holds: bool, place: Place | None = None, *, stable: bool = False, meaning: str | None = None, words: bool = False
-) -> Formula:
+    text: str, holds: bool, place: Place | None = None, *, stable: bool = False, meaning: str | None = None, words: bool = False,
+    through: tuple[Place, ...] = (),
+) -> Formula:  # fmt: skip
     """The formula of one condition; of `not x`, it is x that does not hold."""
     while words and text.startswith("not ") and loosest(text[4:]) == "":
         text, holds, meaning = text[4:], not holds, meaning and meaning.removeprefix("not ")
-    return Condition(text, holds, place, stable, meaning, words)
+    return Condition(text, holds, place, stable, meaning, words, through)
 
 
 def both(first: Formula, second: Formula) -> Formula:
@@ -68,7 +74,7 @@ def either(formulas: Iterable[Formula]) -> Formula:
 
 def joined(items: Iterable[Condition]) -> tuple[Condition, ...] | None:
     """The conditions, each once; None when they contradict each other, with nothing that may change between."""
-    found: dict[tuple[str, str, bool], Condition] = {}
+    found: dict[Key, Condition] = {}
     stable = set()
     for item in items:
         if item.stable:
@@ -94,7 +100,7 @@ def _merged(kept: list[tuple[Condition, ...]]) -> list[tuple[Condition, ...]]:
 
     In `(a && b) || (a && !b && c)` the `!b` is superfluous. Conditions are compared by numbers, which is many times as fast.
     """
-    numbers: dict[tuple[str, str, bool], int] = {}
+    numbers: dict[Key, int] = {}
     sets = [{numbers.setdefault(item.key, len(numbers)) for item in each} for each in kept]
     opposites = {numbers[item.key]: numbers.get(item.opposite) for each in kept for item in each}
     changed = True
@@ -211,7 +217,7 @@ def loosest(source: str) -> str:
 
 
 def tree(formula: Formula) -> dict[str, object] | None:
-    """The formula as nested objects: `all` and `any` of conditions with their text, place and whether they hold."""
+    """The formula as nested objects: `all` and `any` of conditions with their text, place and whether they hold, and the calls to them."""
     if formula == TRUE:
         return None
     ways: list[dict[str, object]] = [{"all": [_leaf(item) for item in conjunction]} for conjunction in alternatives(formula)]
@@ -219,4 +225,5 @@ def tree(formula: Formula) -> dict[str, object] | None:
 
 
 def _leaf(item: Condition) -> dict[str, object]:
-    return {"condition": item.text, "holds": item.holds, "at": str(item.place) if item.place else None}
+    through = {"through": list(map(precise, item.through))} if item.through else {}
+    return {"condition": item.text, "holds": item.holds, "at": str(item.place) if item.place else None, **through}

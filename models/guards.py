@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
 from rosarch.base.limits import deep_recursion
-from rosarch.base.logic import FALSE, TRUE, alternatives, atoms, from_alternatives
-from rosarch.base.places import Place
+from rosarch.base.logic import FALSE, TRUE, alternatives, atoms, conjuncts, from_alternatives
+from rosarch.base.places import Place, precise
 from rosarch.models.formula import Condition, Formula, both, condition, either, joined, loosest
-from rosarch.models.machine.conditions import choice, constant
+from rosarch.models.machine.conditions import choice, constant, parse_condition
 from rosarch.models.normal import WORD, expanded, folded, normal_text, replaced, truth_of, with_values
 
 Row = tuple[Any, ...]
@@ -38,13 +38,16 @@ CREATION = "creation "
 class Way:
     """An activity comes to a point of the program under `guard`; there, an expression is `value`.
 
-    `fixed` are names in it that no call gives a value, `called` is where the activity leaves its own function to come there.
+    `fixed` are names in it that no call gives a value, `through` the calls by which it comes there, as far as these make ways of their own.
+    Where an activity does things in the order of its calls, `trail` says where it does this: those calls and the point, nothing where they
+    are not known.
     """
 
     guard: Formula
     value: str
     fixed: frozenset[str] = frozenset()
-    called: Place | None = None
+    through: tuple[Place, ...] = ()
+    trail: tuple[Place, ...] | None = None
 
     def names(self, known: Collection[str]) -> set[str]:
         """Those of the `known` names that occur in what is meant."""
@@ -52,21 +55,49 @@ class Way:
         words = {word for source in (self.value, *meant) for word in WORD.findall(source)}
         return words.intersection(known)
 
-    def given(self, values: Mapping[str, str], fixed: Collection[str], called: Place | None) -> Way:
+    def given(self, values: Mapping[str, str], fixed: Collection[str], calls: tuple[Place, ...]) -> Way:
         """Seen from the caller: the words of conditions stay, their meaning gets the values; a constant is what an expression is."""
         constants = {name: value for name, value in values.items() if _is_constant(value)}
         fill = partial(with_values, values=values)
         guard = either(_given(conjunction, fill) for conjunction in alternatives(self.guard)) if values else self.guard
-        return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), called)
+        return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), (*calls, *self.through), self.trail)
 
-    def in_rows(self, rows: Iterable[Mapping[str, str]]) -> list[Way]:
-        """The ways for each row of a table that is searched, with the value that the row has."""
-        found = []
-        for row in rows:
-            fill = partial(_filled, row=row)
-            guard = either(_given(conjunction, fill) for conjunction in alternatives(self.guard))
-            found.append(replace(self, guard=guard, value=fill(self.value)))
-        return [way for way in found if way.guard != FALSE] if any(way.value != self.value for way in found) else [self]
+    def called_by(self, calls: tuple[Place, ...]) -> Way:
+        """The same, where what conditions ask may differ from one call of their function to the next, and these make it so far."""
+        conjunctions = ([replace(item, through=(*calls, *item.through)) for item in each] for each in alternatives(self.guard))
+        return replace(self, guard=from_alternatives(conjunctions))
+
+    def in_row(self, row: Mapping[str, str]) -> Way:
+        """The same, in the round of a loop that finds this row of a table."""
+        fill = partial(_filled, row=row)
+        guard = either(_given(conjunction, fill) for conjunction in alternatives(self.guard)) if row else self.guard
+        return replace(self, guard=guard, value=fill(self.value))
+
+
+def trail_json(trail: tuple[Place, ...] | None) -> dict[str, list[str]]:
+    """What a document has of the trail of a way."""
+    return {} if trail is None else {"trail": list(map(precise, trail))}
+
+
+def meant_json(guard: Formula) -> dict[str, list[str]]:
+    """The normal forms of the conditions of a guard that all have to hold, where that of the guard does not have them one by one.
+
+    Two may be alike, but asked at different times; one may be a conjunction itself.
+    """
+    items, *others = alternatives(guard)
+    parts = len(conjuncts(parse_condition(normal_text(guard) or "true")))
+    return {} if others or len(items) == parts or guard == TRUE else {"meant": [normal_text(item) or "true" for item in items]}
+
+
+@dataclass(frozen=True)
+class _Search:
+    """What makes ways of their own: calls that give nothing that matters, rows of a table."""
+
+    calls: bool = False
+    rows: bool = True
+
+
+_NO_TABLE: Sequence[Mapping[str, str]] = ({},)
 
 
 def _filled(source: str, row: Mapping[str, str]) -> str:
@@ -137,6 +168,9 @@ class Guards:
         for call, function, name, argument in sorted(relations.get("argument_given", ()), reverse=True):
             if argument in self._meant:
                 self._given[call, function] |= dict.fromkeys(_names(name, shadows), self._meant[argument])
+        self._rows = _tables(relations.get("row_value", ()))
+        self._searching = _entered_from(set(self._rows), self._entries)
+        self._ordered = {root for (root,) in relations.get("ordered_by_calls", ())}
         self._own: dict[str, set[str]] = defaultdict(set)
         for function, name in relations.get("own_name", ()):
             self._own[function].update(_names(name, shadows))
@@ -157,7 +191,7 @@ class Guards:
 
     def guard(self, root: str, node: str) -> Formula:
         """When the activity of `root` evaluates `node`: true when nothing is known, false when what calls give rules it out."""
-        return either(way.guard for way in self.ways(root, node, ""))
+        return either(way.guard for way in self._come_to(root, node, "", _Search(rows=False)))
 
     def those_that_run(self, roots: Iterable[str], node: str) -> list[str]:
         """The roots whose activities come to `node`; all of them when that is not seen of any."""
@@ -167,45 +201,76 @@ class Guards:
     def ways(self, root: str, node: str, value: str) -> list[Way]:
         """How the activity of `root` comes to `node`, and what `value`, an expression of its function, is then: calls may give it.
 
-        Empty when what the calls give decides that it does not.
+        One way for each chain of calls that leads there where their order is that of what the activity does. Empty when what the calls
+        give decides that it does not come there.
         """
-        return self._come_to(root, node, value, apart=False)
+        return self._come_to(root, node, value, _Search(self.is_ordered_by_calls(root)))
+
+    def is_ordered_by_calls(self, root: str) -> bool:
+        """Whether the activity of `root` does things in the order of its calls, which is not that of the lines."""
+        return root in self._ordered
 
     def calls_apart(self, root: str, node: str) -> list[Way]:
         """How the activity of `root` comes to `node`, one way for each chain of calls that leads there."""
-        return self._come_to(root, node, "", apart=True)
+        return self._come_to(root, node, "", _Search(calls=True))
 
-    def _come_to(self, root: str, node: str, value: str, *, apart: bool) -> list[Way]:
+    def _come_to(self, root: str, node: str, value: str, search: _Search) -> list[Way]:
         self._left = MOST_STEPS
         blocks = [block for block in self._blocks.get(node, ()) if self._runs(root, block)]
         with deep_recursion():
-            found = [way for block in blocks for way in self._ways(root, block, Way(TRUE, value), (), apart)]
+            begun = [(block, row) for block in blocks for row in self._table(block, search)]
+            found = [way for block, row in begun for way in self._ways(root, block, Way(TRUE, value), (), search, row)]
         if blocks and not found:
             return []
         asked = self._asked.get(root, TRUE)
-        return [replace(way, guard=both(asked, way.guard)) for way in found if way.guard != FALSE] or [Way(asked, value)]
+        ways = [replace(way, guard=both(asked, way.guard)) for way in found if way.guard != FALSE] or [Way(asked, value)]
+        return [self._with_trail(way, node) for way in dict.fromkeys(ways)] if self.is_ordered_by_calls(root) else list(dict.fromkeys(ways))
 
-    def _ways(self, root: str, block: str, beyond: Way, path: tuple[str, ...], apart: bool) -> list[Way]:
-        """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond.
+    def _table(self, block: str, search: _Search) -> Sequence[Mapping[str, str]]:
+        """The rows of the tables that the function of a block searches."""
+        return self._rows.get(_function(block), _NO_TABLE) if search.rows else _NO_TABLE
 
-        Calls make ways of their own where what they give matters, or where all are asked for, `apart`.
+    def _with_trail(self, way: Way, node: str) -> Way:
+        """The way to `node` with all of its trail."""
+        known = way.trail is not None and node in self._places
+        return replace(way, trail=(*way.through, self._places[node]) if known else ())
+
+    def _ways(
+        self, root: str, block: str, beyond: Way, path: tuple[str, ...], search: _Search, row: Mapping[str, str]
+    ) -> list[Way]:  # fmt: skip
+        """Ways to `block`, and from there on as `beyond` has it; `path` are the functions that lie beyond, `row` is what a search found.
+
+        Calls make ways of their own where what they give matters.
         """
         function = _function(block)
         self._left -= 1
         own = self._own.get(function, set())
-        inner = replace(beyond, guard=both(self._of(function, block, ()), beyond.guard)) if own or apart else beyond
+        told = search.calls or (search.rows and function in self._searching)
+        inner = replace(beyond, guard=both(self._of(function, block, ()), beyond.guard)).in_row(row) if own or told else beyond
         names = inner.names(own) - beyond.fixed
         entries = [(call, before) for call, before in self._entries.get(function, ()) if self._runs(root, before)]
         again = any(_function(before) in (function, *path) for _, before in entries)
-        if not (names or apart) or not entries or again or function in (root, _function(root)) or self._left < 0:
-            return [replace(beyond, guard=both(self._of(root, block, ()), beyond.guard))]
+        ordered, begins = search.calls and self.is_ordered_by_calls(root), function in (root, _function(root))
+        again |= ordered and not self._are_all(root, function, entries)
+        if not (names or told) or not entries or again or begins or self._left < 0:
+            trail = beyond.through if ordered and begins else None
+            way = replace(beyond, guard=both(self._of(root, block, ()), beyond.guard), trail=trail)
+            return [] if way.guard != FALSE and way.in_row(row).guard == FALSE else [way.in_row(row)]
         found = []
-        for call, before in entries:
-            given = {name: text for name, text in self._given[call, function].items() if name in names}
-            called = inner.given(given, names - given.keys(), self._places.get(call))
-            if called.guard != FALSE or inner.guard == FALSE:
-                found += self._ways(root, before, called, (*path, function), apart)
+        for call, before in entries if inner.guard != FALSE or beyond.guard == FALSE else ():
+            calls = (self._places[call],) if call in self._places else ()
+            for found_row in self._table(before, search):
+                given = {name: _filled(text, found_row) for name, text in self._given[call, function].items() if name in names}
+                called = inner.given(given, names - given.keys(), calls)
+                called = called.called_by(calls) if ordered else called
+                if called.guard != FALSE or inner.guard == FALSE:
+                    found += self._ways(root, before, called, (*path, function), search, found_row)
         return found
+
+    def _are_all(self, root: str, function: str, entries: Iterable[tuple[str, str]]) -> bool:
+        """Whether these calls, whose places are known, are all by which the activity of `root` comes to a function."""
+        known = {before for call, before in entries if call in self._places}
+        return all(before in known for before, *_ in self._steps.get(function, ()) if self._runs(root, before))
 
     def meaning(self, node: str) -> str | None:
         """What an expression that is assigned stands for, None where its text is not known."""
@@ -301,6 +366,23 @@ class Guards:
         value = self._texts.get(label, "?")
         chosen = f"({meaning})" if loosest(meaning) else meaning
         return condition(f"{text} == {value}", holds, place, meaning=f"{chosen} == {value}")
+
+
+def _tables(values: Iterable[Row]) -> dict[str, list[Mapping[str, str]]]:
+    """The rows of the tables that functions search, by what is written for their parts."""
+    rows: dict[str, dict[int, dict[str, str]]] = defaultdict(lambda: defaultdict(dict))
+    for function, row, part, text in sorted(values):
+        rows[function][row][part] = text
+    return {function: list(own.values()) for function, own in rows.items()}
+
+
+def _entered_from(functions: set[str], entries: Mapping[str, Iterable[tuple[str, str]]]) -> set[str]:
+    """Those functions, and all that their calls enter."""
+    found, size = set(functions), -1
+    while size != len(found):
+        size = len(found)
+        found |= {entered for entered, calls in entries.items() if any(_function(before) in found for _, before in calls)}
+    return found
 
 
 def _apart_from_state(

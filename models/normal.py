@@ -111,7 +111,8 @@ def normal_text(formula: Formula) -> str | None:
 def _meant(items: Iterable[Item]) -> Formula:
     found: Formula = TRUE
     for item in items:
-        found = both(found, condition(item.meaning or item.text, item.holds, stable=item.stable, words=item.words))
+        meant = item.meaning or item.text
+        found = both(found, condition(meant, item.holds, stable=item.stable, words=item.words, through=item.through))
     return found
 
 

@@ -153,7 +153,8 @@ def with_numbers(document: Document, numbers: Mapping[str, int]) -> Document:
 
     def changed(row: Mapping[str, Any], fields: tuple[str, ...]) -> dict[str, Any]:
         ways = {"ways": [changed(way, fields) for way in row["ways"]]} if "ways" in row else {}
-        return {**row, **{field: replaced(row.get(field)) for field in fields if field in row}, **ways}
+        meant = {"meant": [replaced(text) for text in row["meant"]]} if "meant" in row else {}
+        return {**row, **{field: replaced(row.get(field)) for field in fields if field in row}, **meant, **ways}
 
     return {**document, **{key: [changed(row, fields) for row in document.get(key) or ()] for key, fields in _TEXTS.items()}}
 

@@ -11,7 +11,7 @@ from rosarch.base.logic import FALSE, TRUE
 from rosarch.base.places import Place
 from rosarch.models import formula
 from rosarch.models.formula import Formula
-from rosarch.models.guards import Guards
+from rosarch.models.guards import Guards, Way, meant_json, trail_json
 
 Row = tuple[Any, ...]
 Relations = Mapping[str, Iterable[Row]]
@@ -27,6 +27,7 @@ class Switch:
     timed_by: tuple[Place, ...]
     guard: Formula
     at: Place
+    trail: tuple[Place, ...] | None = None  # as that of `Way`
 
 
 @dataclass(frozen=True)
@@ -51,18 +52,25 @@ def switched_things(
     reasons: dict[str, list[str]] = defaultdict(list)
     for site, reason in sorted(relations.get("at_times", ())):
         reasons[site].append(reason)
-    ways: dict[str, list[Switch]] = defaultdict(list)
+    switches: dict[str, list[Switch]] = defaultdict(list)
     for call, root, site, to, how in sorted(relations.get("switches", ())):
-        guard = TRUE if call == site and how == "perhaps" else guards.guard(root, call)
-        if guard != FALSE and call in places:
-            timed = tuple(sorted(timers.get(root, ())))
-            ways[site].append(Switch(to, how == "perhaps", tuple(sorted(triggers.get(root, ()))), timed, guard, places[call]))
+        if call == site and how == "perhaps":
+            ways = [Way(TRUE, "")]
+        elif guards.is_ordered_by_calls(root):
+            ways = guards.ways(root, call, "")
+        else:
+            ways = [Way(guards.guard(root, call), "")]
+        timed = tuple(sorted(timers.get(root, ())))
+        for way in ways if call in places else ():
+            if way.guard != FALSE:
+                causes = tuple(sorted(triggers.get(root, ())))
+                switches[site].append(Switch(to, how == "perhaps", causes, timed, way.guard, places[call], way.trail))
     sending: dict[str, list[str]] = defaultdict(list)
     for port, name in sorted(ports.items(), key=lambda item: item[1]):
         if isinstance(port, tuple):
             sending[port[0]].append(name)
     found = [
-        Switched(places[site], () if site in reasons else tuple(sending[site]), begins, tuple(ways[site]), tuple(reasons[site]))
+        Switched(places[site], () if site in reasons else tuple(sending[site]), begins, tuple(switches[site]), tuple(reasons[site]))
         for site, begins in sorted(relations.get("switched", ()))
         if site in places
     ]
@@ -84,7 +92,8 @@ def switched_json(each: Switched) -> dict[str, Any]:
         "reasons": list(each.reasons),
         "switches": [
             {"to": way.to, "perhaps": way.perhaps, "trigger": list(way.trigger), "timed_by": [str(place) for place in way.timed_by],
-             "guard": formula.text(way.guard), "guard_tree": formula.tree(way.guard), "at": str(way.at)}
+             "guard": formula.text(way.guard), "guard_tree": formula.tree(way.guard), "at": str(way.at), **meant_json(way.guard),
+             **trail_json(way.trail)}
             for way in each.switches
         ],
     }  # fmt: skip

@@ -311,7 +311,7 @@ def _lived(document: Document, steps: Mapping[str, tuple[Step, ...]]) -> dict[st
     lived = []
     for step in own:
         told = frozenset().union(*(names.get(place, ()) for place in step.row.at.split()))
-        lived.append(replace(step, guard=(Is(asked, told), *step.guard)) if told else step)
+        lived.append(step.within(Is(asked, told)) if told else step)
     requests = [
         str(port["id"])
         for port in document.get("ports") or ()

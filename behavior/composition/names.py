@@ -68,14 +68,18 @@ class Names:
             if true is None:
                 raise UnknownNameError(f"`{text}` is no truth value; compare it with one of {', '.join(variable.values)}")
             return node, variable.key, true
-        return node, variable.key, frozenset({self.value(text, variable, value)})
+        return node, variable.key, frozenset({self.value(text, value)})
 
-    @staticmethod
-    def value(text: str, variable: StateVariable, value: str) -> str:
-        """A value of a variable, which is called `text`."""
+    def value(self, text: str, value: str) -> str:
+        """A value of the variable that is called `text`; a constant may be called by its name or its number."""
+        node, variable = self.variable(text)
+        traits = self._system.nodes[node].document.get("traits") or {}
+        numbers = {str(name): str(number) for name, number in traits.get("names_number", ())}
         written = {_in_double_quotes(each): each for each in variable.values}
-        known = written.get(_in_double_quotes(value)) or value_in(value, variable.values)
-        if known is None or (known == OTHER and value != OTHER):
+        spellings = (value, numbers.get(value.rsplit("::", 1)[-1], value))
+        found = [written.get(_in_double_quotes(each)) or value_in(each, variable.values) for each in spellings]
+        known = next((each for each in found if each not in (None, OTHER) or value == OTHER), None)
+        if known is None:
             near = hint(value, variable.values) or f", there are {', '.join(variable.values)}"
             raise UnknownNameError(f"`{text}` is never told apart as `{value}`{near}", of_value=True)
         return known

@@ -166,7 +166,8 @@ def _tested(step: Step) -> Iterator[Subject]:
 
 def whether_sent(step: Step, port: str) -> Subject:
     """Whether a step sends, where the model does not say."""
-    return Subject(f"sends {port} {step.row.kind} {step.row.index}", f"sending at {step.row.at}")
+    key = " ".join(("sends", port, step.row.kind, str(step.row.index), *(step.trail or ())))
+    return Subject(key, f"sending at {step.row.at}")
 
 
 def _outcomes(run: _Run, step: Step, variables: Collection[str], pick: Pick) -> Iterator[_Run]:

@@ -111,8 +111,8 @@ class _Reader(YamlReader):
         return found
 
     def _first(self, called: str, node: str, text: str, value: str) -> str:
+        known = self._names.value(called, value)
         variable = next(v for v in self._system.nodes[node].variables.values() if v.text == text)
-        known = self._names.value(called, variable, value)
         if known not in variable.initial:
             raise UnknownNameError(f"`{called}` begins as {' or '.join(variable.initial)}, says the source", of_value=True)
         return known

@@ -68,7 +68,9 @@ def _anything(reader: YamlReader, node: yaml.Node) -> None:
 
 _INTEGER, _NUMBER, _FLAG = _scalar("a whole number", "int"), _scalar("a number", "int", "float"), _scalar("true or false", "bool")
 _ALL: Mapping[str, Form] = {"at": _either(_place), "optional": _FLAG}
-_CONDITION: Mapping[str, Form] = {"conditional": _text, "conditional_tree": _anything, "conditional_normal": _text}
+_CONDITION: Mapping[str, Form] = {
+    "conditional": _text, "conditional_tree": _anything, "conditional_normal": _text, "meant": _anything,
+}  # fmt: skip
 _VARIABLE: Mapping[str, Form] = {
     "name": _name, "type": _text, "initial": _text, "from_param": _text, "aliases": _each(_name), "domain": _each(_text),
 }  # fmt: skip
@@ -94,14 +96,15 @@ LISTS: Mapping[str, Fields] = {
         "feedback": _each(_name), "ways": _anything, **_CONDITION, **_ALL,
     }),
     "reactive": Fields(("input", "output"), {
-        "input": _name, "output": _name, "must": _FLAG, "when": _text, "when_tree": _anything, "when_normal": _text, "ways": _anything,
+        "input": _name, "output": _name, "must": _FLAG, "when": _text, "when_tree": _anything, "when_normal": _text, "meant": _anything,
+        "ways": _anything,
         **_ALL,
     }),
     "state_variables": Fields(("name",), {**_VARIABLE, **_ALL}),
     "configuration": Fields(("name",), {**_VARIABLE, **_ALL}),
     "transitions": Fields(("variable",), {
         "variable": _name, "field": _text, "trigger": _each(_name), "guard": _text, "guard_tree": _anything, "guard_normal": _text,
-        "value": _text, "timed_by": _each(_place), "build_condition": _text, **_ALL,
+        "value": _text, "timed_by": _each(_place), "build_condition": _text, "trail": _anything, "meant": _anything, **_ALL,
     }),
 }  # fmt: skip
 _LISTED = ("publishes", "trigger")

@@ -48,8 +48,9 @@ _QUALIFIERS = re.compile(r"\b(const|volatile|static|mutable|std::)\s*|std::atomi
 _INTEGER = re.compile(r"(unsigned|signed|short|long|int|char|u?int\d+_t|size_t|std::size_t|float|double)( (int|char|long|double|short))*")
 _SIZES = (".size()", ".length()")
 _LENGTH = re.compile(r"^len\((.*)\)$")
+_TRUE_WHEN_FILLED = ("list", "dict", "set", "collections::deque")
 _LISTS = r"^$|\b(vector|deque|list|queue|stack)\b"  # Python sources give no types
-EMPTIES = re.compile(r"(?:\.|->)clear\(\)|^\w*\(\)$|^\{\}$|^\[\]$|^\"\"$")
+EMPTIES = re.compile(r"(?:\.|->)clear\(\)|^(?:list|dict|set|deque|str|string)\((?:maxlen=[\w.]+)?\)$|^\{\}$|^\[\]$|^\"\"$")
 
 
 @dataclass(frozen=True)
@@ -221,6 +222,12 @@ class Domains:
             return Subject(compact(text), strip(text), ranges(limits))
         return Subject(compact(text), strip(text), _values(draft.constants, True) if draft.constants.keys() - set(BOOLEAN) else BOOLEAN)
 
+    def tested(self, text: str, owner: str) -> str:
+        """What is not zero where an operand is true: of a container of Python, its size."""
+        place = self.locator.locate(text, owner)
+        filled = place and not place[1] and _plain_type(self._variables[place[0]]) in _TRUE_WHEN_FILLED
+        return f"{text}.size()" if filled else text
+
     def constant(self, text: str, owner: str) -> str | None:
         """The constant that a text denotes: none where a state variable is called as constants are."""
         known = constant(text)
@@ -240,8 +247,9 @@ class Domains:
     def _read_condition(self, condition: Condition, owner: str) -> None:
         for leaf in atoms(condition):
             if isinstance(leaf, Operand):
-                self._read_numbers((leaf.text, "0"), owner)
-                self._draft(leaf.text, owner).tested = True
+                asked = self.tested(leaf.text, owner)
+                self._read_numbers((asked, "0"), owner)
+                self._draft(asked, owner).tested = True
             elif isinstance(leaf, Comparison):
                 self._read_numbers((leaf.left, leaf.right), owner)
                 self._read_comparison(leaf, owner)
@@ -439,7 +447,7 @@ class Domains:
         row = self._variables[name]
         text, type_ = row.get("initial"), _plain_type(row)
         if suffix.endswith(EMPTY):
-            return "true" if text in (None, "", '""') else None
+            return "true" if text in (None, "") or EMPTIES.search(text) else None
         if place in self._fields:
             return constant(self._fields[place])
         if text is not None and constant(str(text)) is not None:

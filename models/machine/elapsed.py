@@ -46,7 +46,7 @@ def _asked_again(steps: Sequence[Step], name: str, cells: Mapping[str, Cell], do
     for step in steps:
         guard, places = guard_of(_tree(step, document)), set()
         if any(subject.key in cells for formula in step.guard for subject in subjects(formula)):
-            places = {place for place, leaves in guard.at.items() if any(_last(name) in leaf[1] for leaf in leaves)} or set(guard.at)
+            places = {place for place, leaves in guard.at.items() if any(_last(name) in leaf.text for leaf in leaves)} or set(guard.at)
             if len(asked | places) > 1 and any(places - before and not other.excludes(guard) for other, before in taken):
                 return True
         asked |= places

@@ -5,27 +5,39 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from rosarch.models.machine.conditions import compact
-from rosarch.models.machine.logic import subjects
+from rosarch.models.machine.logic import BOOLEAN, Formula, Is, Subject, subjects
 from rosarch.models.machine.steps import Step
 
 _WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*")
-Leaf = tuple[str, str, bool]
-"""A condition: its place, its text, and whether it holds."""
+
+
+class Leaf(NamedTuple):
+    """A condition: its place, its text, whether it holds, and the calls by which a reaction comes to it, where their order counts."""
+
+    place: str
+    text: str
+    holds: bool
+    through: tuple[str, ...] = ()
+
+    @property
+    def test(self) -> str:
+        """What is one test: one condition that is come to by one chain of calls."""
+        return " > ".join((*self.through, self.place))
 
 
 @dataclass(frozen=True)
 class Guard:
-    """The conditions that guard a step, by place; `alone` says that all of them have to be so."""
+    """The conditions that guard a step, by test; `alone` says that all of them have to be so."""
 
     at: Mapping[str, frozenset[Leaf]]
     alone: bool
 
     def texts(self, place: str | None = None) -> Iterator[str]:
         """The conditions, of all places or one."""
-        return (compact(leaf[1]) for at, leaves in self.at.items() if place in (None, at) for leaf in leaves)
+        return (compact(leaf.text) for at, leaves in self.at.items() if place in (None, at) for leaf in leaves)
 
     def excludes(self, other: Guard) -> bool:
         """Whether one and the same test leads to one step or to the other."""
@@ -43,22 +55,32 @@ def with_epochs(steps: Sequence[Step], trees: Mapping[Step, Any], unsteady: Coll
     asking = {text for text in {text for guard in guards for text in guard.texts()} if any(each.search(text) for each in again)}
     found = []
     for number, step in enumerate(steps):
-        epochs: dict[tuple[int, str], int] = {}
-        unclear = not asking.isdisjoint(guards[number].texts())
+        epochs: dict[tuple[int, str], tuple[int, ...]] = {}
+        unclear, mixed = not asking.isdisjoint(guards[number].texts()), set[int]()
         tests = {(part, subject) for part, conjunct in enumerate(step.guard) for subject in subjects(conjunct) if subject.cell}
         for part, subject in tests:
             before = [
-                guards[index]
+                index
                 for index, other in enumerate(steps[:number])
                 if any(a.cell.subject.key == subject.key for a in other.assignments) and not guards[index].excludes(guards[number])
             ]
             places = _places_of_part(trees.get(step), part, len(step.guard), subject.text) or _places(guards[number], subject.text)
-            told = {sum(place not in guard.at for guard in before) for place in places} if before else set()
-            epochs[part, subject.key] = max(told, default=0)
-            unclear |= len(told) > 1
-        tested = tuple(sorted((part, key, epoch) for (part, key), epoch in epochs.items() if epoch))
-        found.append(replace(step, epochs=tested, unclear=unclear))
+            told = {tuple(index for index in before if place not in guards[index].at) for place in places} if before else set()
+            epochs[part, subject.key] = max(told, key=len, default=())
+            mixed |= {part} if len(told) > 1 else set()
+        tested = tuple(sorted((part, key, epoch) for (part, key), epoch in epochs.items() if epoch and part not in mixed))
+        found.append(replace(step, guard=_freed(step, mixed), epochs=tested, unclear=bool(unclear or mixed)))
     return found
+
+
+def _freed(step: Step, mixed: Collection[int]) -> tuple[Formula, ...]:
+    """The guard of a step where conditions that ask for values of different times may hold or not."""
+
+    def either(part: int) -> Formula:
+        key = " ".join(("unclear", step.row.kind, str(step.row.index), str(part), *(step.trail or ())))
+        return Is(Subject(key, f"{step.row.at} is reached", BOOLEAN, hidden=True), frozenset({BOOLEAN[0]}))
+
+    return tuple(either(part) if part in mixed else formula for part, formula in enumerate(step.guard))
 
 
 def _places_of_part(tree: object, part: int, parts: int, text: str) -> set[str]:
@@ -66,7 +88,7 @@ def _places_of_part(tree: object, part: int, parts: int, text: str) -> set[str]:
     written = tree.get("all", (tree,)) if isinstance(tree, Mapping) else ()
     leaves = list(leaves_of(written[part])) if len(written) == parts else []
     name = _named(text)
-    return {place for place, condition, _ in leaves if name.search(condition)}
+    return {leaf.test for leaf in leaves if name.search(leaf.text)}
 
 
 def _asked_again(steps: Sequence[Step], guards: Sequence[Guard], names: Collection[str]) -> list[re.Pattern[str]]:
@@ -98,7 +120,7 @@ def _called_again(guards: Sequence[Guard], calls: Collection[str]) -> Iterator[r
 def _places(guard: Guard, text: str) -> set[str]:
     """Where conditions that name a variable are tested; all places when none of them names it."""
     name = _named(text)
-    return {place for place, leaves in guard.at.items() if any(name.search(leaf[1]) for leaf in leaves)} or set(guard.at)
+    return {place for place, leaves in guard.at.items() if any(name.search(leaf.text) for leaf in leaves)} or set(guard.at)
 
 
 def _named(text: str) -> re.Pattern[str]:
@@ -109,7 +131,7 @@ def guard_of(tree: object) -> Guard:
     """The conditions of the tree of a guard."""
     at: dict[str, frozenset[Leaf]] = {}
     for leaf in leaves_of(tree):
-        at[leaf[0]] = at.get(leaf[0], frozenset()) | {leaf}
+        at[leaf.test] = at.get(leaf.test, frozenset()) | {leaf}
     return Guard(at, not (isinstance(tree, Mapping) and "any" in tree))
 
 
@@ -118,6 +140,6 @@ def leaves_of(tree: object) -> Iterator[Leaf]:
     if not isinstance(tree, Mapping):
         return
     if "condition" in tree:
-        yield str(tree.get("at") or ""), str(tree["condition"]), bool(tree.get("holds"))
+        yield Leaf(str(tree.get("at") or ""), str(tree["condition"]), bool(tree.get("holds")), tuple(tree.get("through", ())))
     for part in (*tree.get("all", ()), *tree.get("any", ())):
         yield from leaves_of(part)

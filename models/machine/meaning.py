@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from rosarch.base.logic import FALSE, TRUE, All, Any, Not, conjuncts
-from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Domains, nonzero, part_text
+from rosarch.models.machine.cells import EMPTIES, EMPTY, Cell, Document, Domains, condition_of, nonzero, part_text
 from rosarch.models.machine.conditions import (
     MIRRORED,
     NULL,
@@ -73,6 +73,12 @@ class Meaning:
             return ()
         return tuple(self.formula(part, owner) for part in conjuncts(parse_condition(text)))
 
+    def guard(self, row: Document, key: str, owner: str) -> tuple[Formula, ...]:
+        """The guard of a row as the parts that all have to hold, one for each condition where the row has them one by one."""
+        if "meant" not in row:
+            return self.conjuncts(condition_of(row, key), owner)
+        return tuple(TRUE if text == "true" else self.formula(parse_condition(text), owner) for text in row["meant"])
+
     def formula(self, condition: Condition, owner: str) -> Formula:
         """A condition as a formula."""
         if isinstance(condition, Not):
@@ -81,8 +87,9 @@ class Meaning:
             parts = tuple(self.formula(part, owner) for part in condition.parts)
             return conjunction(parts) if isinstance(condition, All) else Any(parts)
         if isinstance(condition, Operand):
-            found = self._counted("==", condition.text, "0", owner)
-            return negation(found) if found else self._test(condition.text, owner)
+            asked = self._domains.tested(condition.text, owner)
+            found = self._counted("==", asked, "0", owner)
+            return negation(found) if found else self._test(asked, owner)
         if isinstance(condition, Comparison):
             return self._comparison(condition, owner)
         raise TypeError(condition)
@@ -293,7 +300,7 @@ class Meaning:
         return tuple(rows)
 
     def _filled(self, cell: Cell, value: str) -> Table:
-        if re.search(r"\.clear\(\)|^\w*\(\)$|^\{\}$|^\"\"$", value):
+        if EMPTIES.search(value):
             return ((TRUE, "true"),)
         return ((TRUE, "false"),) if _FILLING.search(value) else self._unknown(cell)
 

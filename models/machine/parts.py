@@ -89,7 +89,8 @@ def _in_part(step: Step, wait: str, trees: dict[Step, Any], ways: _Ways, *, cert
     """A step as it is taken in one part: it hangs on what is tested there, and what was tested before has been so."""
     kept, tree = _tested_within(step, trees.get(step), lambda place: ways.is_in(place, wait))
     known = certain and kept is not None
-    reached = Subject(f"reached {step.row.kind} {step.row.index} {wait}", f"{step.row.at} is reached", BOOLEAN, hidden=True)
+    key = " ".join(("reached", step.row.kind, str(step.row.index), wait, *(step.trail or ())))
+    reached = Subject(key, f"{step.row.at} is reached", BOOLEAN, hidden=True)
     guard: tuple[Formula, ...] = (kept or ()) if known else (*(kept or ()), Is(reached, frozenset({BOOLEAN[0]})))
     own = replace(step, guard=guard)
     trees[own] = tree
@@ -103,7 +104,7 @@ def _tested_within(step: Step, tree: object, is_within: Any) -> tuple[tuple[Form
     written = tree.get("all", (tree,)) if isinstance(tree, Mapping) else ()
     if len(written) != len(step.guard):
         return None, None
-    told = [{is_within(place) for place, _, _ in leaves_of(part)} for part in written]
+    told = [{is_within(leaf.place) for leaf in leaves_of(part)} for part in written]
     if any(len(each) != 1 for each in told):
         return None, None
     kept = [(formula, part) for formula, part, each in zip(step.guard, written, told, strict=True) if True in each]

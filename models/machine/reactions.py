@@ -1,6 +1,7 @@
 """What happens in one go: the steps of a node's reaction to a trigger, run from a state for every course they may take.
 
-A reaction is atomic, as callbacks of a single-threaded spinner are. Its steps are taken in the order of their lines. What one test
+A reaction is atomic, as callbacks of a single-threaded spinner are. Its steps are taken in the order of their lines or, where these do not
+show it, of the calls that lead to them. What one test
 of a variable finds is what all see that hangs on it, whatever is assigned behind it, as the cases of a `switch` do; a later test sees
 what was assigned before it.
 """
@@ -15,12 +16,12 @@ from typing import Any
 
 from rosarch.base.logic import TRUE
 from rosarch.models.component import sent_in_loop
-from rosarch.models.machine.cells import Document, Domains, condition_of, variable_and_field
+from rosarch.models.machine.cells import Document, Domains, variable_and_field
 from rosarch.models.machine.epochs import with_epochs
 from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, first_unknown, simplify, subjects
 from rosarch.models.machine.meaning import Meaning
 from rosarch.models.machine.parts import apart, by_callback
-from rosarch.models.machine.steps import Output, Row, Step
+from rosarch.models.machine.steps import Output, Row, Step, trail_of
 from rosarch.models.machine.switching import WAYS, gated, gates, switch_steps
 
 PERIODIC = "periodic"
@@ -55,42 +56,45 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
         owner = variable.rpartition("::")[0].rsplit("::", 1)[-1]
         messages = names_of_messages(document, _list(row.get("trigger")))
         assignments = meaning.assignments(variable, suffix, domains.assigned(row), owner, messages)
-        step = Step(Row("transitions", index, _place(row)), meaning.conjuncts(condition_of(row, "guard"), owner), tuple(assignments))
+        guard = meaning.guard(row, "guard", owner)
+        step = Step(Row("transitions", index, _place(row)), guard, tuple(assignments), trail=trail_of(row))
         trees[step] = row.get("guard_tree")
         for trigger in _triggers(row, loops):
             found.setdefault(trigger, []).append(step)
     for index, row in enumerate(document.get("reactive") or ()):
         for way in row.get("ways") or (row,):
-            guard = meaning.conjuncts(condition_of(way, "when"), "")
+            guard = meaning.guard(way, "when", "")
             sometimes = not guard and row.get("must") is False
-            step = Step(Row("reactive", index, _place(way)), guard, (), (str(row["output"]),), sometimes)
+            step = Step(Row("reactive", index, _place(way)), guard, (), (str(row["output"]),), sometimes, trail=trail_of(way))
             trees[step] = way.get("when_tree")
             for trigger in _list(row.get("input")):
                 found.setdefault(trigger, []).append(step)
     for index, row in _rounds(document):
         for way in row.get("ways") or (row,):
-            guard = meaning.conjuncts(condition_of(way, "conditional"), "")
-            for sometimes, sent in _sent_in_round(document, row, certain=bool(guard)):
+            guard = meaning.guard(way, "conditional", "")
+            sending = {**row, "publishes": way["publishes"], "calls": []} if way is not row and "publishes" in way else row
+            for sometimes, sent in _sent_in_round(document, sending, certain=bool(guard)):
                 place = _last_condition(way.get("conditional_tree"))
-                step = Step(Row("periodic", index, _place(row)), guard, (), sent, sometimes, done_at=place)
+                step = Step(Row("periodic", index, _place(row)), guard, (), sent, sometimes, done_at=place, trail=trail_of(way))
                 trees[step] = way.get("conditional_tree")
                 found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
-        step = Step(Row("one_shot", index, _place(row)), meaning.conjuncts(condition_of(row, "when"), ""), (), (str(row["output"]),))
-        trees[step] = row.get("when_tree")
-        found.setdefault("timer", []).append(step)
+        for way in row.get("ways") or (row,):
+            guard = meaning.guard(way, "when", "")
+            step = Step(Row("one_shot", index, _place(row)), guard, (), (str(row["output"]),), trail=trail_of(way))
+            trees[step] = way.get("when_tree")
+            found.setdefault("timer", []).append(step)
     known = gates(document)
     for number, gate in enumerate(known):
-        for way, step in switch_steps(gate, meaning):
+        for switch, step in switch_steps(gate, meaning):
             own = replace(step, row=replace(step.row, index=number * WAYS + step.row.index))
-            trees[own] = way.get("guard_tree")
-            for trigger in _triggers(way, loops):
+            trees[own] = switch.get("guard_tree")
+            for trigger in _triggers(switch, loops):
                 found.setdefault(trigger, []).append(own)
-    later = _done_later(document)
     traits = document.get("traits") or {}
     unsteady, anew = ({str(name) for (name,) in traits.get(trait, ())} for trait in ("unsteady_name", "gives_another"))
     parts = apart(found, trees, document)
-    ordered = {trigger: with_epochs(_in_order(sorted(steps, key=_order), later), trees, unsteady, anew) for trigger, steps in parts.items()}
+    ordered = {trigger: with_epochs(sorted(steps, key=_order), trees, unsteady, anew) for trigger, steps in parts.items()}
     return {trigger: by_callback(gated(steps, trigger, known, document), trigger, document) for trigger, steps in ordered.items()}
 
 
@@ -128,34 +132,8 @@ def names_of_messages(document: Document, triggers: Sequence[str]) -> frozenset[
 
 def is_ambiguous(steps: Iterable[Step], document: Document) -> bool:
     """Whether the order of some of these steps, all of one reaction, is not known, or that of their tests."""
-    steps = list(steps)
-    if any(step.unclear for step in steps):
-        return True
-    places = {place for step in steps for place in step.row.at.split()}
-    return any(places.issuperset(pair) for pair in (document.get("traits") or {}).get("several_orders", ()))
-
-
-def _done_later(document: Document) -> Mapping[str, frozenset[str]]:
-    """For each place what is done after it although its line is not below."""
-    found: dict[str, frozenset[str]] = {}
-    for first, second in (document.get("traits") or {}).get("out_of_line", ()):
-        found[first] = found.get(first, frozenset()) | {second}
-    return found
-
-
-def _in_order(steps: Sequence[Step], later: Mapping[str, frozenset[str]]) -> list[Step]:
-    """The steps, which are in the order of their lines, in that in which calls have them."""
-    if not later:
-        return list(steps)
-    places = [frozenset(step.row.at.split()) for step in steps]
-    after = [frozenset(place for before in own for place in later.get(before, ())) for own in places]
-    before = [{other for other in range(len(steps)) if other != one and not own.isdisjoint(after[other])} for one, own in enumerate(places)]
-    waiting, found = dict.fromkeys(range(len(steps))), []
-    while waiting:
-        one = next((one for one in waiting if before[one].isdisjoint(waiting)), next(iter(waiting)))
-        del waiting[one]
-        found.append(steps[one])
-    return found
+    missed = {place for (place,) in (document.get("traits") or {}).get("may_be_missed", ())}
+    return any(step.unclear or step.trail == () or not missed.isdisjoint(step.row.at.split()) for step in steps)
 
 
 def distinguished_loops(document: Document) -> frozenset[str]:
@@ -198,15 +176,21 @@ def _last_condition(tree: object) -> str:
     return max(found, key=_line, default="")
 
 
+def _position(place: str) -> tuple[str, int, int]:
+    """The file of a place, its line, and its column where it has one."""
+    match = re.fullmatch(r"(.*?)(?::(\d+))?(?::(\d+))?", place)
+    return (match[1], int(match[2] or 0), int(match[3] or 0)) if match else (place, 0, 0)
+
+
 def _line(place: str) -> tuple[str, int]:
     path, _, line = place.rpartition(":")
     return path, int(line) if re.fullmatch(r"\d+", line) else 0
 
 
-def _order(step: Step) -> tuple[str, int, bool, int]:
-    """By line; the place of a timed loop or timer is that of its pause, or where it is made: what it sends is behind its conditions."""
-    first = (step.done_at or step.row.at).split(" ")[0]
-    return *_line(first), bool(step.outputs), step.row.index
+def _order(step: Step) -> tuple[tuple[tuple[str, int, int], ...], bool, int]:
+    """By line, or by calls; the place of a timed loop or timer is its pause or beginning: what it sends is behind its conditions."""
+    trail = step.trail or (step.done_at or step.row.at).split(" ")[:1]
+    return tuple(map(_position, trail)), bool(step.outputs), step.row.index
 
 
 @dataclass

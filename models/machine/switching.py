@@ -10,7 +10,7 @@ from rosarch.base.logic import TRUE
 from rosarch.models.machine.cells import Cell, Document
 from rosarch.models.machine.logic import Formula, Is, Subject
 from rosarch.models.machine.meaning import Assignment, Meaning
-from rosarch.models.machine.steps import Row, Step
+from rosarch.models.machine.steps import Row, Step, trail_of
 
 ON, OFF = "on", "off"
 WAYS = 1000  # more than anything is switched by
@@ -85,10 +85,10 @@ def switch_steps(gate: Gate, meaning: Meaning) -> Iterator[tuple[Mapping[str, An
     """The steps that turn something on or off, each with the row that says what triggers it."""
     for index, way in enumerate(gate.ways):
         to = str(way["to"])
-        guard = meaning.conjuncts(way.get("guard"), "")
+        guard = meaning.guard(way, "guard", "")
         if way["perhaps"]:
             guard += (Is(Subject(f"{gate.cell.subject.key} {index}", f"{gate.text} goes {to}", hidden=True), frozenset({"true"})),)
-        yield way, Step(Row("switched", index, str(way["at"])), guard, (Assignment(gate.cell, ((TRUE, to),)),))
+        yield way, Step(Row("switched", index, str(way["at"])), guard, (Assignment(gate.cell, ((TRUE, to),)),), trail=trail_of(way))
 
 
 def gated(steps: Sequence[Step], trigger: str, known: Sequence[Gate], document: Document) -> list[Step]:
@@ -97,7 +97,7 @@ def gated(steps: Sequence[Step], trigger: str, known: Sequence[Gate], document: 
     rows = document.get("transitions") or ()
     for number, gate in enumerate(known):
         timed = [not gate.ports and trigger.split(" ")[0] in ("periodic", "timer") and _of(step, gate, rows, known) for step in found]
-        found = [replace(step, guard=(gate.open, *step.guard)) if own else step for step, own in zip(found, timed, strict=True)]
+        found = [step.within(gate.open) if own else step for step, own in zip(found, timed, strict=True)]
         if gate.once and any(timed):
             ended = Assignment(gate.cell, ((TRUE, OFF),))
             found.insert(0, Step(Row("ran", number, gate.at), (gate.open,), (ended,)))
@@ -126,7 +126,7 @@ def _by_port(step: Step, gate: Gate) -> Iterator[Step]:
     rest = tuple(port for port in step.outputs if port not in gate.ports)
     if rest or step.assignments:
         yield replace(step, outputs=rest)
-    yield replace(step, outputs=tuple(sent), assignments=(), guard=(gate.open, *step.guard))
+    yield replace(step, outputs=tuple(sent), assignments=()).within(gate.open)
 
 
 def _list(value: object) -> list[str]:

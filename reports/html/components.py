@@ -9,8 +9,8 @@ from rosarch.models.component import ComponentModel, to_json
 from rosarch.models.machine.build import build_machine
 from rosarch.reports.html.machines import machine_data
 
-_FOR_PROGRAMS = ("_normal", "_tree")
-"""Endings of fields that say again, in another form, what others say for people."""
+_FOR_PROGRAMS = ("_normal", "_tree", "trail", "meant")
+"""Endings of fields that are for programs, or say again, in another form, what others say for people."""
 
 
 def component_data(model: ComponentModel) -> dict[str, Any]:

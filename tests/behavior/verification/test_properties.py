@@ -89,3 +89,17 @@ def test_all_mistakes_are_told() -> None:
 )
 def test_what_needs_fairness(text: str, safe: bool) -> None:
     assert ltl.is_safety(formula(text)) is safe
+
+
+@pytest.mark.parametrize("value", ["2", "CRITICAL", "Monitor::CRITICAL"])
+def test_a_constant_is_called_by_its_number_or_its_name(value: str) -> None:
+    monitor = {
+        "ports": [{"id": "p1", "kind": "subscriber", "name": "/battery", "queue": 1}],
+        "state_variables": [{"name": "Monitor::state", "type": "int", "initial": "self.OK", "at": "monitor.py:9"}],
+        "transitions": [
+            {"variable": "Monitor::state", "trigger": ["p1"], "guard": "self.state == self.OK", "value": "self.CRITICAL", "at": "monitor.py:20"}
+        ],
+        "traits": {"names_number": [["OK", "0"], ["CRITICAL", "2"]]},
+    }
+    (item,) = read_properties(f"p: monitor.state == {value}", "f", system_of({"monitor": monitor}))
+    assert item.formula == InState("/monitor", "Monitor::state", frozenset({"2"}))

@@ -1,4 +1,3 @@
-// expect: out_of_line 28 22
 // expect: perhaps_always in of_list
 // expect: perhaps_always in of_member
 // expect: perhaps_always in through_call

@@ -368,3 +368,9 @@ def test_truth_values_are_joined_bit_by_bit_as_well() -> None:
 def test_membership_is_a_choice_of_equalities() -> None:
     machine = modes(("go", "mode in (Mode::A, Mode::C)", "Mode::B"), ("back", "mode_ not in [Mode::A]", "Mode::A"))
     assert "B back A" in arrows(machine)
+
+
+def test_a_list_of_python_is_true_when_something_is_in_it() -> None:
+    rows = [("N::kept", "in", None, "self.kept.append(msg)"), ("N::kept", "flush", "not self.kept", "[]"), ("N::kept", "send", "self.kept", "[]")]
+    machine = build_machine(document(variables=[("N::kept", "list", "[]")], transitions=rows))
+    assert arrows(machine) == {"true in false", "false send true"}

@@ -10,8 +10,8 @@
 // expect: assignment(E, V, "argument"), location(E, _, 72, _), variable_name(V, "list_")
 // expect: member_refers(W, V), variable_name(W, "wrapped_"), variable_name(V, "left_")
 // expect: runs_at_end(C, _), location(C, _, 73, _)
-// expect: several_orders(E, E), location(E, _, 81, _)
-// expect-not: several_orders(E, E), location(E, _, 83, _)
+// expect: may_be_missed(E), location(E, _, 81, _)
+// expect-not: may_be_missed(E), location(E, _, 83, _)
 // expect: port_flow([_, "subscriber", "set"], [_, "publisher", "out"], "control", "kept")
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,10 @@
-# What conditions call a message that was given to a callback: not what a local of what it calls is called too, nor what the callback changes.
+# What conditions call a message that was given to a callback: not what the callback changes, nor what a local of what it calls is called too, unless no
+# condition asks for that, or it is the message.
 #
 # expect: names_message([_, _, "a"], "kept")
-# expect: N = count : { names_message(_, _) }, N = 1
+# expect: names_message([_, _, "d"], "sent")
+# expect: names_message([_, _, "e"], "given")
+# expect: N = count : { names_message(_, _) }, N = 3
 import rospy
 from std_msgs.msg import String
 
@@ -13,6 +16,8 @@ class Listener:
         rospy.Subscriber("a", String, self.on_a)
         rospy.Subscriber("b", String, self.on_b)
         rospy.Subscriber("c", String, self.on_c)
+        rospy.Subscriber("d", String, self.on_d)
+        rospy.Subscriber("e", String, self.on_e)
 
     def on_a(self, kept):
         self.last = kept
@@ -26,9 +31,25 @@ class Listener:
             changed = None
         self.last = changed
 
+    def on_d(self, sent):
+        if sent.data == "now":
+            self.tell()
+
+    def on_e(self, given):
+        self.handle(given)
+
+    def handle(self, given):
+        if given.data == "now":
+            self.tell()
+
     def other(self):
-        shared = String("other")
-        self.pub.publish(shared)
+        shared = String(str(self.pub.get_num_connections()))
+        if shared.data != "0":
+            self.pub.publish(shared)
+
+    def tell(self):
+        sent = String("told")
+        self.pub.publish(sent)
 
 
 rospy.init_node("listener")

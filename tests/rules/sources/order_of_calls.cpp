@@ -1,5 +1,7 @@
-// expect: out_of_line 17 13
-// expect: several_orders 14 23
+// What a callback does is in the order of its calls, not in that of the lines: a function above, one that is called twice; not where calls exclude each other.
+// expect: ordered_by_calls(F), function_name(F, "Node::onTwice")
+// expect: ordered_by_calls(F), function_name(F, "Node::onStop")
+// expect: 2 = count : { ordered_by_calls(_) }
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>
 #include <std_msgs/Empty.h>
@@ -7,7 +9,13 @@
 
 class Node {
 public:
-  Node() : stopped_(false) { start(); }
+  Node() : stopped_(false) {
+    stop_ = nh_.subscribe("stop", 1, &Node::onStop, this);
+    twice_ = nh_.subscribe("twice", 1, &Node::onTwice, this);
+    level_ = nh_.subscribe("level", 1, &Node::onLevel, this);
+    halt_ = nh_.advertise<std_msgs::Empty>("halt", 1);
+    tell_ = nh_.advertise<std_msgs::Empty>("told", 1);
+  }
 
 private:
   void halt() { halt_.publish(std_msgs::Empty()); }
@@ -18,13 +26,11 @@ private:
     if (stopped_) halt();
   }
 
-  void onGo(const std_msgs::Empty&) {
+  void onTwice(const std_msgs::Empty&) {
     if (!stopped_) tell();
-    stopped_ = true;
     if (stopped_) tell();
   }
 
-  // of these, each excludes the others: there is no order
   void onLevel(const std_msgs::Int32& level) {
     if (level.data > 2) {
       tell();
@@ -35,17 +41,9 @@ private:
     }
   }
 
-  void start() {
-    level_ = nh_.subscribe("level", 1, &Node::onLevel, this);
-    halt_ = nh_.advertise<std_msgs::Empty>("halt", 1);
-    tell_ = nh_.advertise<std_msgs::Empty>("told", 1);
-    stop_ = nh_.subscribe("stop", 1, &Node::onStop, this);
-    go_ = nh_.subscribe("go", 1, &Node::onGo, this);
-  }
-
   ros::NodeHandle nh_;
   ros::Publisher halt_, tell_;
-  ros::Subscriber stop_, go_, level_;
+  ros::Subscriber stop_, twice_, level_;
   bool stopped_;
 };
 
