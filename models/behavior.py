@@ -450,7 +450,7 @@ class _Change:
 
 def _distinct_ways(ways: list[Way]) -> list[Way]:
     """The ways to an assignment: one for each call, or row of a table, that gives it a value or a place of its own, or all in one."""
-    if len({way.value for way in ways}) == 1 and all(way.trail is None for way in ways):
+    if len({way.value for way in ways}) == 1 and all(way.trail is None and not way.found for way in ways):
         return [Way(formula.either(way.guard for way in ways), next(way.value for way in ways))]
     return ways
 

@@ -48,6 +48,7 @@ class Way:
     fixed: frozenset[str] = frozenset()
     through: tuple[Place, ...] = ()
     trail: tuple[Place, ...] | None = None
+    found: bool = False  # in a row of a table
 
     def names(self, known: Collection[str]) -> set[str]:
         """Those of the `known` names that occur in what is meant."""
@@ -60,7 +61,7 @@ class Way:
         constants = {name: value for name, value in values.items() if _is_constant(value)}
         fill = partial(with_values, values=values)
         guard = either(_given(conjunction, fill) for conjunction in alternatives(self.guard)) if values else self.guard
-        return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), (*calls, *self.through), self.trail)
+        return Way(guard, with_values(self.value, constants), self.fixed.union(fixed), (*calls, *self.through), self.trail, self.found)
 
     def called_by(self, calls: tuple[Place, ...]) -> Way:
         """The same, where what conditions ask may differ from one call of their function to the next, and these make it so far."""
@@ -71,7 +72,8 @@ class Way:
         """The same, in the round of a loop that finds this row of a table."""
         fill = partial(_filled, row=row)
         guard = either(_given(conjunction, fill) for conjunction in alternatives(self.guard)) if row else self.guard
-        return replace(self, guard=guard, value=fill(self.value))
+        value = fill(self.value)
+        return replace(self, guard=guard, value=value, found=self.found or (guard, value) != (self.guard, self.value))
 
 
 def trail_json(trail: tuple[Place, ...] | None) -> dict[str, list[str]]:

@@ -100,8 +100,9 @@ def _verdict(system: System, item: Property, inputs: Inputs, checker: str, bound
         return Verdict(item, UNDECIDED, 0, time.perf_counter() - start, None, (*notes, reason))
     lasso = None if found.holds else _lasso(transitions, item.formula, found, limits)
     shown = trace(Explorer(transitions), lasso, _watched(item.formula).variables) if lasso else None
-    taken = _commands(transitions, lasso) if lasso else []
-    clocks = clocks_compared(transitions.model, taken)
+    taken = _commands(transitions, (*lasso.stem, *lasso.loop, *lasso.loop)) if lasso else []
+    repeated = _commands(transitions, lasso.loop) if lasso else []
+    clocks = clocks_compared(transitions.model, taken, repeated)
     if clocks and begins_first(transitions.model, taken, clocks):
         notes, clocks = (*notes, "the nodes of other loops and timers may begin later"), frozenset()
     if clocks and _never(system, item, inputs, checker, bound, limits):
@@ -132,9 +133,9 @@ def _lasso(system: TransitionSystem, formula: Formula, found: CheckResult, limit
         return found.lasso
 
 
-def _commands(system: TransitionSystem, lasso: Lasso) -> list[int]:
-    """What happens in a run; what is repeated, twice."""
-    taken = (system.transitions[index].command for index in (*lasso.stem, *lasso.loop, *lasso.loop))
+def _commands(system: TransitionSystem, transitions: Sequence[int]) -> list[int]:
+    """What happens in transitions of a run."""
+    taken = (system.transitions[index].command for index in transitions)
     return [command for command in taken if command is not None]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from rosarch.behavior.composition.model import Command, Model
 
@@ -10,14 +10,18 @@ Clocks = frozenset[str]
 _NONE: Clocks = frozenset()
 
 
-def clocks_compared(model: Model, commands: Iterable[int]) -> Clocks:
+def clocks_compared(model: Model, commands: Iterable[int], repeated: Iterable[int] = ()) -> Clocks:
     """The clocks whose rates show whether these commands may follow one another: what one of them sets off finds what another one left.
 
-    What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it.
+    What is received without delay, as callbacks take no time, does not pile up in a queue, whatever the clock that sends it. A round that
+    does nothing may come at any time where what is `repeated` changes nothing that it looks at.
     """
     variables, queues = _clocks(model)
     found: set[str] = set()
-    for command in (model.commands[index] for index in commands):
+    given = {item for index in repeated for item in model.commands[index].given}
+    changing = {variable for variable, value in given if any(other == variable and another != value for other, another in given)}
+    steady = {index for index in repeated if _is_idle(model.commands[index], changing)}
+    for command in (model.commands[index] for index in commands if index not in steady):
         own = _own(command, queues)
         if not own:
             continue
@@ -37,6 +41,12 @@ def begins_first(model: Model, commands: Iterable[int], clocks: Clocks) -> bool:
     if len(rounds) != 1:
         return False
     return all(command.actor != rounds[0].actor for command in model.commands if command.clock in clocks - {rounds[0].clock})
+
+
+def _is_idle(command: Command, changing: Collection[int]) -> bool:
+    """Whether a command is a round in which nothing is done, whatever the variables are that change."""
+    idle = bool(command.clock) and command.takes is None and not (command.given or command.puts or command.events)
+    return idle and all(variable not in changing for variable, _ in command.when)
 
 
 def _own(command: Command, queues: Sequence[Clocks]) -> Clocks:
