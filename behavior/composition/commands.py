@@ -160,6 +160,9 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
         if not (effect.after or effect.sent or queue is not None or obligation is not None or idle):
             continue
         inputs, assumes = _taken_for_granted(builder, component, trigger, effect, topic)
+        events = frozenset(_events(builder, end, topic, effect))
+        if effect.after or effect.sent or queue is not None or events:  # else it is the same when it does not run
+            assumes += _runs_if(builder, end)
         command = Command(
             actor=node,
             cause=_cause(component, trigger, topic),
@@ -167,11 +170,11 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
             given=tuple((_index(builder, node, key), value) for key, value in effect.after.items()),
             takes=queue,
             full=tuple(others),
-            events=frozenset(_events(builder, end, topic, effect)),
+            events=events,
             obligation=obligation,
             clock=f"{component.label(trigger)} of {node}" if loop and component.rates[trigger] else "",
             inputs=inputs,
-            assumes=assumes + _runs_if(builder, end),
+            assumes=assumes,
             places=tuple(dict.fromkeys(row.at for row in effect.rows if row.at)),
         )
         command = _answering(

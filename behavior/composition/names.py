@@ -71,12 +71,12 @@ class Names:
         return node, variable.key, frozenset({self.value(text, value)})
 
     def value(self, text: str, value: str) -> str:
-        """A value of the variable that is called `text`; a constant may be called by its name or its number."""
+        """A value of the variable that is called `text`; a constant may be called by its name or its number, a text without its quotes."""
         node, variable = self.variable(text)
         traits = self._system.nodes[node].document.get("traits") or {}
         numbers = {str(name): str(number) for name, number in traits.get("names_number", ())}
         written = {_in_double_quotes(each): each for each in variable.values}
-        spellings = (value, numbers.get(value.rsplit("::", 1)[-1], value))
+        spellings = (value, numbers.get(value.rsplit("::", 1)[-1], value), f'"{value}"')
         found = [written.get(_in_double_quotes(each)) or value_in(each, variable.values) for each in spellings]
         known = next((each for each in found if each not in (None, OTHER) or value == OTHER), None)
         if known is None:

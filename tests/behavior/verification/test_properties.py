@@ -103,3 +103,14 @@ def test_a_constant_is_called_by_its_number_or_its_name(value: str) -> None:
     }
     (item,) = read_properties(f"p: monitor.state == {value}", "f", system_of({"monitor": monitor}))
     assert item.formula == InState("/monitor", "Monitor::state", frozenset({"2"}))
+
+
+@pytest.mark.parametrize("value", ["'open'", '"open"', "open"])
+def test_a_text_may_be_written_without_its_quotes(value: str) -> None:
+    door = {
+        "ports": [{"id": "p1", "kind": "subscriber", "name": "/call", "queue": 1}],
+        "state_variables": [{"name": "Door::state", "type": "str", "initial": "'closed'", "at": "door.py:9"}],
+        "transitions": [{"variable": "Door::state", "trigger": ["p1"], "guard": "self.state == 'closed'", "value": "'open'", "at": "door.py:20"}],
+    }
+    (item,) = read_properties(f"p: door.state == {value}", "f", system_of({"door": door}))
+    assert item.formula == InState("/door", "Door::state", frozenset({"'open'"}))

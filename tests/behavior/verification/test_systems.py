@@ -95,6 +95,22 @@ def test_nothing_is_proved_of_what_may_be_otherwise(formula: str, unseen: dict[s
         assert found.verdict == verdict
 
 
+@pytest.mark.slow
+@pytest.mark.skipif(not spin.is_installed(), reason=spin.HINT)
+def test_nothing_is_taken_for_granted_of_a_timer_that_would_do_nothing() -> None:
+    door = {
+        "ports": [{"id": "p1", "kind": "subscriber", "name": "/call", "queue": 1}],
+        "state_variables": [{"name": "Door::open_", "type": "bool", "initial": "false", "at": "door.cpp:3"}],
+        "transitions": [
+            {"variable": "Door::open_", "trigger": ["timer"], "guard": "open_", "value": "false", "at": "door.cpp:9"},
+            {"variable": "Door::open_", "trigger": ["p1"], "value": "true", "at": "door.cpp:12"},
+        ],
+    }
+    system = system_of({"door": door})
+    properties = read_properties("shut: left(!door.open_)\nopen: left(door.open_)\n", "properties", system)
+    assert [found.verdict for found in verify(system, properties, Inputs(), "spin")] == [VIOLATED, POSSIBLE]
+
+
 FILTER = {
     "ports": [
         {"id": "p1", "kind": "subscriber", "name": "/in", "queue": 1}, {"id": "p2", "kind": "publisher", "name": "/out", "queue": 1},
