@@ -240,14 +240,14 @@ def _reactive(
     found = []
     for (source, sink), sites in calls.items():
         if source in ports and sink in ports:
+            come = [(function, site) for site in sorted(sites) for function in guards.those_that_run(sorted(functions[source]), site)]
             ways = [
                 Sending(places[site], way.guard, way.trail)
-                for site in sorted(sites)
-                for function in guards.those_that_run(sorted(functions[source]), site)
+                for function, site in come
                 for way in guards.ways(function, site, "")
                 if way.guard != FALSE
             ]
-            guard = formula.either(guards.guard(function, site) for function in functions[source] for site in sites)
+            guard = formula.either(guards.guard(function, site) for function, site in come)
             if guard == FALSE:
                 continue
             at = tuple(sorted(places[site] for site in sites))
