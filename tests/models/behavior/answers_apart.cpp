@@ -3,6 +3,7 @@
 // expect: reactive go -> done may [state == actionlib::SimpleClientGoalState::SUCCEEDED]
 // normal: reactive go -> done [state == actionlib::SimpleClientGoalState::SUCCEEDED]
 // expect: reactive go -> going must []
+// normal: reactive go -> going []
 #include <actionlib/client/simple_action_client.h>
 #include <actionlib_tutorials/FibonacciAction.h>
 #include <ros/ros.h>
