@@ -28,6 +28,7 @@ TRAITS = {
     "awaits": ("port", "port", "variable"),
     "never_is": ("place", "variable", "text"),
     "changed_at_once": ("variable", "place", "place"),
+    "remade_at_once": ("text", "place", "place"),
     "call_blocks": ("port", "port", "place"),
     "names_nothing": ("place", "text", "port"),
     "sends_frame": ("place", "text", "text"),

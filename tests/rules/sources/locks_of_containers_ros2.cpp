@@ -1,9 +1,9 @@
 // Containers that callbacks of a reentrant group change at once.
 //
-// expect: changed_at_once(V, E, D), E != D, variable_name(V, "points_")
-// expect-not: changed_at_once(V, _, _), variable_name(V, "guarded_")
-// expect-not: changed_at_once(V, _, _), variable_name(V, "elements_")
-// expect-not: changed_at_once(V, _, _), variable_name(V, "apart_")
+// expect: remade_at_once("points_", E, D), E != D
+// expect-not: remade_at_once("guarded_", _, _)
+// expect-not: remade_at_once("elements_", _, _)
+// expect-not: remade_at_once("apart_", _, _)
 #include <array>
 #include <memory>
 #include <mutex>
