@@ -25,4 +25,8 @@ taking = message_filters.ApproximateTimeSynchronizer([ground, heat], 10, 0.1, al
 taking.registerCallback(fuse)
 other = message_filters.ApproximateTimeSynchronizer([heat, lamp], 10, 0.1, True)
 other.registerCallback(fuse)
+arriving = message_filters.ApproximateTimeSynchronizer([heat, lamp], 10, 0.1, sync_arrival_time=True)
+arriving.registerCallback(fuse)
+at_once = message_filters.TimeSynchronizer([heat, lamp], 10, sync_arrival_time=True)
+at_once.registerCallback(fuse)
 rospy.spin()
