@@ -349,8 +349,11 @@ def _more(wanted: Mapping[_Key, Collection[NodeConfiguration]], analyzed: Callab
 def _shared(models: Sequence[ComponentModel], interfaces: Iterable[Interface]) -> Interface:
     """What all systems see of these components."""
     by_themselves = [model for model in models if not model.configuration]
-    rows = {row for each in interfaces if not each.rows.get("interface_configured") for row in each.rows["interface"]}
-    return Interface.of({"interface": rows, **shared_rows(by_themselves)})
+    told = [each.rows for each in interfaces if not each.rows.get("interface_configured")]
+    rows = {row for each in told for row in each["interface"]}
+    known = {row[0] for row in rows if row[-1] == "library"}
+    ports = {(row[0], *row[2:]) for each in told for row in each.get("interface_port", ()) if row[0] in known}
+    return Interface.of(merged([{"interface": rows, "port_anywhere": ports}, shared_rows(by_themselves)]))
 
 
 class _Needed:

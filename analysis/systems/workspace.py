@@ -121,7 +121,7 @@ def dependencies(manifests: Iterable[Declared]) -> Dependencies:
 
 
 def shared_rows(models: Sequence[ComponentModel]) -> Rows:
-    """What all systems see of the components that any of them starts: their ports, and parameters that they read by absolute names."""
+    """What all systems see of the workspace's components: their ports, and parameters that they read by absolute names."""
     return {
         "port_anywhere": {(model.title, port.kind, port.name) for model in models for port in model.ports if not port.implicit},
         "read_absolutely": {

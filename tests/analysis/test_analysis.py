@@ -136,3 +136,34 @@ def test_an_empty_system() -> None:
     system = system_model("none", (), {}, evaluate(rules, {}), {})
     assert (system.nodes, system.connectors, system.inclusions) == ((), (), ())
     assert {"topic-type-mismatch", "missing-file"} <= {check.id for check in rules.checks}
+
+
+def test_what_another_launch_file_starts_of_the_library_may_send_a_frame(workspace: Path) -> None:
+    """The fixed frame of rviz is not called one that nobody sends where the other launch file starts what makes a map."""
+    package = workspace / "talker"
+    (package / "talker.cpp").write_text(
+        "#include <ros/ros.h>\n#include <sensor_msgs/LaserScan.h>\n"
+        'int main(int argc, char** argv) {\n  ros::init(argc, argv, "talker");\n  ros::NodeHandle nh;\n'
+        '  ros::Publisher pub = nh.advertise<sensor_msgs::LaserScan>("scan", 10);\n  ros::Rate rate(10);\n'
+        '  while (ros::ok()) {\n    sensor_msgs::LaserScan scan;\n    scan.header.frame_id = "laser";\n'
+        "    scan.header.stamp = ros::Time::now();\n    pub.publish(scan);\n    rate.sleep();\n  }\n}\n"
+    )
+    (package / "demo.rviz").write_text(
+        "Visualization Manager:\n  Displays:\n  - {Class: rviz/LaserScan, Topic: /scan}\n  Global Options:\n    Fixed Frame: map\n"
+    )
+    (package / "view.launch").write_text(
+        '<launch><node pkg="talker" type="talker" name="talker"/>'
+        '<node pkg="tf2_ros" type="static_transform_publisher" name="tf" args="0 0 0 0 0 0 base laser"/>'
+        '<node pkg="rviz" type="rviz" name="rviz" args="-d $(find talker)/demo.rviz"/></launch>'
+    )
+    (package / "map.launch").write_text('<launch><node pkg="gmapping" type="slam_gmapping" name="gmapping"/></launch>')
+
+    def checks(*files: str) -> set[str]:
+        requests = [parse_request(f"talker/{file}") for file in files]
+        analysis = analyze_systems(
+            workspace, given(requests, LaunchEnvironment(workspace, (workspace,), {})), Method(sources=Settings(jobs=1))
+        )
+        return {finding.check.id for finding in analysis.findings}
+
+    assert "fixed-frame-not-sent" in checks("view.launch")
+    assert "fixed-frame-not-sent" not in checks("view.launch", "map.launch")
