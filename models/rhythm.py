@@ -6,11 +6,13 @@ What a rhythm is comes of running the reaction itself, from its first state on, 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from rosarch.base.logic import TRUE, Not, alternatives
+from rosarch.models.behavior import Behavior, Transition
 from rosarch.models.formula import Condition, Formula
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import Comparison, Operand, constant, parse_condition, strip
@@ -18,6 +20,9 @@ from rosarch.models.machine.counting import MOST_VALUES, whole
 from rosarch.models.machine.logic import BOOLEAN
 from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses, is_ambiguous
 from rosarch.models.machine.steps import Step
+
+MOST_CHANGES = 200
+"""Assignments to state in one reaction, beyond which it is not run: there is no end of its cases."""
 
 _TRIED = (2, 3, 4, 5, 7)  # values of a parameter, from which is seen what it does
 _MOST_ROUNDS = 1000
@@ -27,6 +32,29 @@ _TEXTS = {
     "transitions": ("guard", "guard_normal", "value", "value_normal"), "reactive": ("when", "when_normal"),
     "one_shot": ("when", "when_normal"), "periodic": ("conditional", "conditional_normal"), "state_variables": ("initial",),
 }  # fmt: skip
+
+
+def with_few_changes(behavior: Behavior) -> Behavior:
+    """A behaviour without the reactions that change state in more than `MOST_CHANGES` places, and without what they change."""
+    counts = Counter(reaction for each in behavior.transitions for reaction in _reactions_of(each))
+    large = {reaction for reaction, count in counts.items() if count > MOST_CHANGES}
+    if not large:
+        return behavior
+    lost = {each.variable for each in behavior.transitions if not large.isdisjoint(_reactions_of(each))}
+    return replace(
+        behavior,
+        transitions=tuple(each for each in behavior.transitions if each.variable not in lost),
+        state_variables=tuple(each for each in behavior.state_variables if each.name not in lost),
+        reactive=tuple(each for each in behavior.reactive if each.input not in large),
+        periodic=tuple(each for each in behavior.periodic if str(each.at) not in large),
+        one_shot=tuple(each for each in behavior.one_shot if str(each.at) not in large),
+    )
+
+
+def _reactions_of(transition: Transition) -> set[str]:
+    """The ports, and the places of loops and timers, that a transition is set off by; its kind where that is all that is known."""
+    places = {str(place) for place in transition.timed_by}
+    return places | {trigger for trigger in transition.trigger if not (places and trigger == PERIODIC)}
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from rosarch.base.places import Place
 from rosarch.library import LibraryComponent
 from rosarch.models.component import MANAGED, ComponentModel, document_json, parameter_json, port_json
-from rosarch.models.rhythm import Reactions, rhythms, used_up, way_needs
+from rosarch.models.rhythm import Reactions, rhythms, used_up, way_needs, with_few_changes
 from rosarch.models.traits import TRAITS
 
 Rows = dict[str, set[tuple[Any, ...]]]
@@ -108,7 +109,7 @@ def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
     places = {str(loop.at): loop.at for loop in model.behavior.periodic}
     if managed or not model.behavior.state_variables:
         return
-    reactions = Reactions(document_json(model))
+    reactions = Reactions(document_json(replace(model, behavior=with_few_changes(model.behavior))))
     for rhythm in rhythms(reactions):
         source = writer.placed(places[rhythm.trigger]) if rhythm.trigger in places else f"{component}#{rhythm.trigger}"
         sink = f"{component}#{rhythm.output}"

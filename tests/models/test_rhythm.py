@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from rosarch.base.logic import TRUE
+from rosarch.base.places import Place
 from rosarch.models import formula
-from rosarch.models.rhythm import Reactions, Rhythm, Used, rhythms, used_up, way_needs, with_numbers
+from rosarch.models.behavior import NOTHING, Periodic, Reactive, StateVariable, Transition
+from rosarch.models.rhythm import MOST_CHANGES, Reactions, Rhythm, Used, rhythms, used_up, way_needs, with_few_changes, with_numbers
 
 
 def _counting(
@@ -220,3 +223,25 @@ def test_nothing_is_claimed_of_what_is_not_clear() -> None:
     assert list(rhythms(Reactions({**again, "periodic": [{**again["periodic"][0], "conditional_tree": tree}]}))) == []
     kept = _flag(("true", None, "p1"), ("false", "new_", "periodic"))
     assert list(used_up(Reactions({**kept, "traits": {"may_be_missed": [["n.cpp:10"]]}}))) == []
+
+
+def test_reactions_that_change_very_much_are_left_out_with_what_they_change() -> None:
+    def change(variable: str, *trigger: str, line: int, timed_by: tuple[Place, ...] = ()) -> Transition:
+        return Transition(variable, None, trigger, TRUE, "1", Place("n.cpp", line, 1), timed_by)
+
+    timer = Place("n.cpp", 9, 1)
+    many = [change("N::a_", "p1", line=line) for line in range(100, 101 + MOST_CHANGES)]
+    few = [change("N::b_", "p2", line=7), change("N::c_", "periodic", line=8, timed_by=(timer,))]
+    also = change("N::a_", "p2", line=10)
+    behavior = replace(
+        NOTHING,
+        transitions=(*many, *few, also),
+        state_variables=tuple(StateVariable(f"N::{name}_", "int", "0", None, None, timer) for name in "abc"),
+        reactive=tuple(Reactive(port, "out", (timer,), False, TRUE) for port in ("p1", "p2")),
+        periodic=(Periodic("timer", 10.0, None, ("out",), timer, TRUE),),
+    )
+    found = with_few_changes(behavior)
+    assert found.transitions == tuple(few)
+    assert [each.name for each in found.state_variables] == ["N::b_", "N::c_"]
+    assert [each.input for each in found.reactive] == ["p2"] and found.periodic == behavior.periodic
+    assert with_few_changes(found) is found

@@ -97,7 +97,13 @@ def test_a_constant_is_called_by_its_number_or_its_name(value: str) -> None:
         "ports": [{"id": "p1", "kind": "subscriber", "name": "/battery", "queue": 1}],
         "state_variables": [{"name": "Monitor::state", "type": "int", "initial": "self.OK", "at": "monitor.py:9"}],
         "transitions": [
-            {"variable": "Monitor::state", "trigger": ["p1"], "guard": "self.state == self.OK", "value": "self.CRITICAL", "at": "monitor.py:20"}
+            {
+                "variable": "Monitor::state",
+                "trigger": ["p1"],
+                "guard": "self.state == self.OK",
+                "value": "self.CRITICAL",
+                "at": "monitor.py:20",
+            }
         ],
         "traits": {"names_number": [["OK", "0"], ["CRITICAL", "2"]]},
     }
@@ -110,7 +116,9 @@ def test_a_text_may_be_written_without_its_quotes(value: str) -> None:
     door = {
         "ports": [{"id": "p1", "kind": "subscriber", "name": "/call", "queue": 1}],
         "state_variables": [{"name": "Door::state", "type": "str", "initial": "'closed'", "at": "door.py:9"}],
-        "transitions": [{"variable": "Door::state", "trigger": ["p1"], "guard": "self.state == 'closed'", "value": "'open'", "at": "door.py:20"}],
+        "transitions": [
+            {"variable": "Door::state", "trigger": ["p1"], "guard": "self.state == 'closed'", "value": "'open'", "at": "door.py:20"}
+        ],
     }
     (item,) = read_properties(f"p: door.state == {value}", "f", system_of({"door": door}))
     assert item.formula == InState("/door", "Door::state", frozenset({"'open'"}))

@@ -371,6 +371,10 @@ def test_membership_is_a_choice_of_equalities() -> None:
 
 
 def test_a_list_of_python_is_true_when_something_is_in_it() -> None:
-    rows = [("N::kept", "in", None, "self.kept.append(msg)"), ("N::kept", "flush", "not self.kept", "[]"), ("N::kept", "send", "self.kept", "[]")]
+    rows = [
+        ("N::kept", "in", None, "self.kept.append(msg)"),
+        ("N::kept", "flush", "not self.kept", "[]"),
+        ("N::kept", "send", "self.kept", "[]"),
+    ]
     machine = build_machine(document(variables=[("N::kept", "list", "[]")], transitions=rows))
     assert arrows(machine) == {"true in false", "false send true"}
