@@ -95,7 +95,7 @@ def cases_of_systems(program: Program, jobs: int | None) -> Iterator[Case]:
         check = read_check(TOP / "rules" / "checks" / case.path.name)
         told = {check.fix_relation} & program.relations.keys()
         told |= {relation for _, type_ in check.columns for relation in (evidence_of(type_), shown_as(type_))} & program.relations.keys()
-        yield Case(case.id, rows, frozenset({check.relation, *told}), partial(finds_other, check, program, rows))
+        yield Case(case.id, rows, frozenset({check.relation, *told}), partial(finds_other, case, check, program, rows))
 
 
 def example_cases(workspace: Path, jobs: int | None) -> Iterator[Case]:
@@ -134,16 +134,17 @@ def warnings(system: System) -> set[tuple[str, ...]]:
     return {(found.severity, found.message, str(found.place)) for found in system.findings if found.severity != "note"}
 
 
-def finds_other(check: Check, program: Program, usual: Rows, changed: Rows) -> bool:
-    """Whether a check has other findings when some relations have changed."""
-    return findings_of(check, program, {**usual, **changed}) != findings_of(check, program, usual)
+def finds_other(case: rule_cases.Case, check: Check, program: Program, usual: Rows, changed: Rows) -> bool:
+    """Whether a check has other findings in a case when some relations have changed."""
+    return findings_of(case, check, program, {**usual, **changed}) != findings_of(case, check, program, usual)
 
 
-def findings_of(check: Check, program: Program, rows: Rows) -> set[tuple[object, ...]]:
-    """The findings of a check with their fixes, as `tests/rules/test_checks.py` compares them."""
+def findings_of(case: rule_cases.Case, check: Check, program: Program, rows: Rows) -> tuple[set[tuple[object, ...]], list[str]]:
+    """The findings of a check with their fixes and what they show beside, as `tests/rules/test_checks.py` compares them."""
     places = {row[0]: Place(*row[1:]) for row in rows["place"]}
     found = findings([check], Result.of(rows, program), places, "demo")
-    return {(finding.message, str(finding.place), finding.fix) for finding in found}
+    shown = sorted(test_checks.beside(found)) if test_checks.EVIDENCE.search(case.text) else []
+    return {(finding.message, str(finding.place), finding.fix) for finding in found}, shown
 
 
 def main() -> int:

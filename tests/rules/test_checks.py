@@ -2,7 +2,8 @@
 
 `checks/<id>.dl` has its cases: facts, with the shorthand of `checks/shorthand.dl`, below lines `// case: name`. `// expect: message` and, if told,
 `// at: path:line` after it are the findings that this check must make there; cases called `silent*` have none. `// fix: path:line: ...` are all
-the changes that fix them, as reports show them. Other checks do not count.
+the changes that fix them, as reports show them; `// evidence: path:line: ...`, if told, are all the places that they show beside their own.
+Other checks do not count.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from rosarch.rule_programs.sets import SystemRules
 
 CASES = check_cases()
 FIX = re.compile(r"^// fix: (.*)$", re.MULTILINE)
+EVIDENCE = re.compile(r"^// evidence: (.*)$", re.MULTILINE)
 EXPECT = re.compile(r"^// expect: (.*)(?:\n// at: (.*))?$", re.MULTILINE)
 
 
@@ -46,6 +48,13 @@ def test_case(case: Case) -> None:
     told = {message: place for message, place in expected if place}
     assert {message: place for message, place in actual if message in told} == told
     assert sorted({f"{change.place}: {change}" for finding in found(case) for change in finding.fix}) == sorted(FIX.findall(case.text))
+    shown = EVIDENCE.findall(case.text)
+    assert not shown or sorted(beside(found(case))) == sorted(shown)
+
+
+def beside(those: list[Finding]) -> list[str]:
+    """What findings show beside the places where the faults lie."""
+    return [f"{each.place}: {each.text}" for finding in those for each in finding.evidence[1:]]
 
 
 @pytest.mark.parametrize("path", check_files(), ids=lambda path: path.stem)
