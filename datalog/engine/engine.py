@@ -162,9 +162,10 @@ class Evaluation:
 
     def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
         """The function of a rule as one of a delta and what takes new rows; None while a relation it needs is empty."""
-        return self._bound(rule, growing) if self._has_needed(rule) else None
+        return self.bound(rule, growing) if self._has_needed(rule) else None
 
-    def _bound(self, rule: Rule, growing: Collection[int]) -> Callable[[Any, Any], None]:
+    def bound(self, rule: Rule, growing: Collection[int]) -> Callable[[Any, Any], None]:
+        """The function of a rule whose relations are there, as one of a delta and what takes new rows."""
         slots = self.slots
         read = [slots[slot] for slot in rule.relations]
         read += [slots[slot] or self._index(slot, origins, growing) for slot, origins in rule.indexes]
@@ -286,7 +287,7 @@ class Evaluation:
                         if not self._has_needed(bound.rule):
                             continue
                         unbuilt = [(slot, j) for slot, j in indexes if slots[slot] is None]
-                        function = bound.function = self._bound(bound.rule, growing)
+                        function = bound.function = self.bound(bound.rule, growing)
                         known.update((slot, len(pending[j])) for slot, j in unbuilt if slots[slot] is not None)
                     try:
                         function(delta, pending[bound.target])

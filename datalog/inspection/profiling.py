@@ -64,11 +64,11 @@ def profile(
     class Measured(Evaluation):
         """An evaluation that measures its rules, with the indexes that are built for them."""
 
-        def prepare(self, rule: Rule, growing: Collection[int] = ()) -> Callable[[Any, Any], None] | None:
+        def bound(self, rule: Rule, growing: Collection[int]) -> Callable[[Any, Any], None]:
             entry = found[_family(rule)]
             with clock.measured(entry):
-                function = super().prepare(rule, growing)
-            return None if function is None else _measured(function, entry, clock, self.slots[self.code.relation_slot[rule.target]])
+                function = super().bound(rule, growing)
+            return _measured(function, entry, clock, self.slots[self.code.relation_slot[rule.target]])
 
         def call_bulk(self, rule: BulkRule, loop: BulkLoop) -> None:
             entry = found[_family(rule)]

@@ -96,4 +96,5 @@ def _param(world: World, text: str, found: RosArguments) -> None:
         reason = refused_value(form["value"]) if form else "it is no NAME:=VALUE"
         if reason is not None:
             world.state.report(LaunchError("ros-argument", text, f"the parameter `{text}`: {reason}"), fatal=False)
+            return  # the node does not start; launch goes on
     found.params.append(Given(read(value), world.state.here, name=name, node=f"/{node}" if node else None))
