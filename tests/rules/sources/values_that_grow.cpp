@@ -6,7 +6,6 @@
 // expect-not: grows("Named::first_")
 // expect-not: grows("Named::second_")
 // expect: publisher /robot/left/right
-// expect: 1 = count : { port_queue(_, "1") }
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <string>
