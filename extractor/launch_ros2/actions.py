@@ -54,9 +54,9 @@ def carries_out(*kinds: str) -> Callable[[Handler], Handler]:
     return register
 
 
-def visit_read(world: World, found: Any, context: Context) -> None:
-    """Carry out what a launch file has: a description in Python, actions in XML and YAML, nothing if it could not be read."""
-    (visit_all if isinstance(found, (list, type(None))) else visit)(world, found, context)
+def visit_one_or_all(world: World, found: Any, context: Context) -> None:
+    """Carry out an action, or a list of them, or nothing: what a launch file has, or what answers to an event."""
+    (visit_all if isinstance(found, (list, tuple, type(None))) else visit)(world, found, context)
 
 
 def visit_all(world: World, entities: Any, context: Context) -> None:
@@ -111,9 +111,8 @@ def _visit_instance(world: World, entity: Instance, context: Context) -> None:
         method = run.member_of(entity, name)
         if isinstance(method, (Function, Bound)):
             found = run.apply(method, [context], {})
-            (visit if isinstance(found, (Made, Instance)) else visit_all)(
-                world, found, context
-            )  # the method of a base class gives its object
+            # the method of a base class gives its object
+            (visit if isinstance(found, (Made, Instance)) else visit_all)(world, found, context)
             return
     if entity.made is not None:
         _visit_made(world, entity.made, context)
@@ -270,8 +269,7 @@ def _events(world: World, made: Made, context: Context) -> None:
                 outcome = world.interpreter.apply(outcome, [Unknown("event", world.state.here), context], {})
             if outcome == [] and is_derived(handler.kind, "OnActionEventBase"):  # which asks it as if it were a function
                 world.state.report(LaunchError("python", "AttributeError", f"{handler.kind} has nothing to start"), place=place)
-            several = isinstance(outcome, (list, tuple, type(None)))
-            (visit_all if several else visit)(world, outcome, context)
+            visit_one_or_all(world, outcome, context)
 
     world.agenda.register(handler, context, handle)
 

@@ -16,7 +16,7 @@ from rosarch.extractor.launch.scope import Scope
 from rosarch.extractor.launch.state import Exhausted, State
 from rosarch.extractor.launch.unknowns import cleaned, is_known
 from rosarch.extractor.launch_ros2 import starts  # noqa: F401  (registers its actions)
-from rosarch.extractor.launch_ros2.actions import joined, visit_read
+from rosarch.extractor.launch_ros2.actions import joined, visit_one_or_all
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.controllers import controllers
 from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
@@ -57,7 +57,7 @@ def _top(world: World, path: str, context: Context) -> None:
     state.here, state.scope = Place(path, 1), Scope("/", path)
     state.files.allow_beside(path)
     try:
-        visit_read(world, read(world, path), context)
+        visit_one_or_all(world, read(world, path), context)
         world.agenda.run()
     except (Exhausted, RecursionError, Stopped, Undecided) as error:
         reason = str(error) if isinstance(error, (Exhausted, Stopped)) else "nested too deeply, the rest is left out"

@@ -13,7 +13,7 @@ from rosarch.extractor.launch.files import DESCRIBED
 from rosarch.extractor.launch.model import ArgumentPassed, Include, LaunchError, Place
 from rosarch.extractor.launch.state import Exhausted
 from rosarch.extractor.launch.yaml_values import YamlError
-from rosarch.extractor.launch_ros2.actions import carries_out, must_be_passed, visit, visit_read
+from rosarch.extractor.launch_ros2.actions import carries_out, must_be_passed, visit, visit_one_or_all
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.described import description
 from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided
@@ -69,7 +69,7 @@ def _include(world: World, made: Made, context: Context) -> None:
         return
     before = len(state.declared), len(world.asked), len(state.includes), len(state.unread)
     with context.included(file, place):
-        visit_read(world, entities, context)
+        visit_one_or_all(world, entities, context)
     world.here(place)
     for name in _unused(world, passed, file, before) if is_certain else ():
         state.warn("unused-argument", name, f"{path} neither declares nor uses the argument `{name}` that is passed to it")
