@@ -110,9 +110,11 @@ def _visit_instance(world: World, entity: Instance, context: Context) -> None:
     for name in ("execute", "visit"):
         method = run.member_of(entity, name)
         if isinstance(method, (Function, Bound)):
-            found = run.apply(method, [context], {})
-            # the method of a base class gives its object
-            (visit if isinstance(found, (Made, Instance)) else visit_all)(world, found, context)
+            condition = entity.made.arguments.get("condition") if entity.made is not None and name == "execute" else None
+            with conditional(world, condition, context) as starts:
+                found = run.apply(method, [context], {}) if starts else None
+                # the method of a base class gives its object
+                (visit if isinstance(found, (Made, Instance)) else visit_all)(world, found, context)
             return
     if entity.made is not None:
         _visit_made(world, entity.made, context)

@@ -82,6 +82,8 @@ class Agenda:
                 continue
             for conditions in self._matches(_target(handler.made), action):
                 self._handled.add(key)
+                if handler.made.arguments.get("handle_once") is True:
+                    self._handlers.remove(handler)
                 self._resumed(context, handler.moment.within(moment.conditions, conditions), handler.handle, anew=event == EXIT)
 
     def _matches(self, target: Any, action: Made) -> Iterator[tuple[Condition, ...]]:

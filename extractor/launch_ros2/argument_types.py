@@ -13,6 +13,7 @@ from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch_ros2.values import MORE, Made
 
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
+_PROCESSES = _NODES | {"ExecuteProcess", "ExecuteLocal"}
 _OF_PROCESSES = frozenset({"OnProcessExit", "OnProcessStart", "OnProcessIO", "OnExecutionComplete"})
 _REQUIRED = {  # by any of their names
     "Node": (("executable", "node_executable"),),
@@ -41,6 +42,8 @@ def refused(kind: str, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         yield "parameters", "parameters must be a list"
     if kind == "IncludeLaunchDescription" and isinstance(given.get("launch_arguments"), dict):
         yield "launch_arguments", "launch_arguments must be pairs of names and values, such as the `.items()` of a dictionary"
+    if kind in _PROCESSES and _is_text(given.get("respawn")):
+        yield "respawn", "respawn must be a Boolean, or a substitution"
     if kind in _OF_PROCESSES and (isinstance(given.get("target_action"), list) or _is_text(given.get("target_action"))):
         yield "target_action", "target_action must be an action, or a function that chooses actions"
     wanted, value = type_name(given.get("value_type")), given.get("value")

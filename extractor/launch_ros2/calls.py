@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -16,7 +17,8 @@ from rosarch.extractor.launch_ros2.decisions import is_certain
 from rosarch.extractor.launch_ros2.expressions import Expressions, Raised, Undecided
 from rosarch.extractor.launch_ros2.natives import attribute
 from rosarch.extractor.launch_ros2.natives_files import environment, environment_has, environment_item, set_environment
-from rosarch.extractor.launch_ros2.registry import KNOWN_MODULES, NATIVES
+from rosarch.extractor.launch_ros2.natives_objects import members_of
+from rosarch.extractor.launch_ros2.registry import CONSTANTS, KNOWN_MODULES, NATIVES
 from rosarch.extractor.launch_ros2.values import (
     CLASSES,
     KEYWORDS,
@@ -25,6 +27,7 @@ from rosarch.extractor.launch_ros2.values import (
     Bound,
     Class,
     Constructor,
+    Default,
     Either,
     Frame,
     Function,
@@ -145,8 +148,10 @@ class Calls(Expressions):
             return module.frame.variables[name]
         if module.name.partition(".")[0] in _LAUNCH and name in CLASSES:
             return Constructor(name)
-        if full in NATIVES:
-            return NATIVES[full]
+        if full == "sys.argv":
+            return list(self.world.argv)
+        if full in NATIVES or full in CONSTANTS:
+            return NATIVES.get(full, CONSTANTS.get(full))
         if full in self.modules:
             return Module(full, self.modules[full])
         if module.frame is not None or full in KNOWN_MODULES or module.name.partition(".")[0] in _LAUNCH:
@@ -307,13 +312,17 @@ class Calls(Expressions):
         return (lambda *arguments: self.apply(value, list(arguments), {})) if isinstance(value, (Function, Bound)) else value
 
     def apply(self, function: Any, arguments: list[Any], named: dict[str, Any]) -> Any:
-        """The value of a call of a function of a launch file."""
+        """The value of a call, of whatever a launch file can call."""
         if isinstance(function, Bound):
             return self.call_function(function.function, [function.owner, *arguments], named)
         if isinstance(function, Native):
             return function.call(self, *arguments, **named)
         if isinstance(function, Function):
             return self.call_function(function, arguments, named)
+        if isinstance(function, Constructor):
+            return self.make(function.kind, arguments, named, self.asked_at or Place("", 1))
+        if isinstance(function, Class):
+            return self.instance(function, arguments, named, self.asked_at or Place("", 1))
         return Unknown("a call", Place("", 1))
 
     def call_function(self, function: Function, arguments: list[Any], named: dict[str, Any]) -> Any:
@@ -356,16 +365,32 @@ class Calls(Expressions):
             self.world.state.report(LaunchError("type", name, f"{kind}: {reason}"), place=place)
         return Made(kind, given, place, tuple(arguments[len(names) :]))
 
-    def instance(self, of: Class, arguments: list[Any], named: dict[str, Any], place: Place) -> Instance:
-        """An object of a class of a launch file."""
+    def _fill(self, made: Instance, arguments: list[Any], named: dict[str, Any]) -> None:
+        """The fields of an object whose class says only which ones it has."""
+        fields = made.of.all_fields()
+        made.attributes.update(zip(fields, arguments, strict=False))
+        made.attributes.update(named)
+        for name in fields:
+            with suppress(KeyError):
+                default = made.of.find(name)
+                if isinstance(default, Default) and name not in made.attributes:
+                    made.attributes[name] = self.apply(default.function, [], {})
+        with suppress(KeyError):
+            self.apply(Bound(made.of.find("__post_init__"), made), [], {})
+
+    def instance(self, of: Class, arguments: list[Any], named: dict[str, Any], place: Place) -> Any:
+        """An object of a class of a launch file; of an enumeration, the member with the value."""
+        if (members := members_of(of)) is not None:
+            wanted = arguments[0] if arguments and is_certain(arguments[0]) else NOTHING
+            found = next((one for one in members if one.attributes["value"] == wanted), None)
+            return found or Unknown(f"{of.name}(...)", place)
         made = Instance(of)
         for constructor in of.constructors()[:1]:
             made.made = Made(constructor.kind, {}, place)
         try:
             start = of.find("__init__")
         except KeyError:
-            made.attributes.update(zip(of.fields, arguments, strict=False))
-            made.attributes.update(named)
+            self._fill(made, arguments, named)
             if made.made is not None:
                 made.made = self.make(made.made.kind, arguments, named, place)
             return made
@@ -394,10 +419,26 @@ class Calls(Expressions):
 
     # -- items ----------------------------------------------------------------------------------------------------------------
 
+    def iterated(self, value: Any, node: ast.expr, frame: Frame) -> list[Any]:
+        return super().iterated(self.gone_through(value), node, frame)
+
+    def spread(self, value: Any) -> list[Any]:
+        return super().spread(self.gone_through(value))
+
+    def gone_through(self, value: Any) -> Any:
+        """The list of what Python finds where it goes through an object of a launch file, or through an enumeration."""
+        if isinstance(value, Class) and (members := members_of(value)) is not None:
+            return members
+        if isinstance(value, Instance) and isinstance(method := self.member_of(value, "__iter__"), Bound):
+            return self.apply(method, [], {})
+        return value
+
     def item(self, value: Any, node: ast.Subscript, frame: Frame) -> Any:
         if isinstance(value, Native) and value.name == "os.environ":
             self.world.here(self.place(node, frame))
             return environment_item(self, self.value(node.slice, frame))
+        if isinstance(value, Class) and members_of(value) is not None and isinstance(name := self.value(node.slice, frame), str):
+            return self.member(value, name, node, frame)
         return self.unknown(node, frame)
 
     def entries(self, value: Any, owner: dict[Any, Any]) -> Iterator[tuple[Any, Any]]:

@@ -44,6 +44,7 @@ def compose_ros2(
         context = Context(path, outside=world.environment, namespace=joined("", namespace or ""))
         context.configurations.update({name: cleaned(value) for name, value in (arguments or {}).items()})
         world.context = context
+        world.argv = ["ros2", "launch", path, *(f"{name}:={value}" for name, value in (arguments or {}).items())]
         _top(world, path, context)
     with suppress(Exhausted):
         state.controllers += controllers(world, world.context)

@@ -13,6 +13,8 @@ from typing import Any
 from rosarch.extractor.launch.model import Condition
 from rosarch.extractor.launch_ros2.calls import GENERAL, Attempt, Calls
 from rosarch.extractor.launch_ros2.expressions import Raised, Stopped, Undecided, either
+from rosarch.extractor.launch_ros2.natives_objects import enumerate_members, is_enumeration
+from rosarch.extractor.launch_ros2.registry import CONSTANTS, NATIVES
 from rosarch.extractor.launch_ros2.values import (
     MODULES,
     NOTHING,
@@ -31,6 +33,8 @@ from rosarch.extractor.python_syntax import parse_python
 
 MAX_ROUNDS = 10_000
 MAX_FORKS = 16
+SUBJECT = "the subject"
+"""What a `match` is about, under a name that Python has not."""
 
 
 class _Return(Exception):
@@ -219,6 +223,8 @@ class Interpreter(Calls):
         names = tuple(one.target.id for one in node.body if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name))
         made = Class(node.name, bases, inner.variables, names)
         self.own(made)
+        if is_enumeration(bases):
+            enumerate_members(made)
         frame.variables[node.name] = made
 
     def _do_import(self, node: ast.Import, frame: Frame) -> None:
@@ -253,6 +259,22 @@ class Interpreter(Calls):
         if len(self.path) >= MAX_FORKS:
             raise Undecided
         self._both(self.condition(node.test, test, frame), node, frame)
+
+    def _do_match(self, node: ast.Match, frame: Frame) -> None:
+        """`match`, as the chain of `if` that says the same."""
+        subject = node.subject
+        if not isinstance(subject, ast.Name):  # what is calculated is so once
+            frame.variables[SUBJECT] = self.value(subject, frame)
+            subject = ast.copy_location(ast.Name(SUBJECT, ast.Load()), subject)
+        chain: list[ast.stmt] = []
+        for case in reversed(node.cases):
+            test = _tested(case.pattern, subject)
+            if test is None:
+                self.misunderstood(self.place(case.pattern, frame), f"a pattern of `match` is not interpreted: {ast.unparse(case.pattern)}")
+                return
+            test = test if case.guard is None else ast.BoolOp(ast.And(), [test, case.guard])
+            chain = [ast.fix_missing_locations(ast.copy_location(ast.If(test, case.body, chain), case.pattern))]
+        self.block(chain, frame)
 
     def _both(self, holds: Condition, node: ast.If, frame: Frame) -> None:
         """Both branches of an undecided `if`, and what they come to."""
@@ -403,12 +425,32 @@ class Interpreter(Calls):
     _do_asyncwith = _do_with
 
 
+def _tested(pattern: ast.pattern, subject: ast.expr) -> ast.expr | None:
+    """Whether a subject is as a pattern of `match` wants it, which may bind a name; None for patterns of parts and classes."""
+    if isinstance(pattern, ast.MatchValue):
+        return ast.Compare(subject, [ast.Eq()], [pattern.value])
+    if isinstance(pattern, ast.MatchSingleton):
+        return ast.Compare(subject, [ast.Is()], [ast.Constant(pattern.value)])
+    if isinstance(pattern, ast.MatchOr):
+        found = [_tested(one, subject) for one in pattern.patterns]
+        return None if None in found else ast.BoolOp(ast.Or(), [one for one in found if one is not None])
+    if not isinstance(pattern, ast.MatchAs):
+        return None
+    inner = ast.Constant(True) if pattern.pattern is None else _tested(pattern.pattern, subject)
+    if pattern.name is None or inner is None:
+        return inner
+    bound: ast.expr = ast.NamedExpr(ast.Name(pattern.name, ast.Store()), subject)
+    return ast.BoolOp(ast.And(), [inner, ast.BoolOp(ast.Or(), [ast.Compare(bound, [ast.Is()], [subject]), ast.Constant(True)])])
+
+
 def _all_of(module: Any) -> dict[str, Any]:
     """What `import *` brings."""
     if not isinstance(module, Module):
         return {}
     if module.frame is None:
-        return {name: Constructor(name) for name in MODULES.get(module.name, ())}
+        known = {**CONSTANTS, **NATIVES}
+        parts = {full[len(module.name) + 1 :]: value for full, value in known.items() if full.startswith(f"{module.name}.")}
+        return {**parts, **{name: Constructor(name) for name in MODULES.get(module.name, ())}}
     return {name: value for name, value in module.frame.variables.items() if not name.startswith("_")}
 
 

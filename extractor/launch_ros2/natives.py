@@ -19,7 +19,7 @@ from rosarch.extractor.launch_ros2.natives_files import FILE_METHODS, PATH_METHO
 from rosarch.extractor.launch_ros2.natives_processes import decoded
 from rosarch.extractor.launch_ros2.natives_xml import ELEMENT_METHODS, of_element
 from rosarch.extractor.launch_ros2.parameters import yaml_value
-from rosarch.extractor.launch_ros2.registry import NATIVES, native
+from rosarch.extractor.launch_ros2.registry import CONSTANTS, NATIVES, native
 from rosarch.extractor.launch_ros2.substitutions import perform
 from rosarch.extractor.launch_ros2.values import (
     NOTHING,
@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from rosarch.extractor.launch_ros2.calls import Calls
 
 _Call = Callable[..., Any]
+_CALLED = (Function, Bound, Native, Class, Constructor)
 
 
 def attribute(run: Calls, owner: Any, name: str) -> Any:
@@ -347,7 +348,8 @@ def _len(_run: Calls, value: Any) -> Any:
 def _items_of(name: str) -> _Call:
     function = BUILTINS[name]
 
-    def call(run: Calls, *arguments: Any, **named: Any) -> Any:
+    def call(run: Calls, *given: Any, **named: Any) -> Any:
+        arguments = [*map(run.gone_through, given)]
         if any(isinstance(item, (Unknown, Either, Made, Instance)) for item in arguments):
             return NOTHING
         if arguments and isinstance(arguments[0], Installed):
@@ -376,9 +378,10 @@ def _dict(run: Calls, *more: Any, **named: Any) -> dict[Any, Any]:
 
 @native("map")
 def _map(run: Calls, function: Any, items: Any) -> Any:
+    items = run.gone_through(items)
     if not isinstance(items, (list, tuple)):
         return NOTHING
-    return [run.apply(function, [item], {}) if isinstance(function, (Function, Bound, Native)) else function(item) for item in items]
+    return [run.apply(function, [item], {}) if isinstance(function, _CALLED) else function(item) for item in items]
 
 
 @native("filter")
@@ -426,6 +429,8 @@ def _copied_deeply(_run: Calls, value: Any) -> Any:
 
 
 for _name, _value in MATH.items():
+    if isinstance(_value, float):
+        CONSTANTS[f"math.{_name}"] = _value
     if callable(_value):
         native(f"math.{_name}")(lambda _run, *arguments, _value=_value: _value(*arguments) if all(map(is_certain, arguments)) else NOTHING)
 

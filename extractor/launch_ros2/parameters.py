@@ -271,6 +271,8 @@ def _typed(world: World, made: Made, context: Context) -> Any:
     value, kind = made.arguments.get("value"), made.arguments.get("value_type")
     if not isinstance(value, (str, list, tuple, Made, Instance, Either, Unknown)):
         return value
+    if kind is None and isinstance(value, str):
+        return value
     if kind is None and isinstance(value, (list, tuple)) and all(isinstance(item, _PLAIN) for item in value):
         return list(value)
     text, name = perform(world, value, context), type_name(kind)

@@ -17,6 +17,8 @@ _HELPERS = "clearpath_config controller_manager launch_pal launch_param_builder 
 HELPER_PACKAGES = frozenset(_HELPERS.split())
 """Packages of distributions whose modules many launch files import."""
 NATIVES: dict[str, Native] = {}
+CONSTANTS: dict[str, Any] = {"os.sep": "/", "os.pathsep": ":", "os.linesep": "\n"}
+"""What modules have that is no function, by its full name."""
 _Call = Callable[..., Any]
 
 

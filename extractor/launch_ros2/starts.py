@@ -60,7 +60,8 @@ def _node(world: World, made: Made, context: Context) -> None:
 def _container(world: World, made: Made, context: Context) -> None:
     container = start_node(world, made, context)
     world.agenda.started(made, context)
-    load(world, made.get("composable_node_descriptions"), container.full_name, context)
+    if (described := made.get("composable_node_descriptions")) is not None:
+        load(world, described, container.full_name, context)
 
 
 @carries_out("LoadComposableNodes")

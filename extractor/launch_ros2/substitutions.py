@@ -18,7 +18,7 @@ from rosarch.extractor.launch.state import PART_COST
 from rosarch.extractor.launch.values import boolean
 from rosarch.extractor.launch_ros2.context import Context
 from rosarch.extractor.launch_ros2.expressions import Raised
-from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, PathText, Unknown, class_of
+from rosarch.extractor.launch_ros2.values import NOTHING, Either, Instance, Made, PathText, Unknown, class_of, in_order
 from rosarch.extractor.urdf.command import xacro_call
 
 if TYPE_CHECKING:
@@ -46,6 +46,8 @@ def perform(world: World, value: Any, context: Context) -> str:
     Raises:
         Raised: it is a number, a truth value or a path, or one of a list is None.
     """
+    if isinstance(value, (dict, set, frozenset)):  # of a map, the names
+        value = in_order(value) if isinstance(value, (set, frozenset)) else list(value)
     if isinstance(value, (list, tuple)):
         world.state.spend(PART_COST * len(value))
         text = "".join([perform(world, _part(item), context) for item in value])

@@ -144,6 +144,11 @@ class Class:
                     continue
         raise KeyError(name)
 
+    def all_fields(self) -> tuple[str, ...]:
+        """Its fields, those of the classes above it first."""
+        above = (name for base in self.bases if isinstance(base, Class) for name in base.all_fields())
+        return tuple(dict.fromkeys((*above, *self.fields)))
+
     def is_derived(self, other: Class) -> bool:
         """Whether this is another class of a launch file, or derived from it."""
         return self is other or any(isinstance(base, Class) and base.is_derived(other) for base in self.bases)
@@ -152,6 +157,13 @@ class Class:
         """The classes of launch that this one is derived from."""
         found = [base for base in self.bases if isinstance(base, Constructor)]
         return found or [one for base in self.bases if isinstance(base, Class) for one in base.constructors()]
+
+
+@dataclass(frozen=True, eq=False)
+class Default:
+    """What a function makes for each object of a class that is not given the field."""
+
+    function: Any
 
 
 @dataclass(eq=False)
@@ -280,7 +292,7 @@ def _read_api() -> None:
             name, _, base = name.rstrip(")").partition("(")
             base = base or _BASE_IN.get(first.rpartition(".")[2], "")
             if base not in ("", name):
-                BASES[name] = base
+                BASES.setdefault(name, base)  # of an action and an event of one name, the action
             CLASSES[name] = tuple(parameters)
             MODULES.setdefault(first, []).append(name)
             if bar:

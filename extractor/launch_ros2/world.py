@@ -56,6 +56,8 @@ class World:
         self.handed: list[str] = []
         self.programs: dict[str, str] = {}
         self.temporary = 0
+        self.argv: list[str] = []
+        """The command line of launch, which is also that of each file in Python."""
         self.context = Context("", outside=self.environment)
 
     @property
