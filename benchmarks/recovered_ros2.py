@@ -92,6 +92,8 @@ def compared(root: Path, program: tuple[str, str, str, str], words: list[str], s
             wait_until(lambda: process.ended or participant.ask("graph", parameters=False)["nodes"], 10, step=0.1)
             if process.ended:
                 return f"{process.ended}{last_line(log)}"
+            if not participant.ask("graph", parameters=False)["nodes"]:
+                return f"it made no node{last_line(log)}"
             activate(participant)
             arguments = ["compare", str(root), "--launch", str(launch), "--domain", str(domain), "--seconds", str(seconds), "--every", "1"]
             out, err = io.StringIO(), io.StringIO()

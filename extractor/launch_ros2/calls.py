@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -73,7 +73,6 @@ class Calls(Expressions):
         self.modules: dict[str, ModuleFrame] = {}
         self.depth = 0
         self.attempts: list[Attempt] = []
-        self.kinds: dict[int, str] = {}
         self.unset = False
         """Whether a variable of the environment was asked for that is not set here, where nobody launches the file."""
 
@@ -164,7 +163,7 @@ class Calls(Expressions):
             found = owner.find(name)
         except KeyError:
             return Unknown(_text_of(node), self.place(node, frame))
-        return Bound(found, owner) if isinstance(found, Function) and self.kinds.get(id(found)) == "classmethod" else found
+        return Bound(found, owner) if isinstance(found, Function) and found.kind == "classmethod" else found
 
     def _of_instance(self, owner: Instance, name: str, node: ast.AST, frame: Frame) -> Any:
         if name in owner.attributes:
@@ -177,7 +176,7 @@ class Calls(Expressions):
             found = attribute(self, owner.made, name) if owner.made else NOTHING
             return Unknown(_text_of(node), self.place(node, frame)) if found is NOTHING else found
         if isinstance(found, Function):
-            kind = self.kinds.get(id(found))
+            kind = found.kind
             if kind in ("property", "cached_property"):
                 return self.call_function(found, [owner], {})
             return found if kind == "staticmethod" else Bound(found, owner.of if kind == "classmethod" else owner)
@@ -403,7 +402,7 @@ class Calls(Expressions):
         found: Any = function
         for decorator in reversed(decorators):
             if isinstance(decorator, ast.Name) and decorator.id in _DECORATORS:
-                self.kinds[id(function)] = decorator.id
+                found = replace(found, kind=decorator.id) if isinstance(found, Function) else found
             elif isinstance(wrap := self.value(decorator, frame), (Function, Bound)):
                 found = self.apply(wrap, [found], {})
         return found
@@ -412,10 +411,7 @@ class Calls(Expressions):
         """Record in the methods of a class which class they are of."""
         for name, member in made.members.items():
             if isinstance(member, Function) and member.owner is None:
-                owned = Function(member.node, member.frame, member.defaults, member.named_defaults, made)
-                if id(member) in self.kinds:
-                    self.kinds[id(owned)] = self.kinds[id(member)]
-                made.members[name] = owned
+                made.members[name] = replace(member, owner=made)
 
     # -- items ----------------------------------------------------------------------------------------------------------------
 

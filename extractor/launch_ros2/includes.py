@@ -39,13 +39,11 @@ _OF_OTHER_FORMAT = {
 def _include(world: World, made: Made, context: Context) -> None:
     state = world.state
     source = made.get("launch_description_source")
-    if isinstance(source, Made) and source.kind == "LaunchDescription":
-        visit(world, source, context)
-        return
     location = (
         source.get("location", "launch_file_path", "launch_description") if isinstance(source, Made) and "Source" in source.kind else source
     )
     if isinstance(location, Made) and location.kind == "LaunchDescription":
+        _pass(world, made, state.here, context)
         visit(world, location, context)
         return
     path = perform(world, location, context)

@@ -121,6 +121,8 @@ class Function:
     defaults: tuple[Any, ...]
     named_defaults: dict[str, Any]
     owner: Class | None = None
+    kind: str = ""
+    """The decorator that says what it is in a class: `property`, `staticmethod`, ..."""
 
 
 @dataclass(eq=False)

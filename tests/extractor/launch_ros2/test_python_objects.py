@@ -13,6 +13,18 @@ FLEET = """class Fleet:
         for index in range(self.count):
             yield node(f'robot_{index}')
 """
+MEMBERS = """class A:
+    def __init__(self, name='a'):
+        self.known_as = name
+    @classmethod
+    def other(cls):
+        return cls('o')
+    @property
+    def name(self):
+        return self.known_as + '_p'
+    def made(self):
+        return node(self.name)
+"""
 GENERATOR = "def made(count):\n    for index in range(count):\n        yield node(f'made_{index}')\n"
 
 
@@ -35,6 +47,7 @@ def matched(subject: str, cases: str) -> str:
         (matched("'q'", "'y': found = [node('y')]; _: found = [node('other')]"), "*found", ["/other"]),
         (matched("'q'.upper()", "'Y': pass; found_name if found_name == 'Q': found = [node(found_name)]"), "*found", ["/Q"]),
         (matched("None", "True: pass; None: found = [node('none')]"), "*found", ["/none"]),
+        (MEMBERS, "A().made(), A.other().made()", ["/a_p", "/o_p"]),
         ("class Own(Action):\n    def execute(self, context):\n        return [node('own')]\n", "Own(condition=UnlessCondition('true')), Own()", ["/own"]),
     ],
 )  # fmt: skip
@@ -95,3 +108,12 @@ def test_the_command_line_is_that_of_launch(tmp_path: Path) -> None:
     entities = "*[node(name, parameters=[{'value': value}]) for name, value in given.items()]"
     assert names(described(tmp_path, entities, before)) == []
     assert params(described(tmp_path, entities, before, {"a": "x"})) == {"/a/value": "x"}
+
+
+def test_what_is_described_in_place_gets_arguments(tmp_path: Path) -> None:
+    inner = "LaunchDescription([node('a', parameters=[{'p': LaunchConfiguration('given')}])])"
+    for source in (inner, f"LaunchDescriptionSource({inner})"):
+        found = described(
+            tmp_path, f"IncludeLaunchDescription({source}, launch_arguments={{'given': 'x'}}.items())", "from launch import *"
+        )
+        assert (params(found), found.problems) == ({"/a/p": "x"}, ())
