@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -50,7 +51,11 @@ def composition_text(composition: Composition, base: Path) -> str:
     for setting in composition.params:
         owned.get(_owner(setting.name, owned), shared).append(setting)
     width = max((len(_header(node)[0]) for node in started), default=0)
-    paragraphs = [_node_text(node, owned[node.full_name], width, base) for node in started]
+    names = Counter(node.full_name for node in started)
+    paragraphs = [
+        _node_text(node, node.own_params if node.ros == 2 and names[node.full_name] > 1 else owned[node.full_name], width, base)
+        for node in started
+    ]
     if shared:
         paragraphs.append("parameters\n" + "".join(f"  {_param_text(setting, setting.name)}\n" for setting in shared))
     missing = _missing(composition, base)

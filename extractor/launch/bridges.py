@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import yaml
 
 from rosarch.base.hints import only_candidate
 from rosarch.extractor.launch.arguments import node_arguments
 from rosarch.extractor.launch.model import LaunchError, NodeStart, Place
-from rosarch.extractor.launch.state import State
+from rosarch.extractor.launch.state import State, written_files
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened, place_of
 
@@ -87,16 +87,22 @@ def files_of(node: NodeStart) -> list[str]:
 
 
 def read_files(state: State, nodes: Iterable[NodeStart]) -> tuple[BridgeFile, ...]:
-    """The configuration files of bridges; one that cannot be read, or is none, is left out."""
+    """The configuration files of bridges; one that cannot be read, or is none, is left out.
+
+    The lines of a file that launch files write are those of the node that is given it.
+    """
     found: dict[str, BridgeFile] = {}
-    for path in (path for node in nodes for path in files_of(node)):
-        if path in found or not is_known(path) or not state.files.is_file(path):
+    written = written_files(state)
+    for path, place in ((path, node.lines[-1]) for node in nodes for path in files_of(node)):
+        if path in found or not (path in written or (is_known(path) and state.files.is_file(path))):
             continue
         try:
-            entries = state.files.parsed(path, _entries)
+            entries = _entries(written[path].encode(), path) if path in written else state.files.parsed(path, _entries)
         except (LaunchError, YamlError):
             continue
         if entries is not None:
+            if path in written:
+                entries = tuple(replace(one, place=place) for one in entries)
             kept = tuple(one for one in entries if isinstance(one, Bridged))
             found[path] = BridgeFile(path, kept, tuple(one for one in entries if isinstance(one, Refused)))
     return tuple(found.values())

@@ -139,11 +139,14 @@ class _Writer:
         return path_below(self.root, path)
 
     def place(self, place: Place) -> str:
-        """The key of a place."""
-        path = self.path(place.path)
-        key = f"{path}:{place.line}:{place.column}"
-        self.add("place", key, path, place.line, place.column)
+        """The key of a place, which becomes a row."""
+        key = self.key(place)
+        self.add("place", key, self.path(place.path), place.line, place.column)
         return key
+
+    def key(self, place: Place) -> str:
+        """The key of a place."""
+        return f"{self.path(place.path)}:{place.line}:{place.column}"
 
     def node(self, start: str, node: NodeStart) -> None:
         """A node, with what its command line says."""
@@ -216,12 +219,12 @@ class _Writer:
         """What a viewer shows by its configuration."""
         self.add("view_given", start, self.path(view.path))
         if view.frame is not None:
-            self.add("view_frame", start, view.frame[0], self.place(view.frame[1]))
+            self.add("view_frame", start, view.frame[0], self.place(view.at or view.frame[1]))
         for part in view.parts:
-            self.add("view_part", start, part.role, part.class_name, self.place(part.place))
+            self.add("view_part", start, part.role, part.class_name, self.place(view.at or part.place))
             for topic in part.topics:
-                place = self.place(topic.place)
-                port = f"{start}#{place}"
+                place = self.place(view.at or topic.place)
+                port = f"{start}#{self.key(topic.place)}"
                 self.add("view_topic", start, port, part.class_name, topic.property)
                 self.add("interface_port", start, port, "publisher" if part.role == "tool" else "subscriber", topic.name)
                 self.add("interface_port_at", port, place)

@@ -28,7 +28,7 @@ from rosarch.extractor.launch.model import (
 from rosarch.extractor.launch.names import parents
 from rosarch.extractor.launch.scope import Scope, settle
 from rosarch.extractor.launch.substitution import Resolver
-from rosarch.extractor.launch.unknowns import Unknowns
+from rosarch.extractor.launch.unknowns import Unknowns, is_known
 from rosarch.extractor.launch.values import boolean
 from rosarch.extractor.launch.xml_reader import Element
 
@@ -71,6 +71,7 @@ class State:
         self.include = Place("", 1)  # the one whose arguments are read
         self.problems: dict[Problem, None] = {}
         self.read: dict[str, None] = {}
+        self.written: dict[str, str] = {}  # the texts of files that launch files write
         self.cleared: list[str] = []
         self.deleted: list[str] = []
         self.machines: dict[str, tuple[object, ...]] = {"": ("this computer",)}
@@ -240,6 +241,11 @@ class State:
             message = f"a second node `{node.full_name}`, the first is at {other.lines[-1]}"
             self.report(LaunchError("duplicate-node", node.full_name, message), fatal)
         others.append(node)
+
+
+def written_files(state: State) -> dict[str, str]:
+    """The texts of files that launch files write, by their paths as they are shown: those that are known."""
+    return {state.unknowns.render(path): text for path, text in state.written.items() if is_known(text)}
 
 
 Handler = Callable[[State, Element, Scope], None]

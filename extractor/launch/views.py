@@ -6,13 +6,13 @@ Source: the files of rviz (http://wiki.ros.org/rviz/UserGuide), where ROS 2 puts
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import yaml
 
 from rosarch.extractor.launch.arguments import node_arguments
 from rosarch.extractor.launch.model import LaunchError, NodeStart, Place
-from rosarch.extractor.launch.state import State
+from rosarch.extractor.launch.state import State, written_files
 from rosarch.extractor.launch.unknowns import is_known
 from rosarch.extractor.launch.yaml_values import Loader, YamlError, opened, place_of
 
@@ -42,21 +42,26 @@ class ViewPart:
 
 @dataclass(frozen=True)
 class View:
-    """A configuration file; all is shown in the `frame` that it names."""
+    """A configuration file; all is shown in the `frame` that it names. One that launch files write is `at` the node that gets it."""
 
     path: str
     parts: tuple[ViewPart, ...]
     frame: tuple[str, Place] | None
+    at: Place | None = None
 
 
 def views_of(state: State, nodes: Iterable[NodeStart]) -> tuple[View, ...]:
     """The configuration files that the arguments of nodes name; one that cannot be read is left out."""
     found: dict[str, View] = {}
-    for path in (word for node in nodes for word in node_arguments(node).plain):
-        if not path.endswith(_ENDING) or path in found or not is_known(path) or not state.files.is_file(path):
+    written = written_files(state)
+    for path, place in ((word, node.lines[-1]) for node in nodes for word in node_arguments(node).plain):
+        if path in found or not (path in written or (path.endswith(_ENDING) and is_known(path) and state.files.is_file(path))):
             continue
         try:
-            found[path] = state.files.parsed(path, _view)
+            if path in written:
+                found[path] = replace(_view(written[path].encode(), path), at=place)
+            else:
+                found[path] = state.files.parsed(path, _view)
         except (LaunchError, YamlError):
             continue
     return tuple(found.values())

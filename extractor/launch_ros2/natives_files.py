@@ -175,7 +175,12 @@ def _temporary(run: Calls, *_arguments: Any, **_named: Any) -> Any:
     return TextFile(run.world.new_file(), "", written=True)
 
 
-@native("tempfile.mktemp", "tempfile.mkdtemp", "tempfile.gettempdir")
+@native("tempfile.gettempdir")
+def _temporary_folder(run: Calls) -> Any:
+    return run.world.state.unknowns.mark("$(temporary folder)", "tempfile")
+
+
+@native("tempfile.mktemp", "tempfile.mkdtemp")
 def _temporary_name(run: Calls, *_arguments: Any, **_named: Any) -> Any:
     return run.world.new_file()
 

@@ -43,7 +43,7 @@ class World:
         self.state = state
         self.interpreter = Interpreter(self)
         self.agenda = Agenda(self)
-        self.written: dict[str, str] = {}
+        self.written = state.written
         self.described: dict[str, Robot | None] = {}
         self.maps_read: dict[int, tuple[dict[Any, Any], dict[Any, tuple[Any, Place]]]] = {}
         self.parameter_texts: dict[tuple[str, bool], ParamsFile] = {}
