@@ -381,7 +381,10 @@ def _links_out(root: str) -> set[str]:
 
 
 def _headers_below(root: Path) -> dict[str, list[str]]:
-    """The paths of all headers below a folder by base name; hidden folders and symbolic links to folders are left out."""
+    """The paths of all headers below a folder by base name; hidden folders and symbolic links to folders are left out.
+
+    So are those that rosserial has made for microcontrollers: they have the names of ROS's own, and are none of them.
+    """
     found: dict[str, list[str]] = {}
     stack = [str(root)]
     while stack:
@@ -389,6 +392,8 @@ def _headers_below(root: Path) -> dict[str, list[str]]:
             entries = sorted(os.scandir(stack.pop()), key=lambda entry: entry.name)
         except OSError:
             continue
+        if any(entry.name == "ros" and os.path.isfile(f"{entry.path}/msg.h") for entry in entries):
+            continue  # https://wiki.ros.org/rosserial/Overview: roscpp has no ros/msg.h
         for entry in entries:
             if entry.is_dir(follow_symlinks=False):
                 if not entry.name.startswith("."):

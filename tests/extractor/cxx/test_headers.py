@@ -261,6 +261,17 @@ def test_includes_that_macros_decide(tmp_path: Path, text: str, predictable: boo
     assert finder.closure(tmp_path / "a.cpp").predictable is predictable
 
 
+@pytest.mark.parametrize("made_by_rosserial", [True, False])
+def test_headers_for_microcontrollers_are_none_of_roscpp(tmp_path: Path, made_by_rosserial: bool) -> None:
+    library = tmp_path / "firmware" / "ros_lib"
+    for name in ("my_msgs/Wheel.h", *(("ros/msg.h",) if made_by_rosserial else ())):
+        (library / name).parent.mkdir(parents=True, exist_ok=True)
+        (library / name).write_text("")
+    (tmp_path / "a.cpp").write_text("#include <my_msgs/Wheel.h>\n")
+    missing = HeaderFinder(tmp_path, tmp_path / "scratch", lambda _name: None).closure(tmp_path / "a.cpp").missing
+    assert [one.header for one in missing] == (["my_msgs/Wheel.h"] if made_by_rosserial else [])
+
+
 def test_flags_of_the_command_line_are_variables_with_a_value(flags: list[str]) -> None:
     text = (
         '#include <glog/logging.h>\nDEFINE_string(topic, "scan", "Topic.");\nDEFINE_double(rate, 10., "Rate.");\n'
