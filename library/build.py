@@ -9,16 +9,18 @@ from pathlib import Path
 from typing import Any
 
 from rosarch.base.files import path_below
+from rosarch.base.logic import alternatives
 from rosarch.base.whole import write_whole
 from rosarch.extractor.workspace.model import PYTHON_NODE
 from rosarch.library.model import GENERATED, Source
 from rosarch.library.reading import COMPONENT_KINDS
 from rosarch.models import formula
 from rosarch.models.component import MANAGED, ComponentModel, Parameter, Port, default_value
+from rosarch.models.rhythm import needs_of
 
 UNKNOWN = "?"
 _OF_ROS_1 = frozenset({"hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic"})
-_ONE_NAME = re.compile(r"(?P<not>!|not )?(?P<name>[A-Za-z_][\w.]*)")
+_PARAMETER = re.compile(r"~[\w./]+")
 
 
 def library_documents(models: Iterable[ComponentModel], source: Source) -> dict[str, dict[str, Any]]:
@@ -58,7 +60,7 @@ def component_document(model: ComponentModel) -> dict[str, Any]:
     silent = not model.loads and all(port.implicit for port in ports)
     lost_ports = len(ports) < len(model.ports) or UNKNOWN in model.loads or silent
     lost_params = len(params) < len(accesses)
-    kept = {str(trait.values[0]): str(trait.values[1]) for trait in model.traits if trait.name == "keeps_value_of"}
+    kept = _kept(model)
     return _present_fields(
         component=_name(model),
         kind=_kind(model),
@@ -111,14 +113,32 @@ def _port(port: Port, kept: Mapping[str, str]) -> dict[str, Any]:
     )
 
 
+def _kept(model: ComponentModel) -> dict[str, str]:
+    """The private parameters whose values variables keep, by the names of these."""
+    kept = {str(trait.values[0]): str(trait.values[1]) for trait in model.traits if trait.name == "keeps_value_of"}
+    if model.middleware and "ROS 2" in model.middleware:
+        kept = {name: f"~{parameter}" for name, parameter in kept.items()}
+    return {name: parameter for name, parameter in kept.items() if _PARAMETER.fullmatch(parameter)}
+
+
 def _condition(port: Port, kept: Mapping[str, str]) -> str | None:
-    """When the port is there, by a parameter where a variable that keeps its value decides alone."""
+    """When the port is there: by the parameters that each of its ways needs, and by the text of the rest."""
     text = formula.text(port.guard)
-    alone = _ONE_NAME.fullmatch(text or "")
-    parameter = kept.get(alone["name"], "") if alone else ""
-    if alone is None or not parameter.startswith("~"):
+    ways = [[(item, [_needed(need) for need in needs_of(item, kept)]) for item in way] for way in alternatives(port.guard)] if kept else []
+    needed = [dict.fromkeys(need for _, needs in way for need in needs if need) for way in ways]
+    common = [need for need in needed[0] if all(need in others for others in needed)] if needed else []
+    if text is None or not common:
         return text
-    return f"not {parameter}" if alone["not"] else parameter
+    rest = [formula.text(item) for item, needs in ways[0] if None in needs] if len(ways) == 1 else [text]
+    return " and ".join([*common, *filter(None, rest)])
+
+
+def _needed(need: tuple[str, str, bool] | None) -> str | None:
+    """What a parameter has to be."""
+    parameter, value, holds = need or ("", "", False)
+    if not parameter or (value != "true" and (not holds or " and " in value)):
+        return None
+    return f"{'' if holds else 'not '}{parameter}" if value == "true" else f"{parameter} is {value}"
 
 
 def _parameter(port: Port) -> str | None:

@@ -11,11 +11,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rosarch.base.logic import TRUE, Not, alternatives
+from rosarch.base import logic
+from rosarch.base.logic import TRUE, All, Not, alternatives
 from rosarch.models.behavior import Behavior, Transition
 from rosarch.models.formula import Condition, Formula
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import Comparison, Operand, constant, parse_condition, strip
+from rosarch.models.machine.conditions import Condition as Parsed
 from rosarch.models.machine.counting import MOST_VALUES, whole
 from rosarch.models.machine.logic import BOOLEAN
 from rosarch.models.machine.reactions import PERIODIC, TooManyCases, component_steps, courses, is_ambiguous
@@ -76,13 +78,29 @@ def way_needs(guard: Formula, kept: Mapping[str, str]) -> Iterator[tuple[bool, l
     """For each alternative of a guard: whether only parameters that names keep decide, and which, with values that they need or exclude."""
     for alternative in alternatives(guard):
         needs = [_need(item, kept) for item in alternative]
-        yield all(needs) and bool(needs), [need for need in needs if need]
+        yield all(needs) and bool(needs), [one for one in needs if one]
+
+
+def needs_of(item: Condition, kept: Mapping[str, str]) -> list[tuple[str, str, bool] | None]:
+    """What each of the parts needs that have to hold for a condition: the parameter that decides it alone, and the value, or which not."""
+    waiting, found = [(parse_condition(item.meaning or item.text), item.holds)], []
+    while waiting:
+        condition, holds = waiting.pop()
+        if isinstance(condition, Not):
+            waiting.append((condition.inner, not holds))
+        elif isinstance(condition, All if holds else logic.Any):
+            waiting += [(part, holds) for part in reversed(condition.parts)]
+        else:
+            found.append(_need_of(condition, holds, kept))
+    return found
 
 
 def _need(item: Condition, kept: Mapping[str, str]) -> tuple[str, str, bool] | None:
-    condition, holds = parse_condition(item.meaning or item.text), item.holds
-    while isinstance(condition, Not):
-        condition, holds = condition.inner, not holds
+    found = needs_of(item, kept)
+    return found[0] if len(found) == 1 else None
+
+
+def _need_of(condition: Parsed, holds: bool, kept: Mapping[str, str]) -> tuple[str, str, bool] | None:
     if isinstance(condition, Operand) and (name := _name(condition.text)) in kept:
         return kept[name], "true", holds
     if isinstance(condition, Comparison) and condition.op == "==" and (name := _name(condition.left)) in kept:

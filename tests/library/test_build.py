@@ -155,6 +155,50 @@ def test_conditions_of_ports_are_kept(rosarch: Callable, tmp_path: Path) -> None
     assert found and {port.name: port.conditional for port in found.ports} == {"always": None, "sometimes": "~use_control"}
 
 
+CONFIGURED = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/bool.hpp>
+class N : public rclcpp::Node {
+ public:
+  N() : rclcpp::Node("n") {
+    declare_parameter("tf.use", false);
+    get_parameter("tf.use", use_);
+    kind_ = declare_parameter("kind", std::string("a"));
+    if (!use_) first_ = create_publisher<std_msgs::msg::Bool>("first", 1);
+    if (use_ && kind_ == "b" && count_publishers("x") > 0) second_ = create_publisher<std_msgs::msg::Bool>("second", 1);
+    if (use_ && (kind_ == "b" || count_publishers("x") > 0)) third_ = create_publisher<std_msgs::msg::Bool>("third", 1);
+    if (use_ || kind_ == "b") fourth_ = create_publisher<std_msgs::msg::Bool>("fourth", 1);
+  }
+  bool use_;
+  std::string kind_;
+  rclcpp::Publisher<std_msgs::msg::Bool>::SharedPtr first_, second_, third_, fourth_;
+};
+int main(int argc, char** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<N>());
+}
+"""
+
+
+@pytest.mark.slow
+def test_conditions_are_said_by_parameters_as_far_as_these_decide(rosarch: Callable, tmp_path: Path) -> None:
+    package = tmp_path / "ws" / "p"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text("<package><name>p</name><depend>rclcpp</depend><depend>std_msgs</depend></package>")
+    (package / "CMakeLists.txt").write_text(
+        "find_package(rclcpp REQUIRED)\nadd_executable(n n.cpp)\nament_target_dependencies(n rclcpp std_msgs)\n"
+    )
+    (package / "n.cpp").write_text(CONFIGURED)
+    assert rosarch("library", "build", tmp_path / "ws", *ORIGIN, "-o", tmp_path / "own").code == 0
+    found = find("p", "n", [tmp_path / "own"])
+    assert found and {port.name: port.conditional for port in found.ports if port.kind == "publisher" and not port.implicit} == {
+        "first": "not ~tf.use",
+        "second": '~tf.use and ~kind is b and use_ && kind_ == "b" && count_publishers("x") > 0',
+        "third": '~tf.use and use_ && (kind_ == "b" || count_publishers("x") > 0)',
+        "fourth": 'use_ || kind_ == "b"',
+    }
+
+
 NAMED_AFTER_ITSELF = """
 #include <rclcpp/rclcpp.hpp>
 #include <std_srvs/srv/trigger.hpp>

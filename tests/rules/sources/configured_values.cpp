@@ -1,10 +1,12 @@
-// Values that parameters give: of a member that decides, of one that a counter begins with, and of a local variable of main.
+// Values that parameters give: of a member that decides, about a port as well, of one that a counter begins with, of a local variable of main.
 //
 // expect: keeps_value_of("active_", "~active")
 // expect: keeps_value_of("skip_", "~skip")
 // expect: keeps_value_of("quiet", "~quiet")
 // expect: keeps_value_of("loud", "~loud")
-// expect: N = count : { keeps_value_of(_, _) }, N = 4
+// expect: keeps_value_of("draws_", "~draws")
+// expect: keeps_value_of("listens_", "~listens")
+// expect: N = count : { keeps_value_of(_, _) }, N = 6
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 
@@ -15,6 +17,12 @@ class Filter {
     pnh_.param("skip", skip_, 3);
     pnh_.param("shared", shared, false);
     left_ = skip_;
+    if (!pnh_.getParam("draws", draws_)) draws_ = true;
+    pnh_.param("listens", listens_, false);
+    if (!pnh_.getParam("guesses", guesses_)) draws_too_ = true;
+    if (draws_ && guesses_) drawn_ = nh_.advertise<std_msgs::Empty>("drawn", 1);
+    if (!listens_) other_ = nh_.subscribe("other", 1, &Filter::onIn, this);
+    if (nh_.ok()) guesses_ = false;
     out_ = nh_.advertise<std_msgs::Empty>("out", 1);
     in_ = nh_.subscribe("in", 1, &Filter::onIn, this);
   }
@@ -28,9 +36,9 @@ class Filter {
   }
 
   ros::NodeHandle nh_, pnh_;
-  ros::Publisher out_;
-  ros::Subscriber in_;
-  bool active_, shared;
+  ros::Publisher out_, drawn_;
+  ros::Subscriber in_, other_;
+  bool active_, shared, draws_, draws_too_, listens_, guesses_;
   int skip_, left_;
 };
 
