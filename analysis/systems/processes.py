@@ -41,8 +41,29 @@ def with_nodes(
             changed.append((start, made))
         elif len(made) == 1 and made[0].node.namespace != start.namespace:
             moved[f"{start.full_name}/"] = f"{made[0].node.full_name}/"
+    nodes += _of_drivers(composition, nodes, models)
     composition = replace(composition, params=tuple(_moved(setting, moved) for setting in composition.params))
     return _with_settings(replace(composition, nodes=tuple(nodes)), changed)
+
+
+def _of_drivers(
+    composition: Composition, nodes: Sequence[NodeStart], models: Mapping[tuple[str, str], Sequence[ComponentModel]]
+) -> Iterator[NodeStart]:
+    """The nodes that drivers of hardware make in the process of the manager that loads them, where one alone is started.
+
+    Source: ros2_control (resource_manager.cpp). Misses: drivers beside several managers, and beside one that a launch file names: all nodes
+    of its process get that name.
+    """
+    managers = {node.container for node in nodes if node.is_controller}
+    there = [node for node in nodes if node.full_name in managers]
+    if len(there) != 1 or there[0].name is not None:
+        return
+    manager = replace(there[0], args="", given=(), params_files=(), own_params=(), first=(), calls_itself=None)
+    for plugin in dict.fromkeys(one.plugin for one in composition.hardware):
+        found = [(package, model) for (package, type_), made in models.items() if type_ == plugin for model in made]
+        if len(found) == 1 and found[0][1].node_name and found[0][1].ports:
+            package, name = found[0][0], found[0][1].node_name
+            yield replace(manager, package=package, type=plugin, called=name, container=manager.full_name, is_controller=True)
 
 
 def with_inner(composition: Composition, made: Mapping[tuple[str, str], Mapping[str, str]]) -> tuple[Composition, Mapping[int, str]]:

@@ -368,6 +368,7 @@ class _Needed:
         self.plugins = {library_name(plugin.filename) for plugin in (*worlds, *robots)}
         classes = {type_ for _, type_ in self.executables if "/" in type_}
         self.words = classes | {word for _, _, words in asked for word in words}
+        self.words |= {one.plugin for launch in launches for one in launch.composition.hardware if "/" in one.plugin}
         self.plugins |= {word.removeprefix("-s") for word in self.words if word.endswith(".so")}
         self.packages = {package for package, _ in self.executables} | {word.partition("/")[0] for word in self.words if "/" in word}
         self.packages |= {package for package, _ in programs_named(launch.composition for launch in launches)}

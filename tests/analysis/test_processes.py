@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
 from ros2_launch_builder import HEAD, composed
 
 from rosarch.analysis.systems.processes import with_inner, with_nodes
 from rosarch.base.places import Place
 from rosarch.extractor.launch import Composition
-from rosarch.models.component import ComponentModel
+from rosarch.extractor.urdf.hardware import HardwareInterface
+from rosarch.models.component import ComponentModel, Port
 from rosarch.models.traits import Trait
 
 FILE = """\
@@ -105,3 +107,34 @@ def test_a_node_that_a_program_of_the_library_makes_has_what_is_set_last(tmp_pat
     assert components == {1: "elsewhere/part"}
     own = [(setting.name, setting.value) for setting in whole.params if setting.name.startswith("/arm/left/")]
     assert own == [("/arm/left/common", 1), ("/arm/left/side", "far")]
+
+
+CONTROLLED = """\
+def generate_launch_description():
+    manager = Node(package='controller_manager', executable='ros2_control_node', NAMEDparameters=[FILE], remappings=[('a', 'b')])
+    return LaunchDescription([manager, Node(package='controller_manager', executable='spawner', arguments=['wheels'])])
+"""
+PORT = Port("p1", "publisher", "~battery", None, "std_msgs/Float32", 1, False, None, "plain", Place("d.cpp", 1, 1))
+WHEELS = "controller_manager: {ros__parameters: {wheels: {type: here/Wheels}}}"
+
+
+@pytest.mark.parametrize(
+    ("named", "port", "expected"),
+    [("", True, ["/driver"]), ("", False, []), ("name='controller_manager', ", True, [])],
+)
+def test_a_driver_of_hardware_makes_its_node_in_the_process_of_the_manager(
+    tmp_path: Path, named: str, port: bool, expected: list[str]
+) -> None:
+    before = f"{HEAD}FILE = os.path.dirname(__file__) + '/p.yaml'\n\n"
+    found = composed(tmp_path, {"main.launch.py": before + CONTROLLED.replace("NAMED", named), "p.yaml": WHEELS}).with_controllers()
+    driver = HardwareInterface("state", "wheel", "position", "here/Driver", Place("r.urdf", 1, 1))
+    ports = (PORT,) if port else ()
+    model = ComponentModel("ws", "Driver", "here", "plugin", "driver", (), ports, ())
+    found = with_nodes(
+        replace(found, hardware=(driver,)),
+        {("here", "here/Driver"): [model]},
+        {("controller_manager", "ros2_control_node"): "controller_manager"},
+    )
+    made = [node for node in found.nodes if node.type == "here/Driver"]
+    assert [node.full_name for node in made] == expected
+    assert all((node.container, node.is_controller, len(node.remaps)) == ("/controller_manager", True, 1) for node in made)
