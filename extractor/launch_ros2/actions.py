@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 Handler = Callable[["World", Made, Context], None]
 HANDLERS: dict[str, Handler] = {}
-_SILENT = frozenset({"Shutdown", "UnregisterEventHandler", "ReadyToTest"})
+_SILENT = frozenset({"Shutdown", "ReadyToTest"})
 
 
 def carries_out(*kinds: str) -> Callable[[Handler], Handler]:
@@ -260,7 +260,10 @@ def _events(world: World, made: Made, context: Context) -> None:
     handler = made.get("event_handler")
     if isinstance(handler, Instance):
         handler = handler.made
-    if not isinstance(handler, Made) or handler.kind == "OnShutdown":
+    if not isinstance(handler, Made):
+        return
+    world.agenda.known.append(handler)
+    if handler.kind == "OnShutdown":
         return
     outcomes = [handler.arguments[name] for name in _HANDLED if name in handler.arguments]
     place = world.state.here
@@ -274,6 +277,14 @@ def _events(world: World, made: Made, context: Context) -> None:
             visit_one_or_all(world, outcome, context)
 
     world.agenda.register(handler, context, handle)
+
+
+@carries_out("UnregisterEventHandler")
+def _no_event(world: World, made: Made, _context: Context) -> None:
+    handler = made.get("event_handler")
+    handler = handler.made if isinstance(handler, Instance) else handler
+    if isinstance(handler, Made) and not world.agenda.forget(handler):
+        raise Raised("ValueError", f"{handler.kind} is not registered")
 
 
 @carries_out("EmitEvent", "LifecycleTransition")

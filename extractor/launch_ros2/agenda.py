@@ -40,6 +40,8 @@ class Agenda:
         self._handlers: list[_Handler] = []
         self._number = 0
         self._handled: set[tuple[int, int]] = set()
+        self.known: list[Made] = []
+        """The handlers that are registered, whatever they wait for."""
 
     def put(self, seconds: float, happens: Callable[[], None]) -> None:
         """Let something happen in some seconds."""
@@ -58,7 +60,15 @@ class Agenda:
             self._handlers.append(_Handler(handler, context.moment(), handle))
         else:
             moment = context.moment()
-            self.put(0.0, lambda: self._resumed(context, moment, handle))
+            self.put(0.0, lambda: self._resumed(context, moment, handle) if handler in self.known else None)
+
+    def forget(self, handler: Made) -> bool:
+        """Let a handler wait no more; whether it was registered."""
+        if handler not in self.known:
+            return False
+        self.known.remove(handler)
+        self._handlers = [one for one in self._handlers if one.made is not handler or handler in self.known]
+        return True
 
     def started(self, action: Made, context: Context) -> None:
         """A process starts, and ends some time."""
@@ -76,9 +86,9 @@ class Agenda:
 
     def _happen(self, event: str, action: Made, moment: Moment, context: Context) -> None:
         """Carry out what waits for an event, the last that was registered first. What an action started again is not followed twice."""
-        for handler in reversed(self._handlers):
+        for handler in [*reversed(self._handlers)]:
             key = id(handler.made), id(action)
-            if handler.made.kind != event or key in self._handled:
+            if handler.made.kind != event or key in self._handled or handler not in self._handlers:
                 continue
             for conditions in self._matches(_target(handler.made), action):
                 self._handled.add(key)

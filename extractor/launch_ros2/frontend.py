@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from rosarch.base.hints import only_candidate
 from rosarch.extractor.launch.model import LaunchError, Place
-from rosarch.extractor.launch_ros2.argument_types import TYPES, is_of
-from rosarch.extractor.launch_ros2.parameters import converted
+from rosarch.extractor.launch_ros2.argument_types import TYPES, WITH_OLD_NAMES, is_of
+from rosarch.extractor.launch_ros2.parameters import converted, yaml_value
 from rosarch.extractor.launch_ros2.texts import parsed
 from rosarch.extractor.launch_ros2.values import Made
 
@@ -254,6 +254,7 @@ def _for(world: World, child: Entity) -> Made:
 
 @element("executable")
 def _executable(_world: World, child: Entity) -> Made:
+    _require_process(child)
     return made(child, "ExecuteProcess", cmd=_words(child, "cmd"), args=_words(child, "args"))
 
 
@@ -288,13 +289,47 @@ def _plain(_world: World, child: Entity) -> Made:
     return made(child, _PLAIN[child.name.replace("-", "_")])
 
 
+_SECONDS = ("respawn_delay", "sigkill_timeout", "sigterm_timeout")
+
+
+def _require_process(child: Entity) -> None:
+    """Require of the attributes of a process what launch does.
+
+    Raises:
+        LaunchError: `on_exit` says something else than `shutdown`, or a time is none.
+    """
+    if child.attributes.get("on_exit", "shutdown") != "shutdown":
+        raise LaunchError("attribute", "on_exit", f"the attribute `on_exit` of <{child.name}> must be `shutdown`")
+    for name in _SECONDS:
+        found = child.attributes.get(name)
+        if found is not None and not _is_time(found, typed=child.typed):
+            raise LaunchError("attribute", name, f"the attribute `{name}` of <{child.name}> must be a number that is not negative")
+
+
+def _is_time(found: Any, *, typed: bool) -> bool:
+    """Whether an attribute is a time; in YAML it must be written with a point."""
+    if typed:
+        return isinstance(found, float) and found >= 0
+    try:
+        return float(found) >= 0
+    except ValueError:
+        return False
+
+
 @element("node", "lifecycle_node")
-def _node(_world: World, child: Entity) -> Made:
+def _node(world: World, child: Entity) -> Made:
+    _require_name(world, child)
     kind = "LifecycleNode" if child.name.startswith("lifecycle") else "Node"
     return made(child, kind, executable=required(child, "exec"), package=text(child, "pkg"), **_of_node(child))
 
 
+def _require_name(world: World, child: Entity) -> None:
+    if "node-name" in child.attributes and world.environment.get("ROS_DISTRO") not in WITH_OLD_NAMES:
+        raise LaunchError("attribute", "node-name", f"<{child.name}> has no attribute `node-name`: since Galactic it is `name`")
+
+
 def _of_node(child: Entity) -> dict[str, Any]:
+    _require_process(child)
     return {
         "name": text(child, "name"),
         "namespace": text(child, "namespace"),
@@ -315,6 +350,7 @@ def _words(child: Entity, name: str) -> Any:
 
 @element("node_container")
 def _container(world: World, child: Entity) -> Made:
+    _require_name(world, child)
     required(child, "name")
     required(child, "namespace")
     return made(child, "ComposableNodeContainer", executable=required(child, "exec"), package=required(child, "pkg"),
@@ -367,6 +403,8 @@ def value_of(child: Entity) -> Any:
     separator = child.attributes.get("value-sep")
     if separator:
         return [_typed(part, kind, child) for part in found.split(separator)]
+    if kind == "auto" and not child.typed and found and yaml_value(found) is None:  # also one that begins a comment
+        raise LaunchError("parameter", found, f"`{found}` is neither a scalar nor a list of one type")
     if kind in TYPES and kind != "str" and "$(" not in found:
         return converted(found, TYPES[kind])  # as the file is read, whether or not the node is started
     return _typed(found, kind, child)

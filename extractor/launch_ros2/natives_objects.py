@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rosarch.extractor.launch_ros2.decisions import holds_several
+from rosarch.extractor.launch_ros2.decisions import holds_several, is_certain
 from rosarch.extractor.launch_ros2.expressions import Raised
 from rosarch.extractor.launch_ros2.registry import native
 from rosarch.extractor.launch_ros2.values import NOTHING, Class, Default, Function, Instance, Native
@@ -36,6 +38,29 @@ def _next(_run: Calls, items: Any, *default: Any) -> Any:
     if not items and not default:
         raise Raised("StopIteration", "")
     return items.pop(0) if items else default[0]
+
+
+_MAX_ITEMS = 10_000
+
+
+def _combined(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function of itertools, for known lists; more items than would be read are not known."""
+
+    def call(run: Calls, *given: Any, **named: Any) -> Any:
+        arguments = [*map(run.gone_through, given)]
+        plain = (list, tuple, set, dict, range, str, int)
+        if not all(
+            isinstance(one, plain) and not holds_several(one) and (type(one) is not str or is_certain(one)) for one in arguments
+        ) or not all(map(is_certain, named.values())):
+            return NOTHING
+        found = list(itertools.islice(function(*arguments, **named), _MAX_ITEMS + 1))
+        return NOTHING if len(found) > _MAX_ITEMS else found
+
+    return call
+
+
+for _function in (itertools.product, itertools.chain, itertools.combinations, itertools.permutations, itertools.zip_longest):
+    native(f"itertools.{_function.__name__}")(_combined(_function))
 
 
 @native("collections.namedtuple")

@@ -132,6 +132,9 @@ def _load_one(world: World, one: Any, container: str, context: Context) -> None:
 
 
 def _load_component(world: World, made: Made, container: str, context: Context) -> None:
+    given = made.get("parameters")
+    if any(isinstance(one, Made) and one.kind == "Parameter" for one in (given if isinstance(given, (list, tuple)) else ())):
+        raise Raised("RuntimeError", "invalid evaluated parameters: a component takes no `Parameter`")
     world.here(made.place)
     package, plugin = (perform(world, made.get(*names), context) for names in (("package",), ("plugin", "node_plugin")))
     name = perform(world, made.get("name", "node_name"), context) or None
@@ -389,6 +392,9 @@ def _words_of(world: World, found: Any, context: Context) -> list[str]:
     if not (isinstance(found, Made) and found.kind == "Words"):
         if isinstance(found, Made):
             raise Raised("TypeError", f"'{class_of(found)}' object is not iterable")
+        for item in found if isinstance(found, (list, tuple)) else ():
+            if isinstance(item, (list, tuple)) and any(isinstance(part, (list, tuple)) for part in item):
+                raise Raised("TypeError", "Failed to normalize an item of a list within a list, where texts and substitutions are expected")
         # a text is a list of its characters
         return list(found) if isinstance(found, str) and is_known(found) else [perform(world, [item], context) for item in _as_list(found)]
     words: list[list[str]] = []

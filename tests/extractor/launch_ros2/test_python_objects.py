@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from ros2_launch_builder import described, names, params
+from ros2_launch_builder import composed, described, names, params, xml
 
 ENUMERATION = "from enum import Enum\nclass Mode(Enum):\n    SIM = 'sim'\n    REAL = 'real'\n"
 FLEET = """class Fleet:
@@ -47,6 +47,7 @@ def matched(subject: str, cases: str) -> str:
         (matched("'q'", "'y': found = [node('y')]; _: found = [node('other')]"), "*found", ["/other"]),
         (matched("'q'.upper()", "'Y': pass; found_name if found_name == 'Q': found = [node(found_name)]"), "*found", ["/Q"]),
         (matched("None", "True: pass; None: found = [node('none')]"), "*found", ["/none"]),
+        ("import itertools", "*[node('_'.join(each)) for each in itertools.product('ab', 'cd')][1:3]", ["/a_d", "/b_c"]),
         (MEMBERS, "A().made(), A.other().made()", ["/a_p", "/o_p"]),
         ("class Own(Action):\n    def execute(self, context):\n        return [node('own')]\n", "Own(condition=UnlessCondition('true')), Own()", ["/own"]),
     ],
@@ -117,3 +118,63 @@ def test_what_is_described_in_place_gets_arguments(tmp_path: Path) -> None:
             tmp_path, f"IncludeLaunchDescription({source}, launch_arguments={{'given': 'x'}}.items())", "from launch import *"
         )
         assert (params(found), found.problems) == ({"/a/p": "x"}, ())
+
+
+EXITS = "handler = OnProcessExit(target_action=first, on_exit=[node('after')])"
+
+
+@pytest.mark.parametrize(
+    ("entities", "started", "errors"),
+    [
+        ("first, RegisterEventHandler(handler)", ["/first", "/after"], []),
+        ("first, RegisterEventHandler(handler), UnregisterEventHandler(handler)", ["/first"], []),
+        ("first, UnregisterEventHandler(handler)", ["/first"], ["ValueError: OnProcessExit is not registered"]),
+    ],
+)
+def test_handlers_that_are_taken_back(tmp_path: Path, entities: str, started: list[str], errors: list[str]) -> None:
+    found = described(tmp_path, entities, f"first = node('first')\n{EXITS}")
+    assert (names(found), [problem.message for problem in found.problems]) == (started, errors)
+
+
+def test_a_component_takes_no_object_for_one_parameter(tmp_path: Path) -> None:
+    one = "ComposableNode(package='here', plugin='A', name='a', parameters=[Parameter('p', 'x')])"
+    found = described(
+        tmp_path,
+        f"LoadComposableNodes(target_container='c', composable_node_descriptions=[{one}])",
+        "from launch_ros.descriptions import Parameter",
+    )
+    assert [problem.message for problem in found.problems] == [
+        "RuntimeError: invalid evaluated parameters: a component takes no `Parameter`"
+    ]
+
+
+def test_lists_within_lists_are_no_words(tmp_path: Path) -> None:
+    found = described(tmp_path, "ExecuteProcess(cmd=[['echo ', ['a', 'b']]], shell=True)")
+    assert [problem.message.partition(":")[0] for problem in found.problems] == ["TypeError"]
+
+
+@pytest.mark.parametrize(
+    ("attributes", "error"),
+    [
+        ('on_exit="restart"', "the attribute `on_exit` of <node> must be `shutdown`"),
+        ('respawn_delay="soon"', "the attribute `respawn_delay` of <node> must be a number that is not negative"),
+        ('sigterm_timeout="-2.0"', "the attribute `sigterm_timeout` of <node> must be a number that is not negative"),
+        ('node-name="old"', "<node> has no attribute `node-name`: since Galactic it is `name`"),
+        ('on_exit="shutdown" respawn_delay="2" sigkill_timeout="0.5"', None),
+    ],
+)
+def test_attributes_of_processes(tmp_path: Path, attributes: str, error: str | None) -> None:
+    found = xml(tmp_path, f'<node pkg="here" exec="run" name="a" {attributes}/>')
+    assert [problem.message for problem in found.problems] == ([] if error is None else [error])
+
+
+@pytest.mark.parametrize(("delay", "refused"), [("2", True), ('"2"', True), ("-2.0", True), ("2.0", False)])
+def test_times_in_yaml_are_written_with_a_point(tmp_path: Path, delay: str, refused: bool) -> None:
+    text = f"launch:\n- node: {{pkg: here, exec: run, name: a, respawn_delay: {delay}}}\n"
+    assert bool(composed(tmp_path, {"main.launch.yaml": text}).problems) is refused
+
+
+@pytest.mark.parametrize("value", ["null", "~", "#no $(var a)"])
+def test_a_parameter_that_is_none_in_yaml(tmp_path: Path, value: str) -> None:
+    found = xml(tmp_path, f'<arg name="a" default="b"/><node pkg="here" exec="run" name="a"><param name="p" value="{value}"/></node>')
+    assert [problem.message for problem in found.problems] == [f"`{value}` is neither a scalar nor a list of one type"]
