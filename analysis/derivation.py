@@ -138,6 +138,8 @@ class Deriving:
                 models = self._alone(component, derive({}), files)
             else:
                 models = self._configured(component, configuration, configured_rows(derive, rows["component"], configuration))
+            for model in models:
+                _ = model.rhythms  # found here, where other components are worked on at the same time
             yield configuration, models
             if follows and self.after:
                 waiting += self.after(models)

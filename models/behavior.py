@@ -144,6 +144,11 @@ class Behavior:
 NOTHING = Behavior((), (), (), (), (), ())
 
 
+def sent_in_loop(loop: Mapping[str, Any]) -> list[str]:
+    """The ports that a timed loop or timer of a document sends through: topics, then what it calls."""
+    return [*(loop.get("publishes") or ()), *(loop.get("calls") or ())]
+
+
 def build_behavior(
     relations: Relations, places: Mapping[str, Place], guards: Guards, ports: PortIds, callbacks: Iterable[tuple[Any, str]]
 ) -> Behavior:

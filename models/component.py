@@ -6,6 +6,7 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 from rosarch.base.logic import TRUE
@@ -19,6 +20,7 @@ from rosarch.models.node_configuration import InnerNode, PluginArgument
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated
 from rosarch.models.openness import Unseen
+from rosarch.models.rhythm import NO_RHYTHMS, Rhythms, rhythms_of, with_few_changes
 from rosarch.models.switches import switched_json
 from rosarch.models.traits import Trait, traits
 
@@ -134,6 +136,16 @@ class ComponentModel:
     def types(self) -> tuple[str, ...]:
         """What launch files know the component as: the name of a class that is loaded, names of programs."""
         return (*([self.plugin.name] if self.plugin else []), *self.executables) or (self.component,)
+
+    @cached_property
+    def rhythms(self) -> Rhythms:
+        """In which rhythms it sends. It takes a while to find, and is kept with the model: who makes many models asks for it at once.
+
+        Of a managed node none is known: what it sends while it is not active is dropped.
+        """
+        if self.kind == MANAGED or not self.behavior.state_variables:
+            return NO_RHYTHMS
+        return rhythms_of(document_json(replace(self, behavior=with_few_changes(self.behavior))))
 
 
 def build_models(
@@ -441,11 +453,6 @@ def _variable_json(variable: StateVariable) -> dict[str, Any]:
     domain = None if variable.domain is None else list(variable.domain)
     data = {"name": variable.name, "type": variable.type, "initial": variable.initial, "domain": domain, "at": str(variable.at)}
     return data if variable.from_param is None else {**data, "from_param": variable.from_param}
-
-
-def sent_in_loop(loop: Mapping[str, Any]) -> list[str]:
-    """The ports that a timed loop or timer of a document sends through: topics, then what it calls."""
-    return [*(loop.get("publishes") or ()), *(loop.get("calls") or ())]
 
 
 def parameter_json(parameter: Parameter) -> dict[str, Any]:

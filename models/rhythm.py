@@ -116,6 +116,23 @@ def _name(text: str) -> str:
     return re.sub(r"^(this->|self\.)", "", strip(text).replace(" ", ""))
 
 
+@dataclass(frozen=True)
+class Rhythms:
+    """All of a component."""
+
+    regular: tuple[Rhythm, ...] = ()
+    used_up: tuple[Used, ...] = ()
+
+
+NO_RHYTHMS = Rhythms()
+
+
+def rhythms_of(document: Document) -> Rhythms:
+    """The rhythms of a component, by its document."""
+    reactions = Reactions(document)
+    return Rhythms(tuple(rhythms(reactions)), tuple(used_up(reactions)))
+
+
 class Reactions:
     """A component's reactions as they are run here: the steps of each trigger, and cells with the one value that they surely begin with."""
 

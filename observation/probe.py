@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import median
 
-from rosarch.models.component import sent_in_loop
+from rosarch.models.behavior import sent_in_loop
 from rosarch.models.machine.steps import Row
 from rosarch.observation.company import Company, company
 from rosarch.observation.compare import Filled

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rosarch.models.component import sent_in_loop
+from rosarch.models.behavior import sent_in_loop
 from rosarch.models.machine.conditions import spaced
 
 Document = Mapping[str, Any]

@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from rosarch.models.component import sent_in_loop
+from rosarch.models.behavior import sent_in_loop
 from rosarch.models.machine.steps import Row
 from rosarch.observation.plan import Plan, Stimulus
 from rosarch.observation.probe import CONFIRMED, REFUTED, UNREACHED, Results

@@ -7,17 +7,15 @@ the node's configuration; of a plug-in again on the model of the plug-in.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from rosarch.analysis.systems.processes import process_settings
+from rosarch.analysis.systems.settings import NodeSettings, configuration_of
 from rosarch.analysis.systems.trees import Trees
 from rosarch.extractor.launch.arguments import node_arguments
-from rosarch.extractor.launch.facts import kind_and_text
 from rosarch.extractor.launch.model import Composition, NodeStart, ParamSetting
 from rosarch.extractor.launch.names import canonical, global_namespace
-from rosarch.extractor.launch.values import automatic
 from rosarch.extractor.workspace.plugins import TREE_NODE
 from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import InnerNode, NodeConfiguration, arguments_of_plugin
@@ -93,10 +91,10 @@ class Configured:
 
 
 def configure(
-    composition: Composition, index: ModelIndex, wants: Wants | None = None, only: set[tuple[str, str]] | None = None
+    settings: NodeSettings, index: ModelIndex, wants: Wants | None = None, only: set[tuple[str, str]] | None = None
 ) -> Configured:
     """Find the models of each node; what is not there is added to what is wanted. With `only`, other programs are left out."""
-    finder = _Finder(composition, index, wants or Wants())
+    composition, finder = settings.composition, _Finder(settings, index, wants or Wants())
     nodes: list[NodeStart] = []
     made: _Made = []
     parts: dict[int, Parts] = {}
@@ -121,12 +119,8 @@ _Made = list[tuple[NodeStart, Parts]]
 class _Finder:
     """Finds the models of the nodes of one composition."""
 
-    def __init__(self, composition: Composition, index: ModelIndex, wants: Wants) -> None:
-        self.composition, self.index, self.wants = composition, index, wants
-        self.settings: dict[str, list[ParamSetting]] = defaultdict(list)
-        for setting in composition.params:
-            self.settings[setting.name].append(setting)
-        self.names = sorted(self.settings)
+    def __init__(self, settings: NodeSettings, index: ModelIndex, wants: Wants) -> None:
+        self.settings, self.index, self.wants = settings, index, wants
 
     def parts(self, node: NodeStart, made: _Made, params: list[ParamSetting]) -> Parts:
         """What a node consists of; the nodes that it makes are added to `made`, what is set for these to `params`."""
@@ -134,8 +128,7 @@ class _Finder:
         if len(hosts) != 1:
             return Parts()
         host = hosts[0]
-        settings = self._settings_of(node)
-        configuration = _configuration(node, settings, self._is_open(node))
+        configuration = self.settings.configuration(node)
         if host.asks_namespace or host.loads or host.loads_any:
             configuration = replace(configuration, namespace=canonical(node.namespace) or "/")
         if host.asks_command_line:
@@ -234,8 +227,8 @@ class _Finder:
             started = self._inner_start(node, inner)
             if started is None:
                 continue
-            settings = {name: [one] for name, one in process_settings(self.composition, node, started.full_name).items()}
-            values = _configuration(started, settings, self._is_open(node))
+            settings = {name: [one] for name, one in process_settings(self.settings.composition, node, started.full_name).items()}
+            values = configuration_of(started, settings, self.settings.is_open(node))
             space = canonical(started.namespace) or "/"
             configuration = replace(values, arguments=inner.arguments, entry=inner.class_, namespace=space)
             found = self.index.configured.get((component, configuration.key))
@@ -254,25 +247,6 @@ class _Finder:
             return None
         return _renamed(node, inner.name, global_namespace(namespaces.pop()))
 
-    def _settings_of(self, node: NodeStart) -> dict[str, list[ParamSetting]]:
-        """The parameters of a node, as its code calls them."""
-        own, found = f"{canonical(node.full_name)}/", {}
-        for name in self.names:
-            if name.startswith(own):
-                found[name.removeprefix(own) if node.ros == 2 else f"~{name.removeprefix(own)}"] = self.settings[name]
-            elif node.ros == 1:
-                found[name] = self.settings[name]
-                space = canonical(node.namespace) if node.namespace != "/" else ""
-                if name.startswith(f"{space}/"):
-                    found[name.removeprefix(f"{space}/")] = self.settings[name]
-        return found
-
-    def _is_open(self, node: NodeStart) -> bool:
-        """Whether there may be parameters that were not seen."""
-        return any(
-            f"{canonical(node.full_name)}/".startswith(f"{canonical(unread.name).rstrip('/')}/") for unread in self.composition.unread
-        )
-
 
 def _is_of(plugin: ComponentModel, base: str) -> bool:
     """Whether a plug-in derives from the class `base`, as far as its description says."""
@@ -284,53 +258,9 @@ def _renamed(node: NodeStart, name: str, namespace: str) -> NodeStart:
     return replace(node, name=name, called=name, namespace=namespace, container=None, first=(), inside=node.namespace)
 
 
-def _configuration(node: NodeStart, settings: Mapping[str, Sequence[ParamSetting]], is_open: bool) -> NodeConfiguration:
-    values: set[tuple[str, str]] = set()
-    empty: set[str] = set()
-    unknown: set[str] = set()
-    entries: set[tuple[str, int, str, str]] = set()
-    for name, found in settings.items():
-        texts = _texts(found[0].value) if len(found) == 1 and not found[0].conditions else None
-        if texts is None:
-            unknown.add(name)
-            entries.update((name, *entry) for entry in _entries(found))
-        elif not texts:
-            empty.add(name)
-        else:
-            values.update((name, text) for text in texts)
-    for param, written in node_arguments(node).params:
-        values = {value for value in values if value[0] != f"~{param}"} | {(f"~{param}", kind_and_text(automatic(written))[1])}
-    own_name = node.name or node.called
-    return NodeConfiguration(
-        own_name, tuple(sorted(values)), tuple(sorted(empty)), tuple(sorted(unknown)), is_open, entries=tuple(sorted(entries))
-    )
-
-
 def _words(node: NodeStart) -> tuple[str, ...] | None:
     """The words of its command line, without what is for ROS; None when they are not known, as for what is loaded somewhere."""
     return None if node.container is not None else tuple("?" if "$(" in word else word for word in node_arguments(node).plain)
-
-
-def _entries(found: Sequence[ParamSetting]) -> Iterator[tuple[int, str, str]]:
-    """What a list of maps has under which keys: index, key and text; nothing of a list that has other elements."""
-    if len(found) != 1 or found[0].conditions or not isinstance(found[0].value, (list, tuple)):
-        return
-    elements = found[0].value
-    if all(isinstance(element, dict) for element in elements):
-        for index, element in enumerate(elements):
-            for key, value in element.items():
-                texts = _texts(value)
-                if isinstance(key, str) and texts is not None and len(texts) == 1:
-                    yield index, key, texts[0]
-
-
-def _texts(value: Any) -> list[str] | None:
-    """The texts that a parameter's value is, several for a list; None when it is not known."""
-    if isinstance(value, (list, tuple)):
-        found = [_texts(item) for item in value]
-        return None if any(texts is None or len(texts) != 1 for texts in found) else [text for texts in found for text in texts or ()]
-    kind, text = kind_and_text(value)
-    return [text] if kind in ("string", "bool", "int", "double") else None
 
 
 def _matters(model: ComponentModel, configuration: NodeConfiguration) -> bool:

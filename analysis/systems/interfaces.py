@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from rosarch.base.places import Place
 from rosarch.library import LibraryComponent
-from rosarch.models.component import MANAGED, ComponentModel, document_json, parameter_json, port_json
-from rosarch.models.rhythm import Reactions, rhythms, used_up, way_needs, with_few_changes
+from rosarch.models.component import MANAGED, ComponentModel, parameter_json, port_json
+from rosarch.models.rhythm import way_needs
 from rosarch.models.traits import TRAITS
 
 Rows = dict[str, set[tuple[Any, ...]]]
@@ -107,15 +106,12 @@ def _sendings(writer: _Writer, component: str, model: ComponentModel) -> None:
             for parameter, value, holds in needs:
                 writer.add("interface_way_needs", way, parameter, value, "yes" if holds else "no")
     places = {str(loop.at): loop.at for loop in model.behavior.periodic}
-    if managed or not model.behavior.state_variables:
-        return
-    reactions = Reactions(document_json(replace(model, behavior=with_few_changes(model.behavior))))
-    for rhythm in rhythms(reactions):
+    for rhythm in model.rhythms.regular:
         source = writer.placed(places[rhythm.trigger]) if rhythm.trigger in places else f"{component}#{rhythm.trigger}"
         sink = f"{component}#{rhythm.output}"
         name = "interface_rhythm_beside" if rhythm.parameter and not rhythm.factor else "interface_rhythm"
         writer.add(name, component, source, sink, rhythm.parameter, rhythm.rounds, rhythm.sends)
-    for used in used_up(reactions):
+    for used in model.rhythms.used_up:
         sink, port = f"{component}#{used.output}", f"{component}#{used.port}"
         writer.add("interface_uses_up", component, writer.placed(places[used.trigger]), sink, port, "each" if used.each else "some")
 

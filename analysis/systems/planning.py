@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from rosarch.analysis.systems.instances import ModelIndex, Wants, configure
 from rosarch.analysis.systems.processes import with_nodes
+from rosarch.analysis.systems.settings import NodeSettings
 from rosarch.analysis.systems.trees import Trees
 from rosarch.models.component import ComponentModel
 from rosarch.models.node_configuration import NodeConfiguration
@@ -47,7 +48,7 @@ class Planner:
         self.compositions = compositions
         self.index = ModelIndex(trees)
         self.generic: dict[str, ComponentModel] = {}
-        self._started: dict[tuple[str, ...], tuple[Sequence[ComponentModel], list[Composition]]] = {}
+        self._started: dict[tuple[str, ...], tuple[Sequence[ComponentModel], list[NodeSettings]]] = {}
         self._programs = [{(node.package, node.type) for node in composition.nodes} for composition in compositions]
 
     def after(self, models: Sequence[ComponentModel]) -> list[NodeConfiguration]:
@@ -58,18 +59,19 @@ class Planner:
         own = [model for model in self.generic.values() if (model.package, model.component) in components]
         types = {(model.package, type_) for model in own for type_ in ((model.component,) if model.executable else model.types)}
         index, wants = ModelIndex.of(self.index.trees, [*own, *models]), Wants()
-        for composition in self._starting(own, types):
-            configure(composition, index, wants, types)
+        for settings in self._starting(own, types):
+            configure(settings, index, wants, types)
         return [each for one in components for each in sorted(wants.components.get(one, ()), key=lambda found: found.key)]
 
-    def _starting(self, own: Sequence[ComponentModel], types: set[tuple[str, str]]) -> list[Composition]:
+    def _starting(self, own: Sequence[ComponentModel], types: set[tuple[str, str]]) -> list[NodeSettings]:
         """The launches that start one of these, with the nodes that it makes: the same for all configurations of a component."""
         titles = tuple(model.title for model in own)
         known, started = self._started.get(titles, ([], []))
         if len(known) != len(own) or any(model is not other for model, other in zip(own, known, strict=True)):
             made = made_by(own)
-            there = zip(self.compositions, self._programs, strict=True)
-            started = [with_nodes(composition, made) for composition, programs in there if not programs.isdisjoint(made.keys() | types)]
+            programs_of = zip(self.compositions, self._programs, strict=True)
+            there = [composition for composition, programs in programs_of if not programs.isdisjoint(made.keys() | types)]
+            started = [NodeSettings(with_nodes(composition, made)) for composition in there]
             self._started[titles] = (own, started)
         return started
 
@@ -77,5 +79,5 @@ class Planner:
         """What the launches want beside the models in the index."""
         wants = Wants()
         for composition in self.compositions:
-            configure(with_nodes(composition, made), self.index, wants)
+            configure(NodeSettings(with_nodes(composition, made)), self.index, wants)
         return wants

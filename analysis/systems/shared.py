@@ -16,6 +16,7 @@ from rosarch.analysis.systems.instances import Configured, ModelIndex, Parts, co
 from rosarch.analysis.systems.manifests import Declared, declared, manifest_rows
 from rosarch.analysis.systems.planning import Planner, configuring, made_by
 from rosarch.analysis.systems.processes import with_inner, with_nodes
+from rosarch.analysis.systems.settings import NodeSettings
 from rosarch.analysis.systems.trees import Trees
 from rosarch.analysis.systems.workspace import (
     container_homes,
@@ -103,7 +104,8 @@ class Components:
 
     def with_nodes(self, launch: Launch) -> tuple[Launch, Configured]:
         """The launch, with the nodes that programs make, by the names that their code has where no launch file names them; their models."""
-        found = configure(with_nodes(launch.composition, made_by(self.models), self.names), self._model_index)
+        named = with_nodes(launch.composition, made_by(self.models), self.names)
+        found = configure(NodeSettings(named), self._model_index)
         composition, inner = with_inner(found.composition, self.made)
         found = Configured(composition, {**found.parts, **{index: Parts((component,)) for index, component in inner.items()}})
         return replace(launch, composition=composition), found

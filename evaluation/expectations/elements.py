@@ -10,7 +10,7 @@ from importlib.resources import files
 from typing import Any
 
 from rosarch.findings.model import Finding
-from rosarch.models.component import sent_in_loop
+from rosarch.models.behavior import sent_in_loop
 
 Attributes = Mapping[str, Any]
 

@@ -13,7 +13,7 @@ from itertools import product
 from typing import Any
 
 from rosarch.base.logic import TRUE
-from rosarch.models.component import sent_in_loop
+from rosarch.models.behavior import sent_in_loop
 from rosarch.models.machine.cells import Cell, Document, Domains
 from rosarch.models.machine.conditions import spaced
 from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, from_cases, simplify, subjects

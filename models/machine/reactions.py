@@ -15,7 +15,7 @@ from functools import partial
 from typing import Any
 
 from rosarch.base.logic import TRUE
-from rosarch.models.component import sent_in_loop
+from rosarch.models.behavior import sent_in_loop
 from rosarch.models.machine.cells import Document, Domains, variable_and_field
 from rosarch.models.machine.epochs import with_epochs
 from rosarch.models.machine.logic import Formula, Subject, conjunction, evaluate, first_unknown, simplify, subjects
