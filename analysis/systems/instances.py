@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from typing import TypeVar
 
 from rosarch.analysis.systems.processes import process_settings
 from rosarch.analysis.systems.settings import NodeSettings, configuration_of
@@ -22,6 +23,8 @@ from rosarch.models.node_configuration import InnerNode, NodeConfiguration, argu
 
 Component = tuple[str, str]
 """Package and name."""
+_Key = TypeVar("_Key", str, Component)
+"""What a model is known by: the name of a plug-in, or a component."""
 
 _DEPTH = 6
 """Plug-ins that load plug-ins are followed so far."""
@@ -129,29 +132,25 @@ class _Finder:
             return Parts()
         host = hosts[0]
         configuration = self.settings.configuration(node)
-        if host.asks_namespace or host.loads or host.loads_any:
-            configuration = replace(configuration, namespace=canonical(node.namespace) or "/")
+        configuration = replace(configuration, namespace=canonical(node.namespace) or "/")
         if host.asks_command_line:
             configuration = replace(configuration, words=_words(node))
         if not _matters(host, configuration):
             self.wants.alone.add(host.title)
             return Parts()
         component = (host.package, host.component)
-        model = self._model(component, configuration)
+        model = self._model(component, configuration, asks=host.asks_namespace)
         told = self._told(model, configuration) if model and model.asks_plugins else ()
         if told:
-            model = self._model(component, replace(configuration, results=told))
+            model = self._model(component, replace(configuration, results=told), asks=host.asks_namespace)
         if model is None:
             return Parts()
         self._inner(node, model, component, made, params)
         return self._consisting(node, model, configuration, made)
 
-    def _model(self, component: Component, configuration: NodeConfiguration) -> ComponentModel | None:
+    def _model(self, component: Component, configuration: NodeConfiguration, *, asks: bool = False) -> ComponentModel | None:
         """The model of a component with a configuration; it is wanted when it is not there."""
-        found = self.index.configured.get((component, configuration.key))
-        if found is None:
-            self.wants.components[component].add(configuration)
-        return found
+        return _sought(component, configuration, self.index.configured, self.wants.components, asks=asks)
 
     def _told(self, model: ComponentModel, configuration: NodeConfiguration) -> tuple[tuple[str, str], ...]:
         """What functions return that a host asks its plug-ins for, where all of one base always return something known."""
@@ -186,9 +185,8 @@ class _Finder:
         absent: set[str] = set()
         for each in nodes:
             own = replace(configuration, arguments=(), entry=None, inputs=each.inputs)
-            found = self.index.plugins.get((each.id, own.key))
+            found = self._plugin(each.id, own)
             if found is None:
-                self.wants.plugins[each.id].add(own)
                 absent.add(each.id)
             elif found.plugin and found.plugin.base == TREE_NODE:
                 titles.append(found.title)
@@ -210,10 +208,7 @@ class _Finder:
 
     def _plugin(self, name: str, configuration: NodeConfiguration) -> ComponentModel | None:
         """The model of a plug-in with a configuration; it is wanted when it is not there."""
-        found = self.index.plugins.get((name, configuration.key))
-        if found is None:
-            self.wants.plugins[name].add(configuration)
-        return found
+        return _sought(name, configuration, self.index.plugins, self.wants.plugins)
 
     def _inner(
         self,
@@ -231,9 +226,8 @@ class _Finder:
             values = configuration_of(started, settings, self.settings.is_open(node))
             space = canonical(started.namespace) or "/"
             configuration = replace(values, arguments=inner.arguments, entry=inner.class_, namespace=space)
-            found = self.index.configured.get((component, configuration.key))
+            found = self._model(component, configuration)
             if found is None:
-                self.wants.components[component].add(configuration)
                 continue
             made.append((started, self._consisting(started, found, configuration, made)))
             params += [replace(one, name=f"{started.full_name}/{name}") for name, own in settings.items() for one in own]
@@ -246,6 +240,28 @@ class _Finder:
         if len(namespaces) != 1:
             return None
         return _renamed(node, inner.name, global_namespace(namespaces.pop()))
+
+
+def _sought(
+    key: _Key,
+    configuration: NodeConfiguration,
+    models: Mapping[tuple[_Key, str], ComponentModel],
+    wants: dict[_Key, set[NodeConfiguration]],
+    *,
+    asks: bool = False,
+) -> ComponentModel | None:
+    """The model with a configuration, which has a namespace only where the code asks for it: nodes in others share their models.
+
+    It `asks` where that is known before there is such a model.
+    """
+    found = None
+    for each in (configuration,) if asks else (replace(configuration, namespace=None), configuration):
+        found = models.get((key, each.key))
+        if found is None:
+            wants[key].add(each)
+        if found is None or not found.asks_namespace:
+            break
+    return found
 
 
 def _is_of(plugin: ComponentModel, base: str) -> bool:
