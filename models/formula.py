@@ -42,6 +42,10 @@ class Condition:
         """The key of the negated condition."""
         return self.text, self.meaning or self.text, not self.holds, self.through
 
+    def called_by(self, calls: tuple[Place, ...]) -> Condition:
+        """The same, where these calls come before those that lead to it."""
+        return Condition(self.text, self.holds, self.place, self.stable, self.meaning, self.words, (*calls, *self.through))
+
 
 Key: TypeAlias = tuple[str, str, bool, tuple[Place, ...]]
 

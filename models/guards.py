@@ -25,6 +25,9 @@ LOCAL = "local_"
 MOST_STEPS = 20_000
 """For one guard: among functions that call each other in circles the ways multiply. What lies beyond is taken as possible."""
 
+MOST_WAYS = 128
+"""To one point. Of what has more, calls do not say what is given and in which order: nobody would read so many transitions."""
+
 _CAST = re.compile(r"\w+_cast<(?P<type>[^<>]*)>\s*\((?P<inner>.*)\)|\((?P<plain>[\w: ]+)\)\s*(?P<bare>.*)", re.DOTALL)
 
 CANCEL = "cancel request"
@@ -65,7 +68,7 @@ class Way:
 
     def called_by(self, calls: tuple[Place, ...]) -> Way:
         """The same, where what conditions ask may differ from one call of their function to the next, and these make it so far."""
-        conjunctions = ([replace(item, through=(*calls, *item.through)) for item in each] for each in alternatives(self.guard))
+        conjunctions = ([item.called_by(calls) for item in each] for each in alternatives(self.guard))
         return replace(self, guard=from_alternatives(conjunctions))
 
     def in_row(self, row: Mapping[str, str]) -> Way:
@@ -89,6 +92,10 @@ def meant_json(guard: Formula) -> dict[str, list[str]]:
     items, *others = alternatives(guard)
     parts = len(conjuncts(parse_condition(normal_text(guard) or "true")))
     return {} if others or len(items) == parts or guard == TRUE else {"meant": [normal_text(item) or "true" for item in items]}
+
+
+class _TooManyWays(Exception):
+    """There are more than `MOST_WAYS`."""
 
 
 @dataclass(frozen=True)
@@ -190,6 +197,7 @@ class Guards:
         self._guards: dict[tuple[str, str], Formula] = {}
         self._cuts = 0
         self._left = MOST_STEPS
+        self._reached = 0
 
     def guard(self, root: str, node: str) -> Formula:
         """When the activity of `root` evaluates `node`: true when nothing is known, false when what calls give rules it out."""
@@ -217,11 +225,14 @@ class Guards:
         return self._come_to(root, node, "", _Search(calls=True))
 
     def _come_to(self, root: str, node: str, value: str, search: _Search) -> list[Way]:
-        self._left = MOST_STEPS
+        self._left, self._reached = MOST_STEPS, 0
         blocks = [block for block in self._blocks.get(node, ()) if self._runs(root, block)]
         with deep_recursion():
             begun = [(block, row) for block in blocks for row in self._table(block, search)]
-            found = [way for block, row in begun for way in self._ways(root, block, Way(TRUE, value), (), search, row)]
+            try:
+                found = [way for block, row in begun for way in self._ways(root, block, Way(TRUE, value), (), search, row)]
+            except _TooManyWays:
+                found = [Way(self._of(root, block, ()), value) for block in blocks]
         if blocks and not found:
             return []
         asked = self._asked.get(root, TRUE)
@@ -257,7 +268,12 @@ class Guards:
         if not (names or told) or not entries or again or begins or self._left < 0:
             trail = beyond.through if ordered and begins else None
             way = replace(beyond, guard=both(self._of(root, block, ()), beyond.guard), trail=trail)
-            return [] if way.guard != FALSE and way.in_row(row).guard == FALSE else [way.in_row(row)]
+            if way.guard != FALSE and way.in_row(row).guard == FALSE:
+                return []
+            self._reached += 1
+            if self._reached > MOST_WAYS:
+                raise _TooManyWays
+            return [way.in_row(row)]
         found = []
         for call, before in entries if inner.guard != FALSE or beyond.guard == FALSE else ():
             calls = (self._places[call],) if call in self._places else ()

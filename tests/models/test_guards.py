@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import AbstractContextManager
+from typing import Any
 
 import pytest
 
 from rosarch.base.logic import TRUE
-from rosarch.models.guards import Guards
+from rosarch.models.guards import MOST_WAYS, Guards, Way
 from rosarch.models.normal import folded, truth_of
 
 EMPTY = (
@@ -33,6 +34,31 @@ def test_ways_through_circles_of_calls_are_not_all_walked(at_most: Callable[[flo
     relations["activity_enters"] = [("callback", function) for function in functions]
     with at_most(20):
         assert Guards(relations, {}).guard("callback", "send") == TRUE
+
+
+def test_of_very_many_ways_none_gives_a_value() -> None:
+    """Each of many calls gives the parameter another value: beyond a number, it stays the parameter."""
+
+    def ways(count: int) -> list[Way]:
+        calls = [f"call{number}" for number in range(count)]
+        relations: dict[str, Iterable[Any]] = dict.fromkeys(EMPTY, ()) | {
+            "node_block": [("assignment", "set B0"), *((call, "run B0") for call in calls)],
+            "node_text": [("x", "x"), *((f"{call}:1", str(number)) for number, call in enumerate(calls))],
+            "guard_step": [
+                ("set B0", "set", "", "", ""),
+                ("run B0", "run", "", "", ""),
+                *(("set", "run B0", "", "always", "") for _ in calls),
+            ],
+            "activity_enters": [("run", "set"), ("run", "run")],
+            "entered_by": [("set", call, "run B0") for call in calls],
+            "argument_given": [(call, "set", "x", f"{call}:1") for call in calls],
+            "own_name": [("set", "x")],
+        }
+        return Guards(relations, {}).ways("run", "assignment", "x")
+
+    assert [way.value for way in ways(3)] == ["0", "1", "2"]
+    assert len(ways(MOST_WAYS)) == MOST_WAYS
+    assert [way.value for way in ways(MOST_WAYS + 1)] == ["x"]
 
 
 def test_decisions_one_after_the_other() -> None:
