@@ -1,6 +1,6 @@
 """Write random launch files of ROS 2, for comparisons with the real launch.
 
-    benchmarks/launch2_random.py FOLDER [--files N] [--seed N]
+    benchmarks/launch2_random.py FOLDER [--files N] [--seed N] [--programs]
 
 FOLDER gets a package with N launch files in turn in XML, YAML and Python, each with one that it includes: arguments,
 configurations, groups, namespaces, remappings, parameters of all forms, environment, includes, nodes, containers, timers, conditions
@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from launch2_forms import PACKAGE, Action, Part, Text, written
+from launch2_programs import DATA, HELPERS, Program
 
 MANIFEST = (
     f"<package format='3'><name>{PACKAGE}</name><version>1.0.0</version><export><build_type>ament_cmake</build_type></export></package>\n"
@@ -339,16 +340,21 @@ class Writer:
         return Action("load_composable_node", {"target": [Part("text", text=self.rng.choice(("/first", "second")))]}, self.components())
 
 
-def write(folder: Path, files: int, seed: int) -> None:
+def write(folder: Path, files: int, seed: int, *, programs: bool = False) -> None:
     """Write the package."""
     folder = folder / PACKAGE
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "package.xml").write_text(MANIFEST)
-    for name, text in (("parameters.yaml", PARAMETERS), ("substituted.yaml", SUBSTITUTED), ("word.txt", WORD)):
+    texts = {"parameters.yaml": PARAMETERS, "substituted.yaml": SUBSTITUTED, "word.txt": WORD, "helpers.py": HELPERS, "data.yaml": DATA}
+    for name, text in texts.items():
         (folder / name).write_text(text)
     for index in range(files):
         for name, prefix, included in ((f"part{index}", "i", None), (f"random{index}", "a", f"part{index}")):
             rng = random.Random(f"{seed}/{name}")
+            if included is not None and programs:
+                found = next(path.name for path in folder.glob(f"{included}.*"))
+                (folder / f"{name}.launch.py").write_text(Program(rng, found).text_of())
+                continue
             kinds = {"xml": ".launch.xml", "yaml": ".launch.yaml", "py": ".launch.py"}
             kind = rng.choice(tuple(kinds)) if included is None else tuple(kinds)[index % 3]
             if included is not None:
@@ -364,8 +370,9 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--files", type=int, default=300)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--programs", action="store_true", help="programs of Python: helpers, loops, classes, handlers of events")
     options = parser.parse_args()
-    write(options.folder, options.files, options.seed)
+    write(options.folder, options.files, options.seed, programs=options.programs)
 
 
 if __name__ == "__main__":

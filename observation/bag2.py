@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -14,6 +15,7 @@ from rosbags.typesys import Stores, get_typestore
 from rosarch.observation.recording import Channel, Damage, Item, RecordingError, begins_with_header, plain_type
 
 SUFFIXES = (".mcap", ".db3")
+_METADATA = "metadata.yaml"
 _FIRST = 4
 """Before the first field stands how the message is encoded."""
 _HEADER = (Nodetype.NAME, "std_msgs/msg/Header")
@@ -24,6 +26,8 @@ class Bag2:
 
     def __init__(self, path: Path) -> None:
         self._path = path
+        if path.is_dir() and not (path / _METADATA).exists():
+            raise RecordingError(f"{path}: no recording of ROS 2: it has no {_METADATA}")
         try:
             self._reader = Reader(path)
             self._reader.open()
@@ -61,4 +65,5 @@ def _common() -> Any:
 
 
 def _one_line(error: Exception) -> str:
-    return " ".join(str(error).split()) or type(error).__name__
+    text = re.sub(r"^A metadata key is missing KeyError\('(.*)'\)\.$", rf"{_METADATA} has no `\1`", str(error))
+    return " ".join(text.split()) or type(error).__name__

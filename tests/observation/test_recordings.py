@@ -172,3 +172,11 @@ def test_quantiles_are_right_within_a_hundredth() -> None:
     assert (found.least, found.most, found.count) == (0.001, 1.0, 1000)
     assert len(found.buckets) < 400
     assert Distribution().quantile(0.5) == 0.0
+
+
+def test_a_folder_without_metadata_or_with_a_part_of_it(tmp_path: Path) -> None:
+    with pytest.raises(RecordingError, match=r": no recording of ROS 2: it has no metadata.yaml$"):
+        read(tmp_path)
+    (tmp_path / "metadata.yaml").write_text("rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: mcap\n")
+    with pytest.raises(RecordingError, match=r": not readable: metadata.yaml has no `\w+`$"):
+        read(tmp_path)
