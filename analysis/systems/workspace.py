@@ -71,16 +71,16 @@ def first_rows(compositions: Iterable[Composition], root: Path) -> Rows:
     """Which packages launch files of the workspace name, which are not found, and the first file, by its name, that names one of these."""
     top = os.path.abspath(root)
     files = defaultdict(set)
-    everywhere: set[str] = set()
+    everywhere: set[tuple[str, str]] = set()
     for composition in compositions:
-        everywhere |= {one.package for one in composition.references if isinstance(one, PackageNamed)}
+        everywhere |= {(one.package, path_below(top, one.place.path)) for one in composition.references if isinstance(one, PackageNamed)}
         named = {(one.package, one.place.path) for one in composition.references if isinstance(one, PackageNamed) and one.folder is None}
         named |= {(problem.subject, problem.place.path) for problem in composition.problems if problem.kind == "package"}
         for package, path in named:
             files[package].add(path_below(top, path))
     inside = {package: sorted(path for path in paths if not os.path.isabs(path)) for package, paths in files.items()}
     return {
-        "package_named_somewhere": {(package,) for package in everywhere},
+        "package_named_somewhere": set(everywhere),
         "package_absent_somewhere": {(package,) for package in files},
         "package_first_named": {(package, paths[0]) for package, paths in inside.items() if paths},
     }

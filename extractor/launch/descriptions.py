@@ -40,7 +40,8 @@ def evaluated(state: State, call: XacroCall, *, installed: bool = False) -> tupl
     state.spend(expansion.work)
     state.parts.update(dict.fromkeys(expansion.meant))
     for problem in expansion.problems:
-        kind = "command" if problem.fatal and problem.kind == "xacro" else problem.kind  # an absent package or file stays one
+        # an absent package or file stays one; what an argument of xacro is, nobody says from outside of the launch file
+        kind = "command" if problem.fatal and problem.kind in ("xacro", "arg") else problem.kind
         state.problems.setdefault(replace(problem, kind=kind, conditions=state.scope.conditions + state.own_conditions))
     is_whole = expansion.document is not None and not expansion.problems and not expansion.incomplete and call.file == named
     state.hardware_unseen |= not is_whole

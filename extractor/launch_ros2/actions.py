@@ -178,6 +178,25 @@ def _group(world: World, made: Made, context: Context) -> None:
             context.environment = {}
         _put(context, own, alone=forwarding is False)
         visit_all(world, made.get("actions"), context)
+        _warn_of_idle(world, made.get("actions"))
+
+
+_FOR_WHAT_FOLLOWS = frozenset({"PushRosNamespace", "PushROSNamespace", "SetParameter", "SetParametersFromFile", "SetRemap"})
+_STARTS = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "LoadComposableNodes", "IncludeLaunchDescription", "GroupAction"})
+
+
+def _warn_of_idle(world: World, actions: Any) -> None:
+    """Note what would hold for actions that follow it in a group, where none follows that starts anything, and some are before it."""
+    if not isinstance(actions, (list, tuple)) or not all(isinstance(one, Made) for one in actions):
+        return
+    kinds = [one.kind for one in actions]
+    idle = len(kinds) - next((number for number, kind in enumerate(reversed(kinds)) if kind not in _FOR_WHAT_FOLLOWS), len(kinds))
+    if not _STARTS.isdisjoint(kinds[:idle]):
+        for one in actions[idle:]:
+            name = one.get("namespace", "name", "src")
+            about = f"{one.kind} `{name}`" if isinstance(name, str) else one.kind
+            message = f"{about} holds for what follows it in its group, and nothing does: move it to the beginning"
+            world.state.warn("idle", one.kind, message, one.place)
 
 
 def _put(context: Context, configurations: Mapping[str, str], *, alone: bool) -> None:

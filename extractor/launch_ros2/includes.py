@@ -120,10 +120,18 @@ def _pass(world: World, made: Made, place: Place, context: Context) -> dict[str,
     for pair in pairs:
         if isinstance(pair, (list, tuple)) and len(pair) == 2:
             name = perform(world, pair[0], context)
-            found[name] = perform(world, [pair[1]], context)
+            found[name] = _passed(world, name, pair[1], context)
             context.give(name, found[name], made.place, place)
             world.state.passed.append(ArgumentPassed(name, found[name], made.place, made.place))
     return found
+
+
+def _passed(world: World, name: str, value: Any, context: Context) -> str:
+    """The text of an argument; what is no text is rejected by the argument's name."""
+    try:
+        return perform(world, [value], context)
+    except Raised as error:
+        raise Raised(error.kind, f"{error.message}: the launch argument `{name}` must be a text or substitutions") from error
 
 
 def read(world: World, file: str, depth: int = 0) -> Any:

@@ -7,6 +7,7 @@ and a relative path of a file of parameters begins where launch is started.
 from __future__ import annotations
 
 import ast
+import itertools
 import os
 import re
 from collections.abc import Collection, Iterator, Mapping
@@ -23,16 +24,19 @@ _FOLDERS_ABOVE = 3
 def misjoined(tree: ast.Module, path: str) -> Iterator[Misjoined]:
     """All such places of a file."""
     called = {target.id for node in ast.walk(tree) for target in _assigned_call(node)}
+    paths = {target.id for node in ast.walk(tree) for target in _assigned_path(node)}
     for node in ast.walk(tree):
         match node:
             case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="path"), attr="join"), args=[first, *rest]):
                 for number, part in enumerate(rest if not isinstance(first, ast.Constant) else ()):
                     if isinstance(part, ast.Constant) and isinstance(part.value, str) and part.value.startswith("/"):
                         yield _at(part, f"os.path.join drops what is before the absolute path `{_joined(rest[number:])}`", path)
-            case ast.Call(func=ast.Name(id="Command") | ast.Attribute(attr="Command"), args=[ast.List(elts=[first, second, *_])]):
+            case ast.Call(func=ast.Name(id="Command") | ast.Attribute(attr="Command"), args=[ast.List(elts=[first, second, *rest])]):
                 program = _program(first)
                 if program is not None and _begins_at_once(second, called):
                     yield _at(node, f"no space separates `{program}` from what follows in the command", path)
+                for part, text in _run_together([first, second, *rest], paths):
+                    yield _at(part, f"no space separates `{text}` from what is before it in the command", path)
             case ast.Call(func=ast.Name(id="ExecuteProcess") | ast.Attribute(attr="ExecuteProcess"), keywords=keywords):
                 program = _words_in_one({keyword.arg: keyword.value for keyword in keywords})
                 if program is not None:
@@ -71,6 +75,30 @@ def _words_in_one(given: Mapping[str | None, ast.expr]) -> str | None:
     return None
 
 
+def _run_together(parts: list[ast.expr], paths: Collection[str]) -> Iterator[tuple[ast.expr, str]]:
+    """The arguments of a command, `name:=`, that begin right behind a path or the value of another argument."""
+    value = False
+    for before, part in itertools.pairwise(parts):
+        value = _is_text(before, r".*\S:=") or (value and not isinstance(before, ast.Constant))
+        behind_value = value and not isinstance(before, ast.Constant)
+        behind_path = (isinstance(before, ast.Name) and before.id in paths) or _is_path(before)
+        if (behind_value or behind_path) and isinstance(part, ast.Constant) and _is_text(part, r"[A-Za-z_]\w*:=.*"):
+            yield part, str(part.value).partition(":=")[0] + ":="
+
+
+def _is_text(node: ast.expr, pattern: str) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str) and re.fullmatch(pattern, node.value) is not None
+
+
+def _is_path(node: ast.expr) -> bool:
+    match node:
+        case ast.Call(func=ast.Name(id="PathJoinSubstitution") | ast.Attribute(attr="PathJoinSubstitution")):
+            return True
+        case ast.Call(func=ast.Attribute(value=ast.Attribute(attr="path"), attr="join")):
+            return True
+    return False
+
+
 def _begins_at_once(node: ast.expr, called: Collection[str]) -> bool:
     """Whether a part of a command is a substitution or path, which begins with no space; a variable is one that is `called` to be so."""
     match node:
@@ -87,6 +115,13 @@ def _assigned_call(node: ast.AST) -> Iterator[ast.Name]:
     """The variable that is given a substitution or path."""
     match node:
         case ast.Assign(targets=[ast.Name() as target], value=ast.Call() as call) if _begins_at_once(call, ()):
+            yield target
+
+
+def _assigned_path(node: ast.AST) -> Iterator[ast.Name]:
+    """The variable that is given a path."""
+    match node:
+        case ast.Assign(targets=[ast.Name() as target], value=value) if _is_path(value):
             yield target
 
 

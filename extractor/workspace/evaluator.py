@@ -47,7 +47,7 @@ INSTALLING = frozenset(
 _KEPT = frozenset(
     {"project", "rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files", "generate_messages"}
     | {"catkin_python_setup", "ament_package", "ament_auto_package", "ament_target_dependencies", "ament_auto_find_build_dependencies"}
-    | {"rosidl_get_typesupport_target", "rosidl_target_interfaces"}
+    | {"rosidl_get_typesupport_target", "rosidl_target_interfaces", "catkin_package", "generate_dynamic_reconfigure_options"}
 )
 """The commands by which a build makes and registers something: claims about that rest on them."""
 _REFERENCE = re.compile(r"\$\{([\w.+-]+)\}")

@@ -87,6 +87,24 @@ def test_interfaces_that_variables_list(tmp_path: Path) -> None:
     ]
 
 
+def test_what_comes_after_catkin_package(tmp_path: Path) -> None:
+    def found(name: str, cmake: str, **files: str) -> list[tuple[int, str, str]]:
+        text = f"project(lamp)\nfind_package(catkin REQUIRED)\n{cmake}\n"
+        one = built(tmp_path / name, "lamp", "catkin", **{"CMakeLists.txt": text, "msg/Dim.msg": "float32 level\n", **files})
+        return [(each.line, each.kind, each.about) for each in of_interfaces(one)]
+
+    assert found("a", "add_message_files()\ngenerate_messages()\ncatkin_package()") == []
+    late = "catkin_package()\nadd_message_files()\ngenerate_messages()\ngenerate_dynamic_reconfigure_options()\ncatkin_python_setup()"
+    assert found("b", late) == [
+        (5, "after catkin_package", "generate_messages"),
+        (6, "after catkin_package", "generate_dynamic_reconfigure_options"),
+        (7, "after catkin_package", "catkin_python_setup"),
+    ]
+    # in another file, or in one of two branches
+    assert found("c", "catkin_package()\nadd_subdirectory(msg)", **{"msg/CMakeLists.txt": "\n\n\ngenerate_messages()"}) == []
+    assert found("d", "if(X)\ncatkin_package()\nelse()\ngenerate_messages()\ncatkin_package()\nendif()") == []
+
+
 def kinds(root: Path, package: Built, program: str) -> list[tuple[str, str]]:
     launch = root / "main.launch.xml"
     launch.write_text(LAUNCH.format(package.name, program))
@@ -351,7 +369,9 @@ def test_modules_of_the_package(tmp_path: Path) -> None:
 
     assert kinds_of(package, "on.py") == [(2, "modules not set up", "lamp")]
     assert kinds_of(package, "lamp.py") == [(2, "hides its package", "lamp.py")]
-    set_up = built(tmp_path, "lamp", "catkin", **{**files, "CMakeLists.txt": cmake + "catkin_python_setup()\n"})
+    set_up = built(
+        tmp_path, "lamp", "catkin", **{**files, "CMakeLists.txt": cmake.replace("catkin_package", "catkin_python_setup()\ncatkin_package")}
+    )
     assert kinds_of(set_up, "on.py") == []
     made = "#!/usr/bin/env python3\nfrom lamp.cfg import LampConfig\nfrom lamp.srv import *\n"  # what the build generates is on the path
     package = built(tmp_path, "lamp", "catkin", **{**files, "scripts/on.py": made})

@@ -65,7 +65,7 @@ rosidl_generate_interfaces(${PROJECT_NAME} "msg/Step.msg"
   DEPENDENCIES std_msgs)"""
     step = "# a foot\ngeometry_msgs/Point[] feet\nstd_msgs/Header header\nfloat32 a\nwalker/Leg leg\n"
     one = found(tmp_path / "a", cmake, **{"node.cpp": "", "msg/Step.msg": step})
-    assert [(use.line, use.used) for use in one.asks] == [(6, "rclcpp"), (6, "std_msgs")]
+    assert [(use.line, use.used) for use in one.asks] == [(6, "rclcpp"), (6, "std_msgs"), (7, "std_msgs")]
     assert one.finds == {"ament_cmake", "rclcpp", "tf2_ros"}
     assert [(use.path.name, use.line, use.used) for use in one.interfaces] == [
         ("Step.msg", 2, "geometry_msgs"),

@@ -83,7 +83,8 @@ def test_the_first_file_that_names_a_package_that_is_not_there(tmp_path: Path) -
     first = first_rows(compositions, tmp_path)
     assert first["package_first_named"] == {("gone", "robot/a.launch"), ("other", "robot/c.launch")}
     assert first["package_absent_somewhere"] == {("gone",), ("other",)}
-    assert first["package_named_somewhere"] == {("gone",), ("other",), ("robot",)}
+    named = {("gone", "robot/a.launch"), ("gone", "robot/b.launch"), ("other", "robot/c.launch"), ("robot", "robot/d.launch")}
+    assert first["package_named_somewhere"] == named
     assert named_by(compositions[0], first)["package_first_named"] == {("gone", "robot/a.launch")}
 
 

@@ -15,6 +15,8 @@ from rosarch.extractor.workspace.built import Built
 from rosarch.extractor.workspace.installs import line_with
 
 _ADDED = {"msg": "add_message_files", "srv": "add_service_files", "action": "add_action_files"}
+_BEFORE_EXPORT = ("generate_messages", "generate_dynamic_reconfigure_options", "catkin_python_setup")
+"""What stops CMake where catkin_package() was called before it, in all versions of genmsg, dynamic_reconfigure and catkin."""
 _INTERFACE = re.compile(r"(?:msg|srv|action)/(\w+)\.(?:msg|srv|action)")
 _FIELD = re.compile(r"[ \t]*([\w/]+)(?:<=\d+)?(?:\[(?:<=)?\d*\])?[ \t]+(\w+)[ \t]*(=?)")
 _BASIC = re.compile(r"bool|byte|char|w?string|float(?:32|64)|u?int(?:8|16|32|64)")
@@ -64,6 +66,10 @@ def _of_catkin(package: Built) -> Iterator[Defect]:
     added = package.called(*_ADDED.values())
     if added and not package.called("generate_messages"):
         yield Defect(added[0].path, added[0].line, "interfaces not made", "")
+    exports = package.called("catkin_package")
+    for call in package.called(*_BEFORE_EXPORT) if len(exports) == 1 else ():
+        if exports[0].is_known and call.is_known and call.path == exports[0].path and call.line > exports[0].line:
+            yield Defect(call.path, call.line, "after catkin_package", call.name)
 
 
 def _names_below(folder: Path) -> frozenset[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -17,6 +17,7 @@ from rosarch.extractor.workspace.model import EXECUTABLE, MODULE, SCOPES, SHARED
 _INTERFACES = re.compile(r"_(?:msgs|srvs|interfaces|actions)$")
 _TYPE = re.compile(r"[ \t]*([A-Za-z]\w*)/[A-Z]\w*(?:\[[^\]]*\])?[ \t]+\w")
 _NAMED = re.compile(r"\$\{(\w+)_(?:INCLUDE(?:_DIR)?S|TARGETS|LIBRARIES)\}")
+_OPTIONS = frozenset({"ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"})
 _OTHER_WAYS = re.compile(r"ament_auto|AMENT_|CPM|FetchContent|include_directories\s*\(\s*(?:SYSTEM\s+)?/")
 
 
@@ -62,6 +63,12 @@ def uses(package: Built) -> Uses:
         for name in call.words[1:]
         if call.words[0] in targets and "$" not in name and name not in SCOPES
     )
+    asks += tuple(
+        Use(call.path, call.line, "", name)
+        for call in package.called("rosidl_generate_interfaces")
+        for name in _dependencies(call.words)
+        if "$" not in name and name != package.name
+    )
     at = tuple((one.name, one.cmake_file, one.given_line) for one in targets.values())
     return Uses(tuple(includes), frozenset(given), at, asks, package.finds, interfaces, told)
 
@@ -69,8 +76,13 @@ def uses(package: Built) -> Uses:
 def _generated(package: Built) -> tuple[tuple[Use, ...], frozenset[str]]:
     """What the interfaces of a package use, and what those who generate them are given; nothing is used where that is not known."""
     calls = package.called("rosidl_generate_interfaces", "generate_messages")
-    told = frozenset(word for call in calls for word in call.words[(*call.words, "DEPENDENCIES").index("DEPENDENCIES") + 1 :])
+    told = frozenset(word for call in calls for word in _dependencies(call.words))
     return (tuple(_of_interfaces(package)) if calls and all(call.is_known for call in calls) else ()), told
+
+
+def _dependencies(words: Sequence[str]) -> Sequence[str]:
+    """The packages that a call which generates interfaces is given: the last of its words."""
+    return [word for word in words[(*words, "DEPENDENCIES").index("DEPENDENCIES") + 1 :] if word not in _OPTIONS]
 
 
 def _given(target: Target, targets: dict[str, Target]) -> Iterator[str]:

@@ -384,6 +384,34 @@ def test_arguments_of_an_include_that_are_no_pairs(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("actions", "kinds"),
+    [
+        ("node('a'), PushRosNamespace('x')", ["PushRosNamespace"]),
+        ("node('a'), SetParameter('p', 1), SetRemap('a', 'b')", ["SetParameter", "SetRemap"]),
+        ("PushRosNamespace('x'), node('a')", []),
+        ("node('a'), PushRosNamespace('x'), node('b')", []),
+        ("PushRosNamespace('x')", []),
+        ("node('a'), *others", []),
+    ],
+)
+def test_what_holds_for_nothing_in_its_group(tmp_path: Path, actions: str, kinds: list[str]) -> None:
+    found = described(tmp_path, f"GroupAction([{actions}])", "others = unknown()")
+    assert [problem.subject for problem in found.problems if problem.kind == "idle"] == kinds
+    flat = described(tmp_path / "flat", f"GroupAction([{actions}], scoped=False)", "others = unknown()")
+    assert not [problem for problem in flat.problems if problem.kind == "idle"]
+
+
+@pytest.mark.parametrize(("value", "kind"), [("1", "int"), ("True", "bool"), ("'1'", ""), ("['a', '1']", "")])
+def test_an_argument_of_an_include_that_is_no_text(tmp_path: Path, value: str, kind: str) -> None:
+    (tmp_path / "x.launch.py").write_text(
+        "from launch import LaunchDescription\ndef generate_launch_description(): return LaunchDescription([])\n"
+    )
+    found = described(tmp_path, f"IncludeLaunchDescription('{tmp_path}/x.launch.py', launch_arguments={{'rate': {value}}}.items())")
+    message = f"TypeError: '{kind}' object is not iterable: the launch argument `rate` must be a text or substitutions"
+    assert [problem.message for problem in found.problems if problem.kind != "unused"] == ([message] if kind else [])
+
+
 @pytest.mark.parametrize("target", ["'n'", "[node('n')]", "node('n')", "lambda action: True"])
 def test_events_of_processes_are_of_actions(tmp_path: Path, target: str) -> None:
     handler = f"RegisterEventHandler(OnProcessExit(target_action={target}, on_exit=[node('then')]))"

@@ -78,7 +78,7 @@ def test_a_truth_value_is_passed_to_an_included_file(tmp_path: Path) -> None:
     for value, kind in (("True", "bool"), ("None", "NoneType"), ("Path('y')", "PosixPath")):
         passed = f"IncludeLaunchDescription(PythonLaunchDescriptionSource('/gone'), launch_arguments={{'x': {value}}}.items())"
         messages = [one.message for one in described(tmp_path / kind, passed).problems]
-        assert messages == [f"TypeError: '{kind}' object is not iterable"]
+        assert messages == [f"TypeError: '{kind}' object is not iterable: the launch argument `x` must be a text or substitutions"]
 
 
 def test_equality_is_of_the_texts_of_values(tmp_path: Path) -> None:
