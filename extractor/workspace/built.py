@@ -57,6 +57,12 @@ class Built:
         if all(install.plain for install, _ in found):
             yield from dict.fromkeys(install.plain for install, _ in found if install.plain)
 
+    def elsewhere(self, name: str) -> Iterator[tuple[str, Path, int]]:
+        """Where the program `name` is installed that nobody looks for there: as which path, and by which command."""
+        for install in self.installs if name not in self.programs else ():
+            if install.at:
+                yield from ((path, *install.at) for path in install.files_called(name))
+
     def _is_searched(self, path: str) -> bool:
         """Whether programs are looked for there: `rosrun` looks below the share folder, too."""
         return path.startswith(

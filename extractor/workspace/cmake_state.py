@@ -127,7 +127,7 @@ class PackageDraft:
     python_folders: list[str] = field(default_factory=list)
     installs: list[Install] = field(default_factory=list)
     auto_targets: list[str] = field(default_factory=list)
-    installed_targets: list[tuple[str, str]] = field(default_factory=list)
+    installed_targets: list[tuple[str, str, tuple[Path, int] | None]] = field(default_factory=list)
     installed_files: list[tuple[str, Path, int]] = field(default_factory=list)
     unsure: list[Unsure] = field(default_factory=list)
     calls: list[BuildCall] = field(default_factory=list)

@@ -171,7 +171,7 @@ def _ament_auto_package(run: Evaluator, call: Call) -> None:
     copies = [(share, words.get("INSTALL_TO_SHARE", [])), (".", words.get("INSTALL_TO_PATH", []))]
     for destination, names in copies:
         run.draft.installs.extend(copied(installing(["DIRECTORY", *names, "DESTINATION", destination]), "/", run.directory.source))
-    run.draft.installed_targets.extend((name, f"lib/{run.project}") for name in run.draft.auto_targets)
+    run.draft.installed_targets.extend((name, f"lib/{run.project}", None) for name in run.draft.auto_targets)
     if run.has_unset(call.command):
         run.unsure(f"{call.command.written}() with something that is not known", call.command.line)
     _ament_package(run, call)
@@ -200,7 +200,7 @@ def register_components(run: Evaluator, call: Call) -> None:
     if executable:
         target = add_target(run, call, executable, EXECUTABLE, [])
         target.extend("LINK_LIBRARIES", [call.args[0]])
-        run.draft.installed_targets.append((executable, f"lib/{run.project}"))
+        run.draft.installed_targets.append((executable, f"lib/{run.project}", None))
 
 
 @command("pluginlib_export_plugin_description_file")

@@ -86,10 +86,10 @@ def _installs(run: Evaluator, manifest: Manifest, targets: Iterable[Target]) -> 
     draft, share = run.draft, f"share/{manifest.name}"
     yield from dict.fromkeys(draft.installs)
     outputs = {target.name: target for target in targets}
-    for name, destination in draft.installed_targets:
+    for name, destination, at in draft.installed_targets:
         target = outputs.get(run.aliases.get(name, name))
         if target is not None and target.kind in (EXECUTABLE, TEST):
-            yield Install(os.path.normpath(f"{destination}/{target.output_name}"), target.cmake_file)
+            yield Install(os.path.normpath(f"{destination}/{target.output_name}"), target.cmake_file, at=at)
         elif target is not None and target.kind in LIBRARY_KINDS:
             yield Install(library_path(target.output_name), target.cmake_file)
     for files in (draft.message_files, draft.service_files, draft.action_files):

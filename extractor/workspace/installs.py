@@ -22,7 +22,7 @@ class Install:
     """`source` becomes `path` below the prefix; of a `folder`, all that is in it.
 
     With patterns in `only`, just the files in it that one of them matches; what matches one of `but` is left out, with all below it.
-    `plain`: at this line of this file the files are copied without permission to execute them.
+    `plain`: at this line of this file the files are copied without permission to execute them. `at` is the command of CMake that does it.
     """
 
     path: str
@@ -31,6 +31,7 @@ class Install:
     only: tuple[str, ...] = ()
     but: tuple[str, ...] = ()
     plain: tuple[Path, int] | None = None
+    at: tuple[Path, int] | None = None
 
     def brings(self, path: str) -> bool:
         """Whether there is `path` below the prefix by this. A folder that is not there is made by the build: it may hold anything."""
@@ -206,8 +207,8 @@ def copied(words: Installing, prefix: str, folder: str, place: tuple[Path, int] 
     for kind, how in (("FILES", plain), ("PROGRAMS", None)):
         for name in words.lists.get(kind, ()):
             path = posixpath.normpath(f"{destination}/{words.rename or posixpath.basename(name)}")
-            yield Install(path, Path(folder) / name, plain=how)
+            yield Install(path, Path(folder) / name, plain=how, at=place)
     for name in words.lists.get("DIRECTORY", ()):
         into = "" if name.endswith("/") or not name else posixpath.basename(posixpath.normpath(name))
         path = posixpath.normpath(f"{destination}/{'' if into in ('.', '..') else into}")
-        yield Install(path, Path(os.path.normpath(f"{folder}/{name}")), True, words.only, words.but, plain)
+        yield Install(path, Path(os.path.normpath(f"{folder}/{name}")), True, words.only, words.but, plain, place)

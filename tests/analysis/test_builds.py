@@ -27,6 +27,7 @@ def generate_launch_description():
         Node(package='demo', executable='gone', arguments=['-d', os.path.join(share, 'b.rviz')], parameters=[{'map': share + '/c.yaml'}]),
         Node(package='kitchen', executable='cook'),
         Node(package='demo', executable='plain.py'),
+        Node(package='demo', executable='oven'),
         ComposableNodeContainer(package='rclcpp_components', executable='component_container', name='box', namespace='', composable_node_descriptions=[
             ComposableNode(package='demo', plugin='demo::Part')]),
         Node(package='open', executable='x', arguments=[os.path.join(get_package_share_directory('open'), 'd.yaml')]),
@@ -53,6 +54,7 @@ def rows(root: Path, launch: str) -> dict[str, set[tuple[object, ...]]]:
         'rclcpp_components_register_nodes(part "demo::Part")\npluginlib_export_plugin_description_file(base plugins.xml)\n'
         "pluginlib_export_plugin_description_file(base gone.xml)\nament_package()\n"
         "install(FILES plain.py DESTINATION lib/demo)\nfind_package(rclcpp)\nament_target_dependencies(part rclcpp)\n"
+        "add_executable(oven oven.cpp)\ninstall(TARGETS oven part LIBRARY DESTINATION lib DESTINATION lib/demo)\n"  # both for the library
     )
     (demo / "CMakeLists.txt").write_text(cmake)
     (demo / "part.cpp").write_text(
@@ -86,6 +88,7 @@ def test_rows(tmp_path: Path) -> None:
     }
     assert found["path_installed"] == {("demo", "config/a.yaml")}
     assert found["program_copied_plainly"] == {("demo/CMakeLists.txt:8:1", "demo", "plain.py")}
+    assert found["program_installed_elsewhere"] == {("demo/CMakeLists.txt:12:1", "demo", "oven", "bin/oven")}
     assert found["program_installed"] == {("demo", "tool.py"), ("demo", "plain.py"), ("kitchen", "cook")}
     assert {row[2:] for row in found["entry_point"]} == {(name, module, "main") for name, module in POINTS}
     assert found["entry_function_absent"] == {("kitchen", "kitchen.cook", "main")}
