@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 from rosarch.base.logic import FALSE, TRUE
 from rosarch.base.places import Place
 from rosarch.models import formula
+from rosarch.models.contents import NO_CONTENTS, Contents, sent_contents
 from rosarch.models.formula import Formula
 from rosarch.models.guards import Guards, Way
 from rosarch.models.machine.conditions import constant
@@ -139,6 +140,7 @@ class Behavior:
     switched: tuple[Switched, ...] = ()
     lifecycle: tuple[tuple[Place, str], ...] = ()  # what is done in a transition of the node's life, and in which
     starting: tuple[tuple[str, Place, str], ...] = ()  # what is sent before callbacks run, where, and whether certainly or perhaps
+    contents: Contents = NO_CONTENTS
 
 
 NOTHING = Behavior((), (), (), (), (), ())
@@ -168,6 +170,7 @@ def build_behavior(
         switched_things(relations, places, guards, ports, triggers, _timers(relations, places)),
         tuple(sorted((places[node], name) for node, name in relations.get("in_transition", ()) if node in places)),
         sent_while_starting(relations, places, ports),
+        sent_contents(relations, places, guards, ports, triggers, _timers(relations, places)),
     )
 
 

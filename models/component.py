@@ -9,12 +9,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from rosarch.base.logic import TRUE
+from rosarch.base.logic import TRUE, atoms
 from rosarch.base.places import Place
 from rosarch.datalog.language.values import symbols
 from rosarch.models import formula
+from rosarch.models.contents import contents_json
 from rosarch.models.behavior import NOTHING, Behavior, Sending, StateVariable, build_behavior, variable_names
 from rosarch.models.formula import Formula
+from rosarch.models.machine.conditions import constant
 from rosarch.models.guards import Guards, meant_json, trail_json
 from rosarch.models.node_configuration import InnerNode, PluginArgument
 from rosarch.models.normal import normal_text
@@ -200,7 +202,7 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
         _reconfigurable(relations, places),
         tuple(sorted({name for _, name in relations["plugin_load"]})),
         tuple(sorted({base for _, base in relations["plugin_load_any"]})),
-        traits(relations, ids, places, variable_names(relations)),
+        (*traits(relations, ids, places, variable_names(relations)), *_asking_messages(behavior, relations, ids)),
         tuple(sorted(name for (name,) in relations["component_executable"])),
         middleware=" and ".join(sorted(name for (name,) in relations["component_middleware"])) or None,
         unseen=tuple(sorted(Unseen(what, kind, subject, Place(*at)) for what, kind, subject, *at in relations["unseen"])),
@@ -217,6 +219,33 @@ def build_model(system: str, component: str, package: str, kind: str, sources: t
             PluginArgument(base, name, (f, index, text)) for base, name, f, index, text in sorted(relations["plugin_argument"])
         ),
     )
+
+
+_ROOT = re.compile(r"(?<![\w.>:'\"])[A-Za-z_]\w*")
+_WORDS = ("not", "and", "or", "is", "in", "None")
+
+
+def _asking_messages(behavior: Behavior, relations: Relations, ids: Mapping[Any, str]) -> tuple[Trait, ...]:
+    """The reactions about which nothing decides but what the message holds."""
+    names: dict[str, set[str]] = defaultdict(set)
+    for port, name in relations.get("names_message", ()):
+        names[ids.get(port, "")].add(name)
+    found = []
+    for each in behavior.reactive:
+        texts = [_QUOTED.sub("", item.meaning or item.text) for item in atoms(each.guard)]
+        words = [word for text in texts for word in _ROOT.findall(text) if word not in _WORDS and constant(word) is None]
+        asked = {word for word in words if word in names[each.input]}
+        if not each.must and asked and asked == set(words) - _namespaces(texts):
+            found.append(Trait("asks_message", (each.input, each.output)))
+    return tuple(found)
+
+
+_QUOTED = re.compile(r"\"(\\.|[^\"\\])*\"|'(\\.|[^'\\])*'")
+
+
+def _namespaces(texts: Iterable[str]) -> set[str]:
+    """The words before `::`, which name no variable."""
+    return {word for text in texts for word in re.findall(r"(?<![\w.>:])(\w+)::", text)}
 
 
 def _inner_nodes(relations: Relations) -> tuple[InnerNode, ...]:
@@ -398,10 +427,11 @@ def document_json(model: ComponentModel) -> dict[str, Any]:
 
 
 def switches_json(model: ComponentModel) -> dict[str, Any]:
-    """What goes on at times only, what is done in transitions of a managed node, what is sent at the start."""
+    """What goes on at times only, what is done in transitions of a managed node, what is sent at the start, what messages hold."""
     life = [[str(place), name] for place, name in model.behavior.lifecycle]
     return {"switched": [switched_json(each) for each in model.behavior.switched], "in_transition": life,
-            "starting": [[port, str(place), how] for port, place, how in model.behavior.starting]}  # fmt: skip
+            "starting": [[port, str(place), how] for port, place, how in model.behavior.starting],
+            "contents": contents_json(model.behavior.contents)}  # fmt: skip
 
 
 _ASKED = ("service_client", "action_client")  # kinds of ports that are called, and answered

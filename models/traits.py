@@ -58,6 +58,8 @@ TRAITS = {
     "held_up": ("text",),
     "may_be_missed": ("place",),
     "perhaps_always": ("port", "port"),
+    "asks_message": ("port", "port"),
+    "sends_constants": ("port",),
     "rejects_goals": ("port",),
     "sleeps_for_each": ("port", "text", "text"),
     "synchronised": ("port", "port"),

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from rosarch.behavior.composition.contents import fields_of, is_content, numbers_of, with_contents
 from rosarch.models.machine.cells import Cell, Document, value_in
 from rosarch.models.machine.counting import whole
 from rosarch.models.machine.elapsed import with_elapsed
@@ -50,7 +51,8 @@ class Component:
     `steps` are those of each trigger, a port or an activity; `rates` those of the triggers that come again and again, None where unknown.
     `serving` is the trigger of the loop that handles messages, when they are not handled at once.
     `outlets` are the ports that some step sends through, `queues` the sizes of those of subscribers, `left_out` the state variables
-    without finitely many values. Of times that are `measured` it is not known how fast they pass.
+    without finitely many values. Of times that are `measured` it is not known how fast they pass. `fields` are those of sent messages, as
+    variables of one reaction, with what they are before they are given a value.
     """
 
     document: Document
@@ -62,6 +64,17 @@ class Component:
     left_out: tuple[str, ...]
     serving: str | None = None
     measured: frozenset[str] = frozenset()
+    fields: Mapping[str, str] = field(default_factory=dict)
+
+    @cached_property
+    def constants(self) -> Mapping[str, str]:
+        """The numbers and texts that names stand for."""
+        return numbers_of(self.document)
+
+    def fields_sent(self, port: str, path: str) -> frozenset[str]:
+        """The variables that a field of what goes through a port is."""
+        messages = {message for steps in self.steps.values() for step in steps for name, message in step.messages if name == port}
+        return frozenset(key for message in messages for name, key in fields_of(message, self.fields).items() if name.removeprefix("request.") == path)
 
     @cached_property
     def with_times(self) -> Component:
@@ -97,6 +110,12 @@ class Component:
         if match is None or match["message"] in self.members:
             return False
         return self.document.get("traits") is None or match["message"] in names_of_messages(self.document, [trigger])
+
+    def paths_read(self, trigger: str, step: Step) -> Mapping[Subject, str]:
+        """The fields of the message that a trigger is which a step depends on, by path."""
+        found = {subject: content_path(subject.text, self.members) for subject in step.tested() if not (subject.cell or subject.hidden)}
+        known = {subject: path for subject, path in found.items() if path and self.is_content(trigger, subject.text)}
+        return {subject: path.removeprefix("request.") for subject, path in known.items()}
 
     def is_in_type(self, trigger: str, value: str) -> bool:
         """Whether the only field of the message that a trigger is may be such a number."""
@@ -255,8 +274,12 @@ Settings = Mapping[str, tuple[str, str]]
 """What the parameters of a node are: by the name that its component has for each, the kind and the text of its value."""
 
 
-def component(document: Document, settings: Settings | None = None) -> Component:
-    """The component that a document in the format of `rosarch analyze -o` describes, as it is with these settings."""
+def component(document: Document, settings: Settings | None = None, asked: Collection[str] = ()) -> Component:
+    """The component that a document in the format of `rosarch analyze -o` describes, as it is with these settings.
+
+    `asked` are the names of the fields of messages that somebody reads.
+    """
+    document = with_contents(document, asked)
     told = settings or {}
     known = {name: told[parameter] for name, parameter in _by_parameters(document, "keeps_value_of") if parameter in told}
     numbers = {name: number for name, (_, text) in known.items() if (number := whole(text)) is not None}
@@ -264,9 +287,12 @@ def component(document: Document, settings: Settings | None = None) -> Component
     domains = runnable_domains(document)
     steps = {trigger: tuple(own) for trigger, own in component_steps(document, domains).items()}
     variables: dict[str, StateVariable] = {}
+    fields = {key: cell.subject.values[-1] for key, cell in domains.cells.items() if is_content(key)}
     read = {row["name"] for row in document.get("state_variables") or () if row.get("from_param")}
     given = {name: told.get(parameter) for name, parameter in _by_parameters(document, "begins_with_value_of")}
     for key, cell in domains.cells.items():
+        if key in fields:
+            continue
         value = _set(given.get(cell.variable), cell.subject.values)
         initial = ((value,) if value else cell.subject.values) if cell.variable in read else cell.initial
         variables[key] = StateVariable(key, cell.subject.text, cell.subject.values, initial)
@@ -289,7 +315,8 @@ def component(document: Document, settings: Settings | None = None) -> Component
         {trigger: _rate(trigger, document) for trigger in steps if trigger.split(" ")[0] == PERIODIC},
         frozenset(port for own in steps.values() for step in own for port in step.outputs),
         {str(port["id"]): port.get("queue") for port in document.get("ports") or ()},
-        tuple(domains.left_out()),
+        tuple(name for name in domains.left_out() if not is_content(name)),
+        fields=fields,
     )
 
 

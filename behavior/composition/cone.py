@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from rosarch.behavior.composition.system import End, System
@@ -31,11 +31,12 @@ class Watched:
 
 @dataclass(frozen=True)
 class Cone:
-    """The part of a system that what is watched depends on: variables, and the steps of triggers that matter."""
+    """The part of a system that what is watched depends on: variables, the steps of triggers that matter, and fields of messages."""
 
     watched: Watched
     variables: frozenset[tuple[str, str]]
     steps: dict[End, tuple[Step, ...]]
+    fields: frozenset[tuple[str, str]] = frozenset()
 
 
 @dataclass
@@ -70,6 +71,7 @@ def cone_of_influence(system: System, watched: Watched) -> Cone:
     for node, trigger in whole:
         for step in system.nodes[node].steps.get(trigger, ()):
             search.need("variable", _tested(system, node, step))
+            search.need("variable", _fields(system, (node, trigger), step))
     while search.waiting:
         kind, (node, name) = search.waiting.pop()
         if kind == "trigger":
@@ -85,12 +87,22 @@ def cone_of_influence(system: System, watched: Watched) -> Cone:
                 if _matters(step, kind, name):
                     search.need("trigger", [(node, trigger)])
                     search.need("variable", _tested(system, node, step))
+                    search.need("variable", _fields(system, (node, trigger), step))
     kept = {end: _own_steps(search, end, end in whole) for end in sorted(search.triggers)}
-    return Cone(watched, frozenset(search.variables), kept)
+    fields = frozenset((node, key) for node, key in search.variables if key in system.nodes[node].fields)
+    return Cone(watched, frozenset(search.variables) - fields, kept, fields)
 
 
 def _matters(step: Step, kind: str, name: str) -> bool:
     return name in step.outputs if kind == "outlet" else any(a.cell.subject.key == name for a in step.assignments)
+
+
+def _fields(system: System, end: End, step: Step) -> Iterator[tuple[str, str]]:
+    """The fields of messages, where they are sent, that a step of a trigger depends on."""
+    topic = system.inlet(end)
+    for path in system.nodes[end[0]].paths_read(end[1], step).values() if topic else ():
+        for node, port in topic.senders if topic else ():
+            yield from ((node, key) for key in system.nodes[node].fields_sent(port, path))
 
 
 def _tested(system: System, node: str, step: Step) -> list[tuple[str, str]]:

@@ -22,8 +22,9 @@ class Variable:
 class Queue:
     """The messages that wait for a node's callback, by number.
 
-    A queue that is `open` is longer than `size`, and `size` stands for that many messages or more; else the oldest message is dropped
-    from a full one. From a `prompt` one a message is taken as soon as it has come, as long as callbacks take no time.
+    A queue that is `open` is longer than `size`: what more comes waits there too, in an unknown number; else the oldest message is dropped
+    from a full one. From a `prompt` one a message is taken as soon as it has come, as long as callbacks take no time. `contents` are what
+    the messages may hold that nodes distinguish, where there is anything; the first one is what is not known.
     """
 
     node: str
@@ -31,6 +32,7 @@ class Queue:
     size: int
     open: bool
     prompt: bool = False
+    contents: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,10 @@ class Command:
     """Something that may happen when variables have these values (`when`) and there is a message in the queue `takes`.
 
     Then variables are `given` values, messages are put into queues, and `events` happen: those in `full_events` only when the queue
-    that they are about is full. The queues in `full` have to be full; one that `takes` a message and `keeps` it leaves the queue so.
+    that they are about is full. The queues in `full` have to be full; one that `takes` a message and `keeps` the queue full has one of those that
+    wait beyond follow, with the content `kept_content`, and is the last to do so if it `settles` that. The message that it takes has one of
+    the contents `taken`, by number, those that it puts have `given_contents`, by queue. One that `drops` takes no message, the oldest of an open
+    queue is lost.
     `obligation` is the index of what has to happen again and again that this fulfils. `inputs` and `assumes` say what this takes for
     granted of messages from outside, and of anything else. `clock` is the timer or timed loop of known rate that sets it off. `cause` and
     `places` are for people.
@@ -61,6 +66,11 @@ class Command:
     places: tuple[str, ...] = ()
     stage: int | None = None
     clock: str = ""
+    taken: frozenset[int] | None = None
+    given_contents: tuple[tuple[int, int], ...] = ()
+    kept_content: int = 0
+    settles: bool = False
+    drops: int | None = None
 
 
 @dataclass(frozen=True)

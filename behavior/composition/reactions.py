@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 
 from rosarch.base.logic import alternatives
+from rosarch.behavior.composition.contents import fields_of
 from rosarch.models.machine.logic import (
     BOOLEAN,
     Case,
@@ -47,7 +48,7 @@ class Effect:
 
     `before` are the variables it depends on with their values, `choices` what it takes for granted of anything else (there may be other
     ways to the same), `after` the values that it gives to variables, `sent` ports, in order. `rows` are the rows of the model that were
-    followed.
+    followed, `contents` what is known of the messages that were sent: the port, and the values of the fields that were asked for.
     """
 
     before: Mapping[str, str]
@@ -55,13 +56,14 @@ class Effect:
     after: Mapping[str, str]
     sent: tuple[str, ...]
     rows: tuple[Row, ...]
+    contents: tuple[tuple[str, tuple[tuple[str, str], ...]], ...] = ()
 
 
 @dataclass(frozen=True)
 class _Run:
     """A reaction under way.
 
-    `values` are those of variables now, `seen` those that conditions see, `chosen` the values of what else was asked and will be again,
+    `fields` are the variables that are fields of messages. `values` are those of variables now, `seen` those that conditions see, `chosen` the values of what else was asked and will be again,
     `ways` the alternatives in what was asked and will not be.
     """
 
@@ -70,6 +72,7 @@ class _Run:
     chosen: Mapping[Subject, str] = field(default_factory=dict)
     ways: tuple[Case, ...] = ({},)
     effect: Effect = field(default_factory=lambda: Effect({}, {}, {}, (), ()))
+    fields: frozenset[str] = frozenset()
 
     def tested(self, subject: Subject, step: Step, part: int = 0) -> str | None:
         """The value that a condition of the guard of a step sees."""
@@ -89,16 +92,22 @@ class _Run:
 
     def assigned(self, key: str, value: str) -> _Run:
         """The same after an assignment."""
+        if key in self.fields:
+            return replace(self, values={**self.values, key: value})
         return replace(self, values={**self.values, key: value}, effect=replace(self.effect, after={**self.effect.after, key: value}))
 
     def followed(self, step: Step, sent: tuple[str, ...]) -> _Run:
         """The same after a step that was taken."""
         effect = replace(self.effect, sent=self.effect.sent + sent, rows=(*self.effect.rows, step.row))
-        return replace(self, effect=effect)
+        fields = {port: fields_of(message, self.fields) for port, message in step.messages}
+        known = tuple((port, tuple((path, self.values[key]) for path, key in fields.get(port, {}).items())) for port in sent)
+        return replace(self, effect=replace(effect, contents=effect.contents + known if self.fields else ()))
 
 
-def effects(steps: Sequence[Step], variables: Collection[str], pick: Pick) -> list[Effect]:
+def effects(steps: Sequence[Step], variables: Collection[str], pick: Pick, fields: Mapping[str, str] | None = None) -> list[Effect]:
     """All ways that a reaction may go, from any values of `variables`; cases that end alike are one.
+
+    `fields` are variables of the reaction alone, with the values that they begin with.
 
     Raises:
         TooManyCases: there are too many.
@@ -106,7 +115,7 @@ def effects(steps: Sequence[Step], variables: Collection[str], pick: Pick) -> li
     later: list[set[Subject]] = [set()]
     for step in reversed(steps):
         later.insert(0, later[0] | set(_tested(step)))
-    runs = [_Run()]
+    runs = [_Run(values=fields or {}, fields=frozenset(fields or ()))]
     for index, step in enumerate(steps):
         found: dict[object, _Run] = {}
         for run in runs:
@@ -140,7 +149,7 @@ def _settled(run: _Run, later: set[Subject]) -> _Run:
 def _key(run: _Run) -> object:
     """What the rest of a reaction, and what comes of it, hangs on."""
     parts = (run.values, run.seen, run.chosen, run.effect.before, run.effect.after)
-    return (*(frozenset(part.items()) for part in parts), run.effect.sent, bool(run.effect.rows))
+    return (*(frozenset(part.items()) for part in parts), run.effect.sent, bool(run.effect.rows), run.effect.contents)
 
 
 def _merged(one: _Run, two: _Run) -> _Run:

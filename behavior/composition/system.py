@@ -8,6 +8,7 @@ from functools import cached_property
 
 from rosarch.base.places import Place
 from rosarch.behavior.composition.components import Component, component
+from rosarch.behavior.composition.contents import fields_read
 from rosarch.models.machine.cells import Document
 from rosarch.models.system.model import Connector, SystemModel
 
@@ -95,11 +96,12 @@ def composed(model: SystemModel, documents: Mapping[str, Document]) -> System:
     """A system with the behaviour of its nodes, from the documents of components by `package/name`."""
     known: dict[object, Component] = {}
     nodes: dict[str, Component] = {}
+    asked = fields_read(documents.values())
     for node in model.nodes:
         if node.component in documents:
             own = node.component, node.settings
             document = documents[str(node.component)]
-            known[own] = known.get(own) or component(document, {name: (kind, text) for name, kind, text in node.settings})
+            known[own] = known.get(own) or component(document, {name: (kind, text) for name, kind, text in node.settings}, asked)
             nodes[node.id] = known[own].timed(
                 {str(place): hz for place, hz in _certain(node.rates)}, [str(place) for place in node.serving]
             )

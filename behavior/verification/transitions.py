@@ -129,6 +129,16 @@ class _Encoder:
         self.model = model
         self.variables = [names.new(variable.text) for variable in model.variables]
         self.queues = [names.new(f"{queue.node} queue {queue.topic}") for queue in model.queues]
+        self.slots = {
+            index: [names.new(f"{queue.node} content {queue.topic}") for _ in range(queue.size)]
+            for index, queue in enumerate(model.queues)
+            if queue.contents
+        }
+        self.beyond = {
+            index: [names.new(f"{queue.node} beyond {queue.topic}") for _ in queue.contents or ("",)]
+            for index, queue in enumerate(model.queues)
+            if queue.open
+        }
         self.events = {event: names.new(str(event)) for event in model.events}
         self.begun, self.stage, self.turn = CHOSEN, "stage", "turn"
         self.choices = len(model.choices)
@@ -158,8 +168,7 @@ class _Encoder:
             first = variable.values.index(variable.initial[0])
             yield Number(name, len(variable.values) - 1, first, variable.text, variable.values)
         for name, queue in zip(self.queues, model.queues, strict=True):
-            more = " (the last: or more)" if queue.open else ""
-            yield Number(name, queue.size, 0, f"messages on {queue.topic} that wait for {queue.node}{more}")
+            yield Number(name, queue.size, 0, f"messages on {queue.topic} that wait for {queue.node}")
         for event, name in self.events.items():
             yield Number(name, 1, 0, str(event))
         if self.choices:
@@ -168,6 +177,15 @@ class _Encoder:
             yield Number(self.stage, model.stages, 0, "messages of the scenario that were sent")
         if model.obligations:
             yield Number(self.turn, len(model.obligations), 0, "what has to get its turn next, for a run to be fair")
+        for index, names in self.beyond.items():
+            queue = model.queues[index]
+            for name, content in zip(names, queue.contents or ("messages",), strict=True):
+                yield Number(name, 1, 0, f"more than {queue.size} on {queue.topic} wait for {queue.node}, {content} among them")
+        for index, slots in self.slots.items():
+            queue = model.queues[index]
+            for place, name in enumerate(slots):
+                text = f"message {place + 1} on {queue.topic} that waits for {queue.node}"
+                yield Number(name, len(queue.contents) - 1, 0, text, queue.contents)
 
     def _ready(self) -> list[Expression]:
         return [equal(self.begun, self.choices)] if self.choices else []
@@ -179,6 +197,14 @@ class _Encoder:
             guard.append(some(equal(self.variables[variable], known.index(value)) for value in sorted(values, key=known.index)))
         if command.takes is not None:
             guard.append(Operation("<", (0, self.queues[command.takes])))
+            if command.taken is not None and command.takes in self.slots:
+                guard.append(some(equal(self.slots[command.takes][0], content) for content in sorted(command.taken)))
+            if command.takes in self.beyond and not command.keeps:
+                size, beyond = self.model.queues[command.takes].size, self.beyond[command.takes]
+                none = every(equal(name, 0) for name in beyond)
+                guard.append(some([Operation("<", (self.queues[command.takes], size)), none]))
+        if (kept := command.drops if command.takes is None else command.takes if command.keeps else None) in self.beyond:
+            guard.append(equal(self.beyond[kept][command.kept_content], 1))
         guard += [equal(self.queues[queue], self.model.queues[queue].size) for queue in command.full]
         if command.stage is not None:
             guard.append(equal(self.stage, command.stage))
@@ -191,12 +217,44 @@ class _Encoder:
         return Transition(every(guard), tuple(updates), index, f"{command.actor} {command.cause}")
 
     def _queued(self, command: Command) -> Iterable[tuple[str, Expression]]:
+        for queue in dict.fromkeys((*command.puts, *(() if command.takes is None else (command.takes,)))):
+            if queue in self.slots:
+                yield from self._contents(command, queue)
+            if queue in self.beyond:
+                yield from self._more(command, queue)
+        if command.drops is not None:
+            slots = self.slots[command.drops]
+            yield from zip(slots, (*slots[1:], command.kept_content), strict=True)
         for queue in command.puts:
             if queue != command.takes:
                 name, size = self.queues[queue], self.model.queues[queue].size
                 yield name, choose(Operation("<", (name, size)), Operation("+", (name, 1)), size)
         if command.takes is not None and command.takes not in command.puts and not command.keeps:
             yield self.queues[command.takes], Operation("-", (self.queues[command.takes], 1))
+
+    def _contents(self, command: Command, queue: int) -> Iterable[tuple[str, Expression]]:
+        """What messages in a queue hold, in an order in which each is set before those that it is set from."""
+        count, slots, of = self.queues[queue], self.slots[queue], self.model.queues[queue]
+        put: Expression = dict(command.given_contents).get(queue, 0)
+        for place, slot in enumerate(slots):
+            following: Expression = slots[place + 1] if place + 1 < len(slots) else 0
+            if queue == command.takes and queue in command.puts and not command.keeps:
+                yield slot, choose(equal(count, place + 1), put, following)
+            elif queue == command.takes:
+                yield slot, command.kept_content if command.keeps and place + 1 == len(slots) else following
+            else:
+                oldest: Expression = slot if of.open else put if place + 1 == len(slots) else following
+                yield slot, choose(equal(count, place), put, choose(equal(count, of.size), oldest, slot))
+
+    def _more(self, command: Command, queue: int) -> Iterable[tuple[str, Expression]]:
+        """What waits in an open queue beyond those that are counted."""
+        put = dict(command.given_contents).get(queue, 0) if queue in command.puts else None
+        full = equal(self.queues[queue], self.model.queues[queue].size)
+        for content, name in enumerate(self.beyond[queue]):
+            if put == content and (queue != command.takes or command.keeps):
+                yield name, choose(full, 1, name)
+            elif queue == command.takes and command.settles:
+                yield name, 0
 
     def _observations(
         self, events: Iterable[object], full: Sequence[tuple[object, int]], obligation: int | None

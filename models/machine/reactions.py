@@ -49,6 +49,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     found: dict[str, list[Step]] = {}
     trees: dict[Step, Any] = {}
     loops = distinguished_loops(document)
+    known_messages = Messages(document)
     for index, row in enumerate(document.get("transitions") or ()):
         if not row.get("variable"):
             continue
@@ -66,6 +67,7 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             guard = meaning.guard(way, "when", "")
             sometimes = not guard and row.get("must") is False
             step = Step(Row("reactive", index, _place(way)), guard, (), (str(row["output"]),), sometimes, trail=trail_of(way))
+            step = known_messages.of_call(step)
             trees[step] = way.get("when_tree")
             for trigger in _list(row.get("input")):
                 found.setdefault(trigger, []).append(step)
@@ -76,12 +78,14 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
             for sometimes, sent in _sent_in_round(document, sending, certain=bool(guard)):
                 place = _last_condition(way.get("conditional_tree"))
                 step = Step(Row("periodic", index, _place(row)), guard, (), sent, sometimes, done_at=place, trail=trail_of(way))
+                step = known_messages.of_round(step, row)
                 trees[step] = way.get("conditional_tree")
                 found.setdefault(loop_trigger(row.get("at")) if loops else PERIODIC, []).append(step)
     for index, row in enumerate(document.get("one_shot") or ()):
         for way in row.get("ways") or (row,):
             guard = meaning.guard(way, "when", "")
             step = Step(Row("one_shot", index, _place(row)), guard, (), (str(row["output"]),), trail=trail_of(way))
+            step = known_messages.of_call(step, tuple(_list(row.get("sent_at"))))
             trees[step] = way.get("when_tree")
             found.setdefault("timer", []).append(step)
     known = gates(document)
@@ -96,6 +100,36 @@ def component_steps(document: Document, domains: Domains) -> dict[str, list[Step
     parts = apart(found, trees, document)
     ordered = {trigger: with_epochs(sorted(steps, key=_order), trees, unsteady, anew) for trigger, steps in parts.items()}
     return {trigger: by_callback(gated(steps, trigger, known, document), trigger, document) for trigger, steps in ordered.items()}
+
+
+class Messages:
+    """What the document knows of the messages that are sent."""
+
+    def __init__(self, document: Document) -> None:
+        contents = document.get("contents") or {}
+        self._at: dict[tuple[str, str], set[str]] = {}
+        for port, place, message in contents.get("sent", ()):
+            self._at.setdefault((port, place), set()).add(message)
+        self._rounds: dict[tuple[str, str, str | None], set[str]] = {}
+        for port, place, loop, condition in contents.get("rounds", ()):
+            self._rounds.setdefault((port, loop, condition), set()).add(place)
+
+    def of_call(self, step: Step, places: Sequence[str] = ()) -> Step:
+        """The step, whose row is about calls that send, with the message, if there is only one."""
+        (place, *others) = places or step.row.at.split(" ")
+        return step if others else replace(step, messages=self._messages(step, place))
+
+    def of_round(self, step: Step, row: Mapping[str, Any]) -> Step:
+        """The step of a timed loop or timer with the messages that it sends by one call each; the last of these is its place."""
+        called = {port: self._rounds.get((port, str(row.get("at")), row.get("conditional")), set()) for port in step.outputs}
+        known = [(port, *places) for port, places in called.items() if len(places) == 1]
+        messages = tuple(found for port, place in known for found in self._messages(step, place) if found[0] == port)
+        done = max([place for _, place in known], key=_position) if messages else step.done_at
+        return replace(step, messages=messages, done_at=done)
+
+    def _messages(self, step: Step, place: str) -> tuple[tuple[str, str], ...]:
+        found = {port: self._at.get((port, place), set()) for port in step.outputs}
+        return tuple((port, *messages) for port, messages in found.items() if len(messages) == 1)
 
 
 def _rounds(document: Document) -> Iterator[tuple[int, Mapping[str, Any]]]:

@@ -48,6 +48,7 @@ class Step:
     epochs: tuple[tuple[int, str, tuple[int, ...]], ...] = ()
     unclear: bool = False
     trail: tuple[str, ...] | None = None
+    messages: tuple[tuple[str, str], ...] = ()  # for ports that it sends through, what the document calls the message, where it is known
 
     def tested(self) -> set[Subject]:
         """What its guard and its values are about."""
