@@ -13,11 +13,11 @@ from rosarch.base.logic import TRUE, atoms
 from rosarch.base.places import Place
 from rosarch.datalog.language.values import symbols
 from rosarch.models import formula
-from rosarch.models.contents import contents_json
 from rosarch.models.behavior import NOTHING, Behavior, Sending, StateVariable, build_behavior, variable_names
+from rosarch.models.contents import contents_json
 from rosarch.models.formula import Formula
-from rosarch.models.machine.conditions import constant
 from rosarch.models.guards import Guards, meant_json, trail_json
+from rosarch.models.machine.conditions import constant
 from rosarch.models.node_configuration import InnerNode, PluginArgument
 from rosarch.models.normal import normal_text
 from rosarch.models.numbers import calculated

@@ -62,7 +62,9 @@ def sent_contents(
     called = {(message, call) for call, message in relations.get("content_sent", ()) if call in places}
     calls = dict(sorted(called, reverse=True))
     numbers = {message: str(number) for number, message in enumerate(sorted(calls), 1)}
-    sent = {(ports[port], places[call], numbers[message]) for port, call in _sending(relations, ports) for message, one in called if one == call}
+    sent = {
+        (ports[port], places[call], numbers[message]) for port, call in _sending(relations, ports) for message, one in called if one == call
+    }
     kinds = {(message, path): kind for message, path, kind in sorted(relations.get("content_kind", ()))}
     roots = defaultdict(list)
     for root, step in sorted(relations.get("content_step", ())):

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from rosarch.behavior.composition.components import Component
 from rosarch.behavior.composition.cone import Cone, Event
-from rosarch.behavior.composition.contents import as_read
+from rosarch.behavior.composition.held import Held
 from rosarch.behavior.composition.inputs import Inputs
 from rosarch.behavior.composition.model import Command, Model, Queue, Variable
 from rosarch.behavior.composition.reactions import Effect, cases_of, effects
@@ -22,7 +22,6 @@ from rosarch.models.machine.steps import Step
 from rosarch.models.machine.switching import OFF, START
 
 BOUND = 2
-MOST_CONTENTS = 16
 _ACTIVITIES = {"timer": "a timer that runs once"}
 _OWN = ("timer", "thread", "main", "lifecycle")  # what a node does by itself, though it is not known when
 
@@ -34,6 +33,7 @@ class _Builder:
     inputs: Inputs
     bound: int
     fair: bool
+    held: Held
     variables: list[Variable] = field(default_factory=list)
     queues: list[Queue] = field(default_factory=list)
     queue_of: dict[End, int] = field(default_factory=dict)
@@ -41,8 +41,6 @@ class _Builder:
     obligations: list[int | str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     found: dict[End, list[Effect]] = field(default_factory=dict)
-    read: dict[End, Mapping[Subject, str]] = field(default_factory=dict)
-    contents: dict[int, list[Content]] = field(default_factory=dict)
 
 
 def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, fair: bool = True) -> Model:
@@ -50,7 +48,7 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
 
     When it has to be `fair`, what has to get its turn again and again is counted.
     """
-    builder = _Builder(system, cone, inputs, bound, fair)
+    builder = _Builder(system, cone, inputs, bound, fair, Held(system, cone))
     for node, key in sorted(cone.variables):
         variable = system.nodes[node].variables[key]
         initial = inputs.first_values(node, variable)
@@ -58,6 +56,7 @@ def model_of(system: System, cone: Cone, inputs: Inputs, *, bound: int = BOUND, 
         builder.variables.append(Variable((node, key), text, variable.values, initial))
     for end in cone.steps:
         _queue(builder, end)
+    builder.held.find(builder.queue_of, lambda topic, subject: inputs.content(topic, subject) is not None)
     for end in cone.steps:
         builder.found[end] = _effects(builder, end)
     for end in cone.steps:
@@ -131,81 +130,22 @@ def _queue(builder: _Builder, end: End) -> None:
 def _effects(builder: _Builder, end: End) -> list[Effect]:
     """The ways in which a reaction may go; what is distinguished of the message that it takes is a variable."""
     node, _ = end
-    component, topic, steps = builder.system.nodes[node], builder.system.inlet(end), builder.cone.steps[end]
-    keys = {key for other, key in builder.cone.variables if other == node}
-    if end in builder.queue_of and topic:
-        paths = [component.paths_read(end[1], step) for step in steps]
-        sent = {(other, key) for other, key in builder.cone.fields}
-        known = {subject: path for own in paths for subject, path in own.items() if builder.inputs.content(topic.name, subject) is None}
-        builder.read[end] = {
-            subject: path
-            for subject, path in known.items()
-            if any((other, key) in sent for other, port in topic.senders for key in builder.system.nodes[other].fields_sent(port, path))
-        }
-    keys |= {subject.key for subject in builder.read.get(end, ())}
-    shared = dict(_content_of_inputs(builder, topic, steps))
+    component, steps = builder.system.nodes[node], builder.cone.steps[end]
+    keys = {key for other, key in builder.cone.variables if other == node} | {subject.key for subject in builder.held.read.get(end, ())}
+    shared = dict(_content_of_inputs(builder, builder.system.inlet(end), steps))
     fields = {key: component.fields[key] for other, key in builder.cone.fields if other == node}
     return effects(steps, keys, lambda subject: shared.get(subject, subject.values), fields)
-
-
-Content = tuple[str | None, ...]
-"""The values of what a reader distinguishes of a message, in its order; None where it is not known."""
 
 
 def _hold(builder: _Builder, end: End) -> None:
     """Note what the messages in the queue of a reader may hold."""
-    if not builder.read.get(end) or not (topic := builder.system.inlet(end)):
-        return
-    unknown: Content = (None,) * len(builder.read[end])
-    found = {
-        _as_read(builder, sender, end, content)
-        for sender in topic.senders
-        for trigger in (other for other in builder.found if other[0] == sender[0])
-        for effect in builder.found[trigger]
-        for content in [_content(effect, sender[1])]
-        if sender[1] in effect.sent
-    }
-    contents = [unknown, *sorted(found - {unknown}, key=repr)]
-    if len(contents) > MOST_CONTENTS or len(contents) == 1:
-        del builder.read[end]
-        builder.found[end] = _effects_of_any(builder, end)
+    if not builder.held.read.get(end):
         return
     index = builder.queue_of[end]
-    builder.contents[index] = contents
-    subjects = list(builder.read[end])
-    texts = ("something", *(_content_text(subjects, content) for content in contents[1:]))
-    builder.queues[index] = replace(builder.queues[index], contents=texts)
-
-
-def _content_text(subjects: Sequence[Subject], content: Content) -> str:
-    known = zip(subjects, content, strict=True)
-    return ", ".join(f"{subject.text} {value}" for subject, value in known if value is not None)
-
-
-def _effects_of_any(builder: _Builder, end: End) -> list[Effect]:
-    """The ways in which a reaction may go whatever the message holds."""
-    node, _ = end
-    component, topic, steps = builder.system.nodes[node], builder.system.inlet(end), builder.cone.steps[end]
-    keys = {key for other, key in builder.cone.variables if other == node}
-    shared = dict(_content_of_inputs(builder, topic, steps))
-    fields = {key: component.fields[key] for other, key in builder.cone.fields if other == node}
-    return effects(steps, keys, lambda subject: shared.get(subject, subject.values), fields)
-
-
-def _content(effect: Effect, port: str) -> Mapping[str, str]:
-    """What is known of the message that goes through a port: nothing where several differ."""
-    found = [dict(content) for name, content in effect.contents if name == port]
-    return found[0] if found and all(content == found[0] for content in found) else {}
-
-
-def _as_read(builder: _Builder, sender: End, reader: End, content: Mapping[str, str]) -> Content:
-    """A content as its reader distinguishes it."""
-    sent_by, read_by = (builder.system.nodes[node].constants for node, _ in (sender, reader))
-    known = {path.removeprefix("request."): value for path, value in content.items()}
-    return tuple(
-        as_read(known[path], sent_by, subject.values, read_by) if path in known else None
-        for subject, path in builder.read[reader].items()
-    )
+    if texts := builder.held.noted(end, index, builder.found):
+        builder.queues[index] = replace(builder.queues[index], contents=texts)
+    else:
+        builder.found[end] = _effects(builder, end)
 
 
 def _extra(builder: _Builder, known: dict[End, int], end: End, what: str) -> None:
@@ -243,7 +183,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     obligation = _oblige(builder, f"{node} {trigger}" if queue is None else queue) if due else None
     others = [builder.kept_of[node, other] for other in sorted(component.together.get(trigger, ())) if (node, other) in builder.kept_of]
     keys = {key for other, key in builder.cone.variables if other == node}
-    read = {subject.key: subject for subject in builder.read.get(end, ())}
+    read = {subject.key: subject for subject in builder.held.read.get(end, ())}
     idle = topic is not None and any(event.kind in ("received", "ignored") for event in _events_at(builder, end, topic))
     for effect, cases in _grouped(builder.found[end], component, keys, read):
         if not (effect.after or effect.sent or queue is not None or obligation is not None or idle):
@@ -269,7 +209,7 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
         command = _answering(
             builder, end, _sending(builder, command, [t for port in effect.sent for t in builder.system.outlet((node, port))])
         )
-        command = replace(_asking(builder, command, effect.sent), given_contents=_put(builder, node, effect))
+        command = replace(_asking(builder, command, effect.sent), given_contents=builder.held.put(node, effect, builder.queue_of))
         for case in cases:
             when = tuple((_index(builder, node, key), values) for key, values in sorted(case.items()) if key not in read)
             for variant in _taking(builder, end, command, {key: values for key, values in case.items() if key in read}):
@@ -281,41 +221,14 @@ def _reaction(builder: _Builder, end: End) -> Iterator[Command]:
     yield from _nothing_done(builder, end, obligation)
 
 
-def _put(builder: _Builder, node: str, effect: Effect) -> tuple[tuple[int, int], ...]:
-    """What the messages hold that a reaction sends, by the queues that they come into."""
-    found: dict[int, set[int]] = {}
-    for port in dict.fromkeys(effect.sent):
-        for reader in (end for topic in builder.system.outlet((node, port)) for end in topic.receivers):
-            queue = builder.queue_of.get(reader)
-            if queue in builder.contents:
-                own = builder.contents[queue].index(_as_read(builder, (node, port), reader, _content(effect, port)))
-                found.setdefault(queue, set()).add(own)
-    return tuple((queue, min(own) if len(own) == 1 else 0) for queue, own in sorted(found.items()))
-
-
 def _taking(builder: _Builder, end: End, command: Command, case: Case) -> Iterator[Command]:
-    """The command, which takes messages that hold what is known to be so, and the one that takes those of which it is not known."""
-    queue = command.takes
-    if queue is None or queue not in builder.contents:
+    """The command, which takes messages that hold what is known to be so, and the ones that take those of which it is not known."""
+    if command.takes is None or command.takes not in builder.held.contents:
         yield command
         return
-    subjects = list(builder.read[end])
-    fit = [content for content in builder.contents[queue] if _fits(subjects, content, case)]
-    sure = frozenset(builder.contents[queue].index(content) for content in fit if _fits(subjects, content, case, certain=True))
-    if sure:
-        yield replace(command, taken=sure)
-    for content in fit:
-        number = builder.contents[queue].index(content)
-        if number not in sure:
-            open_ = [subject for subject, value in zip(subjects, content, strict=True) if value is None and subject.key in case]
-            assumes = tuple(_condition_text(subject, case[subject.key]) for subject in open_)
-            yield replace(command, taken=frozenset({number}), assumes=(*command.assumes, *assumes))
-
-
-def _fits(subjects: Sequence[Subject], content: Content, case: Case, *, certain: bool = False) -> bool:
-    """Whether a content may be, or is certainly, one of a case."""
-    known = zip(subjects, content, strict=True)
-    return all((not certain if value is None else value in case[subject.key]) for subject, value in known if subject.key in case)
+    for taken, open_ in builder.held.cases(end, command.takes, case):
+        assumes = tuple(_condition_text(subject, case[subject.key]) for subject in open_)
+        yield replace(command, taken=taken, assumes=(*command.assumes, *assumes))
 
 
 def _time_passes(builder: _Builder) -> Iterator[Command]:
@@ -329,7 +242,7 @@ def _time_passes(builder: _Builder) -> Iterator[Command]:
 
 def _lost(builder: _Builder) -> Iterator[Command]:
     """What waits is lost where more comes than a queue holds: what comes next may be one of those that came later."""
-    for index, contents in builder.contents.items():
+    for index, contents in builder.held.contents.items():
         queue = builder.queues[index]
         for content in range(len(contents)) if queue.open else ():
             full = f"the queue of {queue.node} for {queue.topic} is full"
@@ -436,7 +349,7 @@ def _by_length(builder: _Builder, command: Command) -> Iterator[Command]:
         if one.takes is not None and builder.queues[one.takes].open:
             more = f"more than {builder.bound} messages on {builder.queues[one.takes].topic} wait"
             kept = replace(one, keeps=True, full=(*one.full, one.takes), assumes=(*one.assumes, more))
-            for content in range(len(builder.contents.get(one.takes, (None,)))):
+            for content in range(len(builder.held.contents.get(one.takes, (None,)))):
                 yield from (replace(kept, kept_content=content, settles=settles) for settles in (False, True))
 
 
@@ -464,7 +377,7 @@ def _grouped(
 
     `read` is what is distinguished of the message that is taken.
     """
-    subjects = {key: Subject(key, key, component.variables[key].values, True) for key in keys} | read
+    subjects = {key: Subject(key, key, component.variables[key].values, True) for key in keys} | dict(read)
     best: dict[object, Effect] = {}
     for effect in sorted(found, key=lambda effect: len(effect.choices)):
         key = (frozenset(effect.before.items()), frozenset(effect.after.items()), effect.sent, bool(effect.rows), effect.contents)

@@ -74,7 +74,8 @@ class Component:
     def fields_sent(self, port: str, path: str) -> frozenset[str]:
         """The variables that a field of what goes through a port is."""
         messages = {message for steps in self.steps.values() for step in steps for name, message in step.messages if name == port}
-        return frozenset(key for message in messages for name, key in fields_of(message, self.fields).items() if name.removeprefix("request.") == path)
+        fields = (item for message in messages for item in fields_of(message, self.fields).items())
+        return frozenset(key for name, key in fields if name.removeprefix("request.") == path)
 
     @cached_property
     def with_times(self) -> Component:

@@ -32,7 +32,7 @@ def _texts(document: Document) -> Iterable[str]:
 
 
 def with_contents(document: Document, asked: Collection[str]) -> Document:
-    """The document in which the fields of sent messages that somebody asks for are variables, and what gives them values are transitions."""
+    """The document in which fields of sent messages that somebody asks for are variables, which what gives them values changes."""
     contents = document.get("contents") or {}
     kinds = {(message, path): kind for message, path, kind in contents.get("kinds", ())}
     rows = [row for row in contents.get("fillings", ()) if row["path"].rpartition(".")[2] in asked]
@@ -101,5 +101,3 @@ def _plain(value: str, numbers: Mapping[str, str]) -> str | None:
 
 def _is_text(value: str) -> bool:
     return value[:1] == '"'
-
-

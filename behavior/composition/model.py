@@ -40,10 +40,10 @@ class Command:
     """Something that may happen when variables have these values (`when`) and there is a message in the queue `takes`.
 
     Then variables are `given` values, messages are put into queues, and `events` happen: those in `full_events` only when the queue
-    that they are about is full. The queues in `full` have to be full; one that `takes` a message and `keeps` the queue full has one of those that
-    wait beyond follow, with the content `kept_content`, and is the last to do so if it `settles` that. The message that it takes has one of
-    the contents `taken`, by number, those that it puts have `given_contents`, by queue. One that `drops` takes no message, the oldest of an open
-    queue is lost.
+    that they are about is full. The queues in `full` have to be full. One that `takes` a message and `keeps` the queue full has one of
+    those that wait beyond follow, with the content `kept_content`, and is the last to do so if it `settles` that. The message that it
+    takes has one of the contents `taken`, by number, those that it puts have `given_contents`, by queue. One that `drops` takes no
+    message, the oldest of an open queue is lost.
     `obligation` is the index of what has to happen again and again that this fulfils. `inputs` and `assumes` say what this takes for
     granted of messages from outside, and of anything else. `clock` is the timer or timed loop of known rate that sets it off. `cause` and
     `places` are for people.

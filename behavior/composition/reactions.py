@@ -63,8 +63,8 @@ class Effect:
 class _Run:
     """A reaction under way.
 
-    `fields` are the variables that are fields of messages. `values` are those of variables now, `seen` those that conditions see, `chosen` the values of what else was asked and will be again,
-    `ways` the alternatives in what was asked and will not be.
+    `fields` are the variables that are fields of messages. `values` are those of variables now, `seen` those that conditions see,
+    `chosen` the values of what else was asked and will be again, `ways` the alternatives in what was asked and will not be.
     """
 
     values: Mapping[str, str] = field(default_factory=dict)

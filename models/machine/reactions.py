@@ -129,7 +129,7 @@ class Messages:
 
     def _messages(self, step: Step, place: str) -> tuple[tuple[str, str], ...]:
         found = {port: self._at.get((port, place), set()) for port in step.outputs}
-        return tuple((port, *messages) for port, messages in found.items() if len(messages) == 1)
+        return tuple((port, next(iter(messages))) for port, messages in found.items() if len(messages) == 1)
 
 
 def _rounds(document: Document) -> Iterator[tuple[int, Mapping[str, Any]]]:
