@@ -349,7 +349,9 @@ def _by_length(builder: _Builder, command: Command) -> Iterator[Command]:
         if one.takes is not None and builder.queues[one.takes].open:
             more = f"more than {builder.bound} messages on {builder.queues[one.takes].topic} wait"
             kept = replace(one, keeps=True, full=(*one.full, one.takes), assumes=(*one.assumes, more))
-            for content in range(len(builder.held.contents.get(one.takes, (None,)))):
+            if one.takes not in builder.held.contents:
+                yield kept
+            for content in range(len(builder.held.contents.get(one.takes, ()))):
                 yield from (replace(kept, kept_content=content, settles=settles) for settles in (False, True))
 
 

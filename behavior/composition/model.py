@@ -22,7 +22,7 @@ class Variable:
 class Queue:
     """The messages that wait for a node's callback, by number.
 
-    A queue that is `open` is longer than `size`: what more comes waits there too, in an unknown number; else the oldest message is dropped
+    A queue that is `open` is longer than `size`, and `size` stands for that many messages or more; else the oldest message is dropped
     from a full one. From a `prompt` one a message is taken as soon as it has come, as long as callbacks take no time. `contents` are what
     the messages may hold that nodes distinguish, where there is anything; the first one is what is not known.
     """

@@ -135,9 +135,9 @@ class _Encoder:
             if queue.contents
         }
         self.beyond = {
-            index: [names.new(f"{queue.node} beyond {queue.topic}") for _ in queue.contents or ("",)]
+            index: [names.new(f"{queue.node} beyond {queue.topic}") for _ in queue.contents]
             for index, queue in enumerate(model.queues)
-            if queue.open
+            if queue.open and queue.contents
         }
         self.events = {event: names.new(str(event)) for event in model.events}
         self.begun, self.stage, self.turn = CHOSEN, "stage", "turn"
@@ -168,7 +168,8 @@ class _Encoder:
             first = variable.values.index(variable.initial[0])
             yield Number(name, len(variable.values) - 1, first, variable.text, variable.values)
         for name, queue in zip(self.queues, model.queues, strict=True):
-            yield Number(name, queue.size, 0, f"messages on {queue.topic} that wait for {queue.node}")
+            more = " (the last: or more)" if queue.open else ""
+            yield Number(name, queue.size, 0, f"messages on {queue.topic} that wait for {queue.node}{more}")
         for event, name in self.events.items():
             yield Number(name, 1, 0, str(event))
         if self.choices:
@@ -179,7 +180,7 @@ class _Encoder:
             yield Number(self.turn, len(model.obligations), 0, "what has to get its turn next, for a run to be fair")
         for index, names in self.beyond.items():
             queue = model.queues[index]
-            for name, content in zip(names, queue.contents or ("messages",), strict=True):
+            for name, content in zip(names, queue.contents, strict=True):
                 yield Number(name, 1, 0, f"more than {queue.size} on {queue.topic} wait for {queue.node}, {content} among them")
         for index, slots in self.slots.items():
             queue = model.queues[index]
